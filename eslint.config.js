@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import js from '@eslint/js';
 import globals from 'globals';
+import { messageRule, readMessages, valuesByCode } from './script/message_rule.js';
 
 /** Rules in addition to the recommended ones. None concerns layout, and tsc finds type errors (`npm run check`). */
 const kRules = {
@@ -20,7 +21,12 @@ const kRules = {
 };
 
 /** Parts of web/ that run during the build. */
-const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
+const kAtBuild = [
+  'web/offline/{app_icon,build_plugin,icons,png}.js',
+  'web/samples/*.js',
+  'web/i18n/fill.js',
+  'web/npm/build.js',
+];
 
 /** Files run at a terminal, and tests that print measurements. */
 const kOnTerminal = [
@@ -31,6 +37,8 @@ const kOnTerminal = [
   'wasm/**/*.js',
   'web/offline/icons.js',
   'web/samples/generate.js',
+  'web/npm/build.js',
+  'examples/**/*.js',
   '*.js',
 ];
 
@@ -47,13 +55,13 @@ export default [
   { files: ['public/**/*.js'], languageOptions: { sourceType: 'script' } },
   { files: ['web/offline/service_worker.js'], languageOptions: { globals: globals.serviceworker } },
   // Code that e2e hands to the browser is in the same files as code for Node.
-  { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
+  { files: ['e2e/**/*.js', 'examples/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
     files: [
       'bench/**/*.mjs',
       'study/**/*.mjs',
       'study/**/*.js',
-      'script/cmake/*.js',
+      'script/**/*.js',
       'wasm/**/*.js',
       '*.js',
       '**/*.test.js',
@@ -64,5 +72,11 @@ export default [
   },
   // The page writes only faults of the program to the console, for developers.
   { files: ['web/**/*.js'], rules: { 'no-console': ['error', { allow: ['warn', 'error'] }] } },
+  {
+    files: ['web/**/*.js'],
+    ignores: ['**/*.test.js'],
+    plugins: { qrelief: { rules: { message: messageRule(valuesByCode(readMessages())) } } },
+    rules: { 'qrelief/message': 'error' },
+  },
   { files: kOnTerminal, rules: { 'no-console': 'off' } },
 ];

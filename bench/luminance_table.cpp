@@ -5,9 +5,10 @@
 //
 //     CENTRES.json: see bench/centres.h
 //
-// Each flat and each curved centre is engraved with the next of the five patterns, by either objective in turn. The
-// pass works on the map of the model with the depths found; the path tracer on the engraved mesh, written to a file and
-// read again. Compares CELLS submodules of each, drawn at random, as many carved as not.
+// Each flat and each curved centre is engraved with the next of the five patterns, by two searches in turn: for
+// contrast, and by the study's ReadingSearch. The pass works on the map of the model with the depths found; the path
+// tracer on the engraved mesh, written to a file and read again. Compares CELLS submodules of each, drawn at random, as
+// many carved as not.
 //
 // Then fits the interreflection of shaders/interreflection.glsl anew, to every second model, and tests it on the
 // others.
@@ -24,6 +25,7 @@
 #include "mesh/ray_tree.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
+#include "study/methods/reading_search.h"
 #include "verification/path_tracer.h"
 
 namespace qrelief {
@@ -45,6 +47,9 @@ struct Cell {
   const CellLight& reference() const { return traced[1]; }
 };
 
+/// Returns true for the places that are engraved by the study's search ReadingSearch.
+bool isByReading(int number) { return number % 4 < 2; }
+
 EngraveRequest requestFor(const bench::Centre& centre, int number) {
   EngraveRequest request;
   request.text = "https://example.com/qrelief";
@@ -54,18 +59,33 @@ EngraveRequest requestFor(const bench::Centre& centre, int number) {
   request.placement.sizeMm = centre.widthWithQuietZoneMm.value_or(35) * 29 / 37;
   request.modulePattern = static_cast<ModulePattern>(number % 5);
   request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
-  request.objective = number % 4 < 2 ? DepthObjective::Reading : DepthObjective::Contrast;
+  if (isByReading(number)) request.contrast = study::ReadingOptions().dataContrast;
   request.minWallMm = 0.4;
   request.albedo = static_cast<float>(kAlbedo);
   return request;
 }
 
-/// Returns the suggested width, or the largest that fits.
-Result<EngraveResult> engraveAt(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request) {
-  auto engraved = engrave(model, request);
+Result<EngraveResult> engraveBy(const MakeSearch& makeSearch, const std::shared_ptr<const EngravableModel>& model,
+                                const EngraveRequest& request) {
+  EngraveJob::Known known;
+  known.makeSearch = makeSearch;
+  auto job = EngraveJob::create(model, request, known);
+  if (!job) return tl::unexpected(job.error());
+  return runToEnd(**job);
+}
+
+/// Engraves at the suggested width, or at the largest that fits.
+Result<EngraveResult> engraveAt(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request,
+                                int number) {
+  MakeSearch makeSearch;
+  if (isByReading(number))
+    makeSearch = [](CarvingTarget target) {
+      return std::make_unique<study::ReadingSearch>(std::move(target), study::ReadingOptions());
+    };
+  auto engraved = engraveBy(makeSearch, model, request);
   if (engraved) return engraved;
   request.placement.sizeMode = SizeMode::Free;
-  return engrave(model, request);
+  return engraveBy(makeSearch, model, request);
 }
 
 std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model) {
@@ -218,8 +238,8 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
   std::vector<Cell> all;
   int number = 0;
   const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
-    const EngraveRequest request = requestFor(centre, number++);
-    const auto engraved = engraveAt(model, request);
+    const EngraveRequest request = requestFor(centre, number);
+    const auto engraved = engraveAt(model, request, number++);
     if (!engraved) return tl::unexpected(engraved.error());
     std::vector<Cell> cells = drawCells(*engraved, cellCount, centre.modelNumber);
     trace(*engraved, paths, cells);

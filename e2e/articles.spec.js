@@ -20,7 +20,7 @@ async function expectNoSidewaysScroll(page) {
   );
 }
 
-test('The guide names the widths of codes, and its plate opens in the app, carved', async ({ page }) => {
+test('The guide lists code widths, and its plate opens carved in the app', async ({ page }) => {
   const complaints = listen(page);
   const app = new Engraver(page);
   await app.open('?sample=pyramid');
@@ -40,7 +40,7 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
   await app.expectResult();
   await expect(app.result).toContainText('Reads as QRelief');
 
-  await test.step('in German, in the language chosen', async () => {
+  await test.step('in German if that is the chosen language', async () => {
     await page.goto('./guide.html');
     await page.getByLabel('Language').selectOption('de');
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('So wird es gedruckt');
@@ -52,7 +52,7 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
   expect(complaints).toEqual([]);
 });
 
-test('The method page computes its pictures, and reads the one that the phone sees', async ({ page }) => {
+test('The method page computes its pictures and decodes the phone’s view', async ({ page }) => {
   const complaints = listen(page);
   await page.goto('./method.html');
   await expect(page.getByRole('status')).toHaveText(/^Done in [\d.]+ seconds\.$/, { timeout: 300_000 });
@@ -79,7 +79,25 @@ test('The method page computes its pictures, and reads the one that the phone se
   expect(complaints).toEqual([]);
 });
 
-test('The study shows figures with tables to download, in the language and the width of the page', async ({ page }) => {
+test('The method page leads to the pages of the library, and its example to the function it calls', async ({
+  page,
+}) => {
+  const complaints = listen(page);
+  await page.goto('./method.html');
+  await page.getByRole('link', { name: 'The C++ library for developers' }).click();
+  await expect(page).toHaveTitle('The library · QRelief');
+  await expect(page.getByRole('listitem').filter({ hasText: 'depth search' })).toHaveText(/^depth: /);
+  await expectNoSidewaysScroll(page);
+  await expectNoViolations(page, 'library');
+  await page.getByRole('link', { name: 'readModel', exact: true }).click();
+  await expect(page).toHaveTitle('io · QRelief');
+  await expect(page.getByRole('heading', { name: 'readModel()' })).toBeInViewport();
+  await expectNoSidewaysScroll(page);
+  await expectNoViolations(page, 'module of the library');
+  expect(complaints).toEqual([]);
+});
+
+test('The study shows figures with downloadable tables, in the page’s language and width', async ({ page }) => {
   const complaints = listen(page);
   await page.goto('./guide.html');
   await page.getByRole('link', { name: 'Measurements' }).click();

@@ -4,7 +4,7 @@ import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
 import { saddleFile } from './support/models.js';
 
-test('What was done is offered after a reload and comes back; what was only looked at or was discarded is not offered', async ({
+test('Work is offered and restored after a reload, but not if nothing changed or it was discarded', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -12,7 +12,7 @@ test('What was done is offered after a reload and comes back; what was only look
   await app.open();
   await app.expectReady();
 
-  await test.step('a page that was only looked at', async () => {
+  await test.step('a page without changes', async () => {
     await page.reload();
     await app.expectReady();
     await expect(offer).toHaveCount(0);

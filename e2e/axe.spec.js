@@ -11,7 +11,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
   const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
   const kinds = page.getByRole('combobox', { name: 'Kind of content' });
 
-  await test.step('with the last visit’s work on offer', async () => {
+  await test.step('with the work of the last visit on offer', async () => {
     await app.open();
     await app.expectReady();
     await app.sample.selectOption('Star');
@@ -53,7 +53,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
     await app.text.fill('A');
   });
 
-  await test.step('with spots, and with what lies over the view', async () => {
+  await test.step('with spots and the overlays of the view', async () => {
     await app.suggest();
     await expectNoViolations(page, 'spots');
     await press('Views');

@@ -35,7 +35,7 @@ const drop = (page, name, content) =>
     [name, content],
   );
 
-test('A list becomes a code for every part, over a reload, and the parts and their manifest are saved as a ZIP', async ({
+test('A list becomes one code per part, across a reload, and a ZIP has the parts and their manifest', async ({
   page,
 }) => {
   await page.addInitScript(() => {
@@ -52,7 +52,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   await app.open('?sample=plate');
   await app.expectReady();
 
-  await test.step('a list with mistakes is refused, with their lines, and nothing is carved', async () => {
+  await test.step('a list with mistakes is refused with their lines, and nothing is carved', async () => {
     await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4') + 'P-6;"not closed;;A\n');
     await expect(page.getByRole('radio', { name: 'A code for every part' })).toBeChecked();
     await expect(problems).toHaveText([/^A quotation mark in line 7 of the list is never closed\./]);
@@ -68,7 +68,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(app.progress).toHaveCount(0);
   });
 
-  await test.step('the first part is carved and shown before the others can be', async () => {
+  await test.step('the first part must be carved before the others', async () => {
     await drop(page, 'parts.csv', csv(kTexts));
     await expect(plan).toHaveText('5 parts, version 2, 25 × 25 modules');
     await expect(problems).toHaveText(['Unused columns: bin.']);
@@ -81,7 +81,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(page.getByRole('button', { name: 'Make all 5 parts' })).toBeEnabled();
   });
 
-  await test.step('all are carved side by side; paused, no other is begun', async () => {
+  await test.step('all are carved in parallel; while paused, none is started', async () => {
     await page.getByLabel('Simulate the print of every … part').fill('4');
     await press('Make all 5 parts');
     await freezeAt(state, /[1-9] of 5/);
@@ -105,7 +105,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(rows.filter({ hasText: 'Engraving' })).toHaveCount(0);
   });
 
-  await test.step('after a reload it goes on, and what is carved is not carved again', async () => {
+  await test.step('after a reload it resumes without carving any part again', async () => {
     const before = await finished();
     await page.reload();
     await expect(page.getByText(/^\d of 5 parts of plate\.stl are engraved\. Go on\?/)).toBeVisible();
@@ -117,7 +117,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);
   });
 
-  await test.step('the part that failed says why, has failed again when it is tried again, and stopped no other', async () => {
+  await test.step('the failed part says why, fails again on a retry, and does not stop the others', async () => {
     await page.getByLabel('Show', { exact: true }).selectOption('Failed');
     await expect(rows).toHaveCount(2);
     await expect(rows.nth(1)).toContainText('P-4');
@@ -166,7 +166,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     expect(table[4]).toContain(',failed,');
   });
 
-  await test.step('discarded, nothing of it is left', async () => {
+  await test.step('discarding leaves nothing', async () => {
     await press('Discard the parts');
     await expectNoViolations(page, 'parts, carved');
     await page
@@ -186,7 +186,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   });
 });
 
-test('Numbered parts stand on plates, and the ZIP is written to a file that the user chose', async ({ page }) => {
+test('Numbered parts are placed on plates, and the ZIP is written to the chosen file', async ({ page }) => {
   await page.addInitScript(() => {
     // Where the browser lets the page write to a file of the user's choice: a file in the page's own storage replaces
     // it.

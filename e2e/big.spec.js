@@ -4,7 +4,7 @@ import { expect, test } from '@playwright/test';
 import { wavySphereStl } from './support/big_model.js';
 import { Engraver } from './support/engraver.js';
 
-test('A model of two million triangles is opened, and a code engraved into it reads', async ({ page }, testInfo) => {
+test('A code engraved into a model of two million triangles decodes', async ({ page }, testInfo) => {
   test.setTimeout(600_000);
   const file = testInfo.outputPath('two million.stl'); // too large for Playwright to pass as a buffer
   writeFileSync(file, wavySphereStl(708));

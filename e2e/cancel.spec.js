@@ -55,7 +55,7 @@ const kStages = [
   'Checking the result',
 ];
 
-test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost', async ({ page }) => {
+test('Cancelling works at once in every stage and loses nothing', async ({ page }) => {
   const app = new Engraver(page);
   await page.addInitScript(holdWorkers);
   await app.open('?sample=saddle&text=cancelled%20often');
@@ -81,7 +81,7 @@ test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost',
   }
   await expect(app.status).toHaveText(kCancelled);
 
-  await test.step('while the code still looks for its place', async () => {
+  await test.step('while the code is being placed', async () => {
     await freeze(page);
     await app.text.fill('cancelled at last');
     await app.engraveButton.click();
@@ -100,7 +100,7 @@ test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost',
     await expect(app.spots).not.toHaveCount(0);
   });
 
-  await test.step('the reading of a file: the model before it stays', async () => {
+  await test.step('while reading a file: the previous model stays', async () => {
     const time = cancelAt(page, 'Reading big.stl');
     await app.file.setInputFiles({ name: 'big.stl', mimeType: 'model/stl', buffer: wavySphereStl(200) });
     await expectCancelled('reading', time);

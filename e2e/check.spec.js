@@ -6,7 +6,7 @@ import { blindReaders } from './support/workers.js';
 const kText = 'Grüße ☕';
 const kPrinted = { timeout: 60_000 }; // time for the simulation of the print
 
-test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
+test('The verdict of a good carving has three lines: reads, prints, solid', async ({ page }) => {
   const app = new Engraver(page);
   await app.open(`?sample=saddle&text=${encodeURIComponent(kText)}`);
   await app.expectReady();
@@ -28,7 +28,7 @@ test('The verdict says in three lines that a good carving reads, prints and is s
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
   await expect(page.getByRole('heading', { name: 'Check and download' })).toBeFocused();
 
-  await test.step('The grades and the views behind the verdict are there on demand, marked as simulated', async () => {
+  await test.step('Grades and views behind the verdict appear on demand, marked as simulated', async () => {
     const table = page.getByRole('table', { name: 'As a direct part mark, ISO/IEC 29158' });
     await expect(table).toBeHidden();
     await page.getByText('Grades and views').click();
@@ -53,14 +53,14 @@ test('The verdict says in three lines that a good carving reads, prints and is s
     await expect(app.result).toContainText(/Reads up to about \d+ cm away, at [\d.]+ pixels per module/);
   });
 
-  await test.step('After a change the result says that it is older than the settings', async () => {
+  await test.step('After a change the result is marked as outdated', async () => {
     await expect(app.result).not.toContainText('Engrave again');
     await app.text.fill('another text');
     await expect(app.result).toContainText('Made before your last change. Engrave again to update it.');
   });
 });
 
-test('A carving too fine for the nozzle comes with remedies, of which one click sets the control and places the code anew', async ({
+test('A carving too fine for the nozzle offers remedies, and a click on one sets the control and places the code again', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -91,7 +91,9 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await expect(line).toContainText(/Reads as printed, facing up \(0\.6 mm nozzle, 0\.2 mm layers\)/, kPrinted);
 });
 
-test('A code that no reader finds is carved by the next deeper preset, and undone in one', async ({ page }) => {
+test('A code that does not decode is carved with the next deeper preset, and one undo reverts both', async ({
+  page,
+}) => {
   await page.addInitScript(blindReaders, ['shallow']);
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=deeper');

@@ -73,14 +73,14 @@ const kCases = [
   },
 ];
 
-test('A Wi-Fi access is filled in, engraved, and reads back as it should', async ({ page }) => {
+test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
   await choose(page, 'Wi-Fi access');
   const [network, password] = [page.getByLabel('Network name'), page.getByLabel('Password', { exact: true })];
 
-  await test.step('what is missing is said where it is missing: when a field is left, and when Engrave is pressed', async () => {
+  await test.step('a missing value is reported at its field, on leaving it and on Engrave', async () => {
     await expect(network).not.toHaveAttribute('aria-invalid');
     await expect(app.alert).toHaveCount(0);
     await password.fill('short');
@@ -120,7 +120,7 @@ test('A Wi-Fi access is filled in, engraved, and reads back as it should', async
   expect(stored).not.toContain('word');
 });
 
-test('Every other kind writes its payload to the textbox, and the symbol holds it; a contact is shorter as a MeCard', async ({
+test('Every other kind writes its payload to the textbox and the symbol; a contact is shorter as a MeCard', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -150,7 +150,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
     await expectSymbol(page, 'MECARD:N:Lovelace,Ada;TEL:+442079460018;EMAIL:ada@example.org;;');
   });
 
-  await test.step('an event is written in UTC, and one that ends before it starts is not', async () => {
+  await test.step('an event is written in UTC, unless it ends before it starts', async () => {
     await choose(page, 'Event');
     await fillIn(page, 'Event', { Title: 'Party', Start: '2027-07-01T18:30', End: '2027-07-01T17:00' });
     await page.getByLabel('Where', { exact: true }).focus();
@@ -166,7 +166,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
     );
   });
 
-  await test.step('the keyboard alone fills in a phone call; typing in the textbox leaves the builder, and what is typed stays', async () => {
+  await test.step('the keyboard alone fills in a phone call; typing in the textbox closes the builder and keeps the text', async () => {
     await page.reload(); // so that no kind has kept values
     await app.expectReady();
     const kind = page.getByRole('combobox', { name: 'Kind of content' });
@@ -188,9 +188,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   });
 });
 
-test('The symbol says its version, how full it is, and how much more fits; a link is put right by a click', async ({
-  page,
-}) => {
+test('The symbol shows version, fill and room; a click corrects a link', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();

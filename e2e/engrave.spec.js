@@ -51,9 +51,7 @@ function angleBetween(a, b) {
   return (Math.acos(Math.min(1, dot)) * 180) / Math.PI;
 }
 
-test('The bunny is engraved, reads as the text, inside and outside the page, and downloads as a solid', async ({
-  page,
-}, testInfo) => {
+test('The engraved bunny decodes inside and outside the page and downloads as a solid', async ({ page }, testInfo) => {
   const app = new Engraver(page);
   await app.open();
   await app.expectReady();
@@ -78,7 +76,7 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
   await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
 
   // One core and one set of shaders on two renderers: the results must agree within a tolerance.
-  await test.step('The page carves what the command carves', async () => {
+  await test.step('The page and the command carve the same', async () => {
     const [model, reported] = [testInfo.outputPath('bunny.stl'), testInfo.outputPath('report.json')];
     writeFileSync(model, stl);
     const at = report.projection.centre.join(',');
@@ -108,7 +106,7 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
   });
 });
 
-test('A file of one’s own is opened, a point picked, settings changed, and the result is a solid', async ({ page }) => {
+test('With the user’s own file, a picked point and changed settings, the result is a solid', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=pyramid');
   await app.expectReady();
@@ -137,14 +135,14 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   expect(name).toBe('my-saddle-qr-en.wikipedia.org-25mm.stl');
   expectEngravedSolid(saddleMesh, readStl(bytes), report);
 
-  await test.step('In two colours, the model and what fills its pockets are two solids that every slicer tells apart', async () => {
+  await test.step('In two colours, the model and its inlay are two solids that every slicer distinguishes', async () => {
     await app.setting('Format').selectOption('3MF, two colours');
     const inlaid = await app.download();
     expect(inlaid.name).toBe('my-saddle-qr-en.wikipedia.org-25mm-inlay.3mf');
     expectTwoColours(inlaid.bytes, report);
   });
 
-  await test.step('The format that was chosen is chosen again after a reload', async () => {
+  await test.step('The chosen format is kept after a reload', async () => {
     await page.reload();
     await expect(app.setting('Format')).toHaveValue('3mf-inlay');
   });

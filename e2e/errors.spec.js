@@ -3,13 +3,13 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { openFile, saddleFile, truncatedFile } from './support/models.js';
 
-test('A file that cannot be used is refused in words, and the model before it stays', async ({ page }) => {
+test('A bad file is refused with a reason, and the previous model stays', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=pyramid');
   await app.expectReady();
   const before = await app.facts.innerText();
 
-  await test.step('a truncated file, with both sizes', async () => {
+  await test.step('a truncated file: names both sizes', async () => {
     await app.file.setInputFiles(truncatedFile);
     await expect(app.alert).toContainText('10000');
     await expect(app.alert).toContainText(String(saddleFile.buffer.length));
@@ -18,7 +18,7 @@ test('A file that cannot be used is refused in words, and the model before it st
     await page.getByRole('button', { name: 'Dismiss' }).click();
     await expect(app.alert).toHaveCount(0);
   });
-  await test.step('a model with a hole, with the number of open edges', async () => {
+  await test.step('a model with a hole: names the number of open edges', async () => {
     await app.file.setInputFiles(openFile);
     await expect(app.alert).toContainText(/3 .*edge/i);
   });
@@ -36,9 +36,7 @@ test('A file that cannot be used is refused in words, and the model before it st
   });
 });
 
-test('An empty text, a code that is too large and a setting out of its range are refused in words', async ({
-  page,
-}) => {
+test('An empty text, a too large code and a setting out of range are refused with a reason', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -64,7 +62,7 @@ test('An empty text, a code that is too large and a setting out of its range are
   await expect(app.alert).toContainText(/mm/);
 });
 
-test('A browser without WebGL 2 or without WebAssembly is told so', async ({ page, context }) => {
+test('Without WebGL 2 or WebAssembly the page says so', async ({ page, context }) => {
   await page.addInitScript(() => {
     Object.defineProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen', { value: undefined });
     delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen);

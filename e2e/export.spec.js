@@ -46,7 +46,7 @@ async function screenshotOf(page, bytes, type) {
   return png;
 }
 
-test('The symbol as SVG and as PNG can be read, and its file says what is inside', async ({ page }) => {
+test('The symbol as SVG and PNG decodes, and its file names the content', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -64,7 +64,7 @@ test('The symbol as SVG and as PNG can be read, and its file says what is inside
   expect(png.name).toBe('qr-example.org.png');
   expect(await decodePng(png.bytes)).toBe(kText);
 
-  await test.step('A picture of the view shows what the view shows', async () => {
+  await test.step('A saved picture equals the view', async () => {
     await app.text.fill('PICTURE 1');
     await app.openSettings();
     await app.setting('Modules').selectOption('Full');
@@ -78,7 +78,7 @@ test('The symbol as SVG and as PNG can be read, and its file says what is inside
   });
 });
 
-test('Settings that were saved are used again when their file is dropped onto the page', async ({ page }) => {
+test('A dropped settings file restores the settings', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
@@ -109,13 +109,22 @@ test('Settings that were saved are used again when their file is dropped onto th
   await expect(app.setting('Minimum wall (mm)')).toHaveValue('1.25');
   expect((await app.download('Save settings')).bytes).toEqual(file.bytes);
 
-  await test.step('The field for the model’s file takes settings, too, and leaves a model of one’s own where it is', async () => {
+  await test.step('The file field accepts settings too and keeps the user’s model', async () => {
     await app.file.setInputFiles(saddleFile);
     await expect(app.facts).toContainText('my saddle.stl');
     await expect(app.status).toHaveText('Ready.');
     await app.file.setInputFiles({ name: 'again.json', mimeType: 'application/json', buffer: Buffer.from(file.bytes) });
     await expect(app.status).toHaveText('Using the settings from again.json.');
     await expect(app.sample).toHaveValue('bumpy-sphere');
+
+    const old = JSON.parse(new TextDecoder().decode(file.bytes));
+    old.settings.floor = 'wavy'; // a setting of earlier versions
+    await drop(page, { name: 'old.json', bytes: JSON.stringify(old) });
+    await expect(app.status).toHaveText('Using the settings from old.json.');
+    await expect(app.alert).toHaveText(
+      /^The setting floor is ignored: version 0\.2\.0 has removed it\. All floors are flat/,
+    );
+    await page.getByRole('button', { name: 'Dismiss' }).click();
 
     await app.file.setInputFiles(saddleFile);
     await expect(app.facts).toContainText('my saddle.stl');
@@ -132,7 +141,7 @@ test('Settings that were saved are used again when their file is dropped onto th
     expect(await app.centre()).toEqual(proposed);
   });
 
-  await test.step('Settings that cannot be used change nothing, and it is said why', async () => {
+  await test.step('Invalid settings change nothing and are reported', async () => {
     const good = JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
     const text = await app.text.inputValue();
     const wrong = [

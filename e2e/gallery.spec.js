@@ -3,7 +3,7 @@ import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
 
-test('A code of the gallery is carved in the app with its settings', async ({ page }) => {
+test('The app carves a code of the gallery with its settings', async ({ page }) => {
   await page.goto('./gallery.html');
   await expect(page.getByRole('heading', { name: 'Stanford bunny' })).toBeVisible();
   expect(await page.locator('.in-en .exhibit').count()).toBeGreaterThan(2 * 9 + 25);
@@ -20,7 +20,7 @@ test('A code of the gallery is carved in the app with its settings', async ({ pa
   expect(depth.meanMm).toBeLessThan(0.6); // the default carves deeper
 });
 
-test('An address with a setting that cannot be used says so, and nothing is carved', async ({ page }) => {
+test('An invalid setting in the address is reported, and nothing is carved', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=plate&pattern=star&engrave=1');
   await expect(app.placement).toContainText('mm wide');

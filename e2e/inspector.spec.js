@@ -29,7 +29,7 @@ async function pressDark(inspector) {
 /** c in G = AL·(c − 1) + LS. @param {Selected} submodule */
 const contrastOf = ({ LS, AL, G }) => 1 - (LS - Number(G)) / Number(AL);
 
-test('The inspector is drawn over the view alone, shows an engraving and goes without a trace', async ({ page }) => {
+test('The inspector covers only the view, shows an engraving, and closes without a trace', async ({ page }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
   await app.open('?sample=bumpy-sphere');
@@ -62,7 +62,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
     await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
   });
 
-  await test.step('a click on a submodule in the map tells the paper’s quantities of it', async () => {
+  await test.step('a click on a submodule in the map shows its quantities', async () => {
     await inspector.press('Map', { x: 0.2, y: 0.8 });
     await inspector.expectState((state) => Boolean(state.selected), true);
     const inMap = /** @type {Selected} */ ((await inspector.state())?.selected);
@@ -74,7 +74,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
     expect(dark.limitMm).toBeGreaterThanOrEqual(/** @type {number} */ (dark.depthMm));
   });
 
-  await test.step('passes are scrubbed, and each shows its own depths', async () => {
+  await test.step('every pass shows its own depths', async () => {
     const { passes } = /** @type {State} */ (await inspector.state());
     const last = await inspector.pixels(clip);
     await inspector.press('Earlier pass');
@@ -86,7 +86,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
     await inspector.openTab('Timing');
   });
 
-  await test.step('so does a click on the model', async () => {
+  await test.step('a click on the model does the same', async () => {
     const before = await app.centre();
     await page.getByRole('button', { name: 'Phone view' }).click();
     const box = /** @type {Clip} */ (await app.canvas.boundingBox());
@@ -110,7 +110,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
   });
 });
 
-test('Settings of the inspector count for its own Engrave alone, are typed or stepped, and can be reset; it speaks the page’s language', async ({
+test('The inspector’s settings apply only to its own Engrave, can be typed, stepped and reset, in the page’s language', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -122,7 +122,7 @@ test('Settings of the inspector count for its own Engrave alone, are typed or st
   await inspector.press('contrast', { x: 0.97, y: 0.5 }); // the field's plus button
   await inspector.expectState((state) => state.overrides, 'Kontrast 0.31');
 
-  await test.step('the language follows when that of the page is changed', async () => {
+  await test.step('its language follows the page’s', async () => {
     const clip = await inspector.clipOf('Engrave again');
     const german = await inspector.pixels(clip);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');

@@ -21,7 +21,7 @@ async function cornerBrightness(page) {
   }, picture.toString('base64'));
 }
 
-test('Another language takes effect at once, with its numbers, and is kept', async ({ page }) => {
+test('Another language applies at once, also to numbers, and is kept', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -46,7 +46,7 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
 });
 
-test('What was found and what went wrong is said in the language chosen, and one click reads a tiny model in a unit that makes it printable', async ({
+test('Findings and errors are in the chosen language, and one click rescales a tiny model to a printable unit', async ({
   page,
 }) => {
   const positions = saddleMesh.positions.map(
@@ -82,7 +82,7 @@ test('What was found and what went wrong is said in the language chosen, and one
   await expect(app.facts).toHaveText(/metres\.stl, 0\.09/);
 });
 
-test('A browser that keeps nothing is no hindrance, and the address may ask for a language', async ({ page }) => {
+test('The page works without browser storage, and the address can choose a language', async ({ page }) => {
   /** @type {string[]} */ const complaints = [];
   page.on('pageerror', (error) => complaints.push(error.message));
   await page.addInitScript(() => {
@@ -107,7 +107,7 @@ test('A browser that keeps nothing is no hindrance, and the address may ask for 
   expect(complaints).toEqual([]);
 });
 
-test('A chosen appearance overrides the device’s, in the 3D view too, and is kept', async ({ page }) => {
+test('A chosen appearance overrides the device’s, also in the 3D view, and is kept', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' });
   const app = new Engraver(page);
   await app.open('?sample=saddle');

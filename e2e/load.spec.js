@@ -13,9 +13,7 @@ test.afterEach(() => site.close());
 
 const kInspector = /inspector.*\.wasm$/;
 
-test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({
-  page,
-}) => {
+test('The page is usable after at most 1.5 MB; decoder, inspector and message words load later', async ({ page }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
   await page.goto(site.address);
@@ -26,7 +24,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
   expect(site.sent.filter(({ path }) => /reader|inspector|message_catalogues/.test(path))).toEqual([]);
   expect(bytes).toBeLessThan(1.5e6);
 
-  await test.step('if the inspector cannot be loaded, that is said, and pressing again tries again', async () => {
+  await test.step('a failure to load the inspector is reported, and pressing again retries', async () => {
     await app.sample.selectOption('Saddle'); // quick to engrave
     await expect(app.facts).toContainText('Saddle');
     await app.expectReady();
@@ -47,9 +45,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
   });
 });
 
-test('The words of messages come with the first one, in its language; if they cannot be loaded, that is said', async ({
-  page,
-}) => {
+test('Message words load with the first message, in its language; a failure is reported', async ({ page }) => {
   const words = () => site.sent.filter(({ path }) => /message_catalogues/.test(path));
   const app = new Engraver(page);
   await page.goto(site.address);
@@ -66,7 +62,7 @@ test('The words of messages come with the first one, in its language; if they ca
   console.log(`the words of messages: ${(words()[0].bytes / 1e3).toFixed(1)} kB by gzip`);
 });
 
-test('A host that does not know the type of WebAssembly serves the page, too', async ({ page }) => {
+test('The page works from a host that does not know WebAssembly’s MIME type', async ({ page }) => {
   site.types['.wasm'] = 'application/octet-stream';
   const app = new Engraver(page);
   await page.goto(`${site.address}?sample=pyramid`);

@@ -16,10 +16,7 @@ test.use({ serviceWorkers: 'allow' });
 const untilKept = (page) =>
   expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
 
-test('Below any path and without a network the page opens, engraves, and reads the code back', async ({
-  page,
-  context,
-}) => {
+test('The page opens, engraves and decodes below any path and offline', async ({ page, context }) => {
   const app = new Engraver(page);
   await page.goto(site.address);
   await app.expectReady();
@@ -38,7 +35,7 @@ test('Below any path and without a network the page opens, engraves, and reads t
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('So wird es gedruckt');
 });
 
-test('A new version is offered, and takes over when its reader says so', async ({ page }) => {
+test('A new version is offered and takes over on request', async ({ page }) => {
   const app = new Engraver(page);
   await page.goto(`${site.address}?sample=pyramid`);
   await app.expectReady();

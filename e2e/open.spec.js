@@ -2,10 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
-test('The page opens with the bunny loaded and a place for the code, so that Engrave is the first click', async ({
-  page,
-  baseURL,
-}) => {
+test('The page opens with the bunny and a placed code, ready to engrave', async ({ page, baseURL }) => {
   /** @type {string[]} */ const complaints = [];
   /** @type {string[]} */ const elsewhere = [];
   page.on('pageerror', (error) => complaints.push(error.message));
@@ -23,7 +20,7 @@ test('The page opens with the bunny loaded and a place for the code, so that Eng
   await expect(app.text).not.toHaveValue('');
   await expect(app.canvas).toBeVisible();
 
-  await test.step('nothing is asked of any other place than the one the page came from', async () => {
+  await test.step('all requests go to the page’s own origin', async () => {
     expect(elsewhere).toEqual([]);
     await expect(page.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute(
       'content',
@@ -43,7 +40,7 @@ test('The page opens with the bunny loaded and a place for the code, so that Eng
   expect(complaints).toEqual([]);
 });
 
-test('Each sample finds a place of at least 20 mm for its code', { tag: '@desktop' }, async ({ page }) => {
+test('The code gets at least 20 mm on every sample', { tag: '@desktop' }, async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=plate');
   await app.expectReady();

@@ -3,7 +3,7 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 
-test('On a phone fingers place, move and turn the code, and the result can be reached', async ({ page }) => {
+test('On a phone, fingers place, move and turn the code, and the result is reachable', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
@@ -66,7 +66,7 @@ test('On a phone fingers place, move and turn the code, and the result can be re
     await app.expectReady();
   });
 
-  await test.step('the result can be reached', async () => {
+  await test.step('the result is reachable', async () => {
     await app.engrave();
     await expect(app.result).toContainText('Reads as');
     await expect(page.getByRole('button', { name: 'Download' })).toBeInViewport();
@@ -99,7 +99,7 @@ test('On a phone fingers place, move and turn the code, and the result can be re
   });
 });
 
-test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than the screen', async ({ page }) => {
+test('On a phone, a Wi-Fi access is filled in by touch, with nothing wider than the screen', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();

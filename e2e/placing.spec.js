@@ -23,9 +23,7 @@ async function drag(page, from, through) {
   for (const point of through) await page.mouse.move(...point, { steps: 3 });
 }
 
-test('The code follows the pointer with its size, exactly once it rests, and a click places it there', async ({
-  page,
-}) => {
+test('The code follows the pointer in its size, exactly once it rests, and a click places it', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
@@ -69,7 +67,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
       .toBeLessThan(6); // the handles follow with the next frame
   });
 
-  await test.step('a drag turns the model and leaves the centre where it is; then a click is elsewhere on the sphere', async () => {
+  await test.step('a drag turns the model but keeps the centre; a click then hits elsewhere on the sphere', async () => {
     const before = await app.centre();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     await page.mouse.move(x - 120, y - 120); // clear of the code's handles
@@ -85,7 +83,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     expect(Math.abs(Math.hypot(cx, cy, cz - 50) - 48)).toBeLessThan(2.6); // on the bumpy sphere
   });
 
-  await test.step('by keyboard alone the model is turned, and the code placed, moved, turned and sized', async () => {
+  await test.step('the keyboard alone turns the model and places, moves, turns and resizes the code', async () => {
     let before = await app.centre();
     await app.canvas.focus();
     for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', '+', 'Enter']) await page.keyboard.press(key);
@@ -119,7 +117,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await expect.poll(() => app.width()).toBeLessThan(width - 6);
   });
 
-  await test.step('Shift with the wheel turns the code by steps of five degrees', async () => {
+  await test.step('Shift and the wheel turn the code in steps of five degrees', async () => {
     await page.mouse.move(box.x + 120, box.y + 400);
     await page.keyboard.down('Shift');
     for (let notch = 0; notch < 3; notch += 1) await page.mouse.wheel(0, -100);
@@ -128,7 +126,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
   });
 });
 
-test('The turning handle turns the code, near upright it snaps, and one button sets it upright', async ({ page }) => {
+test('The turning handle turns the code and snaps near upright, and a button sets it upright', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -154,9 +152,7 @@ test('The turning handle turns the code, near upright it snaps, and one button s
   expect(await app.rotation()).toBe(0);
 });
 
-test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({
-  page,
-}) => {
+test('The corner handle resizes the code, warns beyond the model, and Escape reverts it', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -183,7 +179,7 @@ test('The corner handle makes the code smaller; drawn beyond the model it warns,
   expect(Number(await app.setting('Width (mm)').inputValue())).toBe(await app.width());
 });
 
-test('What the handles did is undone and redone one by one', async ({ page }) => {
+test('Each drag of a handle is undone and redone separately', async ({ page }) => {
   const app = new Engraver(page);
   const undo = page.getByRole('button', { name: 'Undo' });
   const redo = page.getByRole('button', { name: 'Redo' });

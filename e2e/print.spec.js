@@ -6,7 +6,7 @@ import { Engraver } from './support/engraver.js';
 
 const kPrinted = { timeout: 120_000 };
 
-test('The print is simulated beside the result, seen in the reader’s view, and follows process and pose', async ({
+test('The print is simulated with the result, shown in the reader’s view, and follows process and pose', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -15,7 +15,7 @@ test('The print is simulated beside the result, seen in the reader’s view, and
   await app.engrave();
   const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);
 
-  await test.step('it is never in the way of the file, can be stopped, and is made again on demand', async () => {
+  await test.step('it never blocks the download, can be stopped, and runs again on demand', async () => {
     await line.getByRole('button', { name: 'Stop' }).click();
     await expect(line).toContainText('The print was not simulated.');
     expect((await app.download()).bytes.length).toBeGreaterThan(1000);
@@ -30,7 +30,7 @@ test('The print is simulated beside the result, seen in the reader’s view, and
     expect(verdict.prints.level).toBe('good');
   });
 
-  await test.step('the reader’s view shows it over the code, switched with the design', async () => {
+  await test.step('the reader’s view switches between print and design', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
     const view = page.getByRole('group', { name: 'Phone view' });
     const picture = page.locator('.print-picture');
@@ -46,7 +46,7 @@ test('The print is simulated beside the result, seen in the reader’s view, and
     await page.getByRole('button', { name: 'Fit' }).click();
   });
 
-  await test.step('another process brings its nozzle and layer, another pose turns the model, and none is looked at on demand', async () => {
+  await test.step('another process sets nozzle and layer, another pose turns the model, and simulation can be switched off', async () => {
     await app.openSettings();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
@@ -63,7 +63,9 @@ test('The print is simulated beside the result, seen in the reader’s view, and
   });
 });
 
-test('What does not read as printed is tried in other ways, and one press takes what reads', async ({ page }) => {
+test('If the print does not decode, other processes are tried, and one press applies a better one', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=HELLO');
   await app.expectReady();

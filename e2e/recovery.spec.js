@@ -6,7 +6,7 @@ import { holdWorkers } from './support/workers.js';
 /** Returns the number of engine workers created so far. @param {import('@playwright/test').Page} page */
 const workersOf = (page) => page.evaluate(() => /** @type {any} */ (window).workers.length);
 
-test('A worker that crashes, or has too little memory, is replaced, with everything kept', async ({ page }) => {
+test('A worker that crashes or runs out of memory is replaced, and nothing is lost', async ({ page }) => {
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=kept');
@@ -30,7 +30,7 @@ test('A worker that crashes, or has too little memory, is replaced, with everyth
     await expect(app.setting('Rotation (°)')).toHaveValue('10');
   });
 
-  await test.step('too little memory', async () => {
+  await test.step('out of memory', async () => {
     await page.evaluate(() =>
       /** @type {any} */ (window).failNext('configure', { kind: 'Internal', code: 'out-of-memory', values: {} }),
     );
@@ -60,7 +60,7 @@ test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) 
   await expect(app.result).toContainText('Reads as and again');
 });
 
-test('Without a worker for it, a lost WebGL context is rebuilt, too', async ({ page }) => {
+test('Without a worker, a lost WebGL context is rebuilt too', async ({ page }) => {
   await page.addInitScript(() => {
     delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen); // the page holds the context
   });

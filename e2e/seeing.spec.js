@@ -3,14 +3,14 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { isOrange, isTeal, shareOf } from './support/pixels.js';
 
-test('The model is looked at from every side, cut open, carved, and as a phone sees it', async ({ page }) => {
+test('The view shows every side, a section, the carving, and the phone’s view', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=HELLO');
   await app.expectReady();
 
   const reader = page.getByRole('button', { name: 'Phone view' });
   const view = page.getByRole('group', { name: 'Phone view' });
-  await test.step('from where a phone reads, before anything is engraved', async () => {
+  await test.step('from the phone, before engraving', async () => {
     await reader.click();
     await expect(view).toContainText('Not engraved yet');
     await expect(app.moveHandle).toBeHidden();
@@ -61,14 +61,14 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await expect.poll(seen).toEqual(['right']);
   });
 
-  await test.step('what a phone reads', async () => {
+  await test.step('the phone’s view', async () => {
     await app.engrave();
     await expect(app.moveHandle).toBeHidden();
     await reader.click();
     await expect(view).toContainText('The phone reads: HELLO');
   });
 
-  await test.step('the depths in mm, and the model as it was', async () => {
+  await test.step('the depths in mm, and the uncarved model', async () => {
     const legend = page.getByLabel('Colours of the model');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.getByRole('button', { name: 'Depths' }).click();

@@ -2,7 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
-test('Keys do the work, from the text to the download, but never while typing or under the help sheet, and can be switched off', async ({
+test('Shortcuts work from text to download, but not while typing or under the help sheet, and can be switched off', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -55,7 +55,7 @@ test('Keys do the work, from the text to the download, but never while typing or
     expect(download.suggestedFilename()).toMatch(/\.stl$/);
   });
 
-  await test.step('switched off, and so after a reload', async () => {
+  await test.step('switched off, also after a reload', async () => {
     await page.getByRole('button', { name: 'Help' }).click();
     await page.getByRole('checkbox', { name: /Single keys/ }).uncheck();
     await page.keyboard.press('Escape');

@@ -3,14 +3,14 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { shareOf } from './support/pixels.js';
 
-test('A suggested spot takes a code of the size that it promises, and is engraved', async ({ page }) => {
+test('A suggested spot fits a code of the promised size and is engraved', async ({ page }) => {
   const app = new Engraver(page);
   const aim = page.locator('#placement-aim');
   const degrees = async () => Number(/(\d+)°/.exec(await aim.innerText())?.[1]);
   await app.open();
   await app.expectReady();
 
-  await test.step('a place says how straight a phone must be held, and what would forgive more', async () => {
+  await test.step('a spot says how straight to hold the phone and what would tolerate more', async () => {
     await expect(aim).toHaveText(
       /must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter place forgives more/,
     );
@@ -53,9 +53,7 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   await expect(page.getByLabel('Colours of the model')).toBeHidden();
 });
 
-test('Spots asked for while the text is still being typed are looked for with it; other settings forget them', async ({
-  page,
-}) => {
+test('A spot search waits for the typed text; a change of settings discards the spots', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();
@@ -73,7 +71,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await sizes.click();
     await expect(legend).toBeVisible();
   });
-  await test.step('other settings forget them', async () => {
+  await test.step('a change of settings discards them', async () => {
     await app.openSettings();
     await app.setting('Minimum wall (mm)').fill('1');
     await app.setting('Minimum wall (mm)').press('Tab');
@@ -81,7 +79,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await expect(sizes).toBeDisabled();
     await expect(legend).toBeHidden();
   });
-  await test.step('where every spot has a concern, that is said before anything is carved', async () => {
+  await test.step('if every spot has a concern, that is reported before carving', async () => {
     const note = page.getByText('None of these spots is certain to print readably.');
     await expect(note).toBeHidden();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
@@ -91,7 +89,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await app.setting('Process').selectOption('fdm-0.4/0.2');
     await expect(note).toBeHidden();
   });
-  await test.step('and it is said when there is none', async () => {
+  await test.step('and it is reported if there is no spot', async () => {
     await app.setting('Size of the code').selectOption('Exactly');
     await app.setting('Width (mm)').fill('300');
     await app.setting('Width (mm)').press('Tab');

@@ -4,7 +4,7 @@ import { Engraver } from './support/engraver.js';
 
 const kSteps = ['Model', 'Code', 'Place', 'Engrave', 'Check and download'];
 
-test('Headings, landmarks, the first key and a live region lead through the five steps', async ({ page }) => {
+test('Headings, landmarks, the skip link and a live region lead through the five steps', async ({ page }) => {
   await page.addInitScript(() => {
     const told = /** @type {string[]} */ (/** @type {any} */ (window).told = []);
     new MutationObserver(() => {
@@ -16,20 +16,20 @@ test('Headings, landmarks, the first key and a live region lead through the five
   await app.open('?sample=saddle&text=live');
   await app.expectReady();
 
-  await test.step('what goes on is told in words', async () => {
+  await test.step('the live region reports progress in words', async () => {
     const told = await page.evaluate(() => /** @type {any} */ (window).told);
     expect(told[0]).toBe('Starting…');
     expect(told).toContain('Reading saddle.stl…');
     expect(told.at(-1)).toBe('Ready.');
   });
-  await test.step('headings and landmarks in their order', async () => {
+  await test.step('headings and landmarks are in order', async () => {
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('QRelief');
     await expect(page.getByRole('form', { name: 'Steps' }).getByRole('heading', { level: 2 })).toHaveText(kSteps);
     for (const name of kSteps) await expect(page.getByRole('region', { name, exact: true })).toBeVisible();
     await expect(page.getByRole('main', { name: '3D model' })).toBeVisible();
     await expect(page.getByRole('navigation', { name: 'More' }).getByRole('link')).not.toHaveCount(0);
   });
-  await test.step('the first key leads past the view to the steps', async () => {
+  await test.step('the first Tab offers to skip the view', async () => {
     await page.keyboard.press('Tab');
     const skip = page.getByRole('link', { name: 'Skip to the steps' });
     await expect(skip).toBeFocused();

@@ -10,7 +10,7 @@ const buttons = (page) => ({
   startOver: page.getByRole('button', { name: 'Start over' }),
 });
 
-test('The text, the size and the centre are undone and redone one by one', async ({ page }) => {
+test('Text, size and centre are undone and redone separately', async ({ page }) => {
   const app = new Engraver(page);
   const { undo, redo } = buttons(page);
   await app.open('?sample=saddle&text=first');
@@ -59,7 +59,7 @@ test('The text, the size and the centre are undone and redone one by one', async
   await expect(app.text).toHaveValue('second');
 });
 
-test('Undoing a carve shows the uncarved model, and redoing it brings the result back without carving', async ({
+test('Undoing a carving shows the uncarved model, and redoing it restores the result without carving again', async ({
   page,
 }) => {
   const app = new Engraver(page);
@@ -98,7 +98,7 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
 });
 
-test('A change of model is undone, with its unit and the centre on it; Start over brings back what the page opens with', async ({
+test('Undo restores the previous model with unit and centre; Start over restores the opening state', async ({
   page,
 }) => {
   const app = new Engraver(page);

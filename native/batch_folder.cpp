@@ -32,7 +32,7 @@ bool isManifest(const std::string& name) { return name.starts_with("manifest.") 
 
 tl::unexpected<Error> notWritten(const std::string& path) {
   return fail(ErrorKind::BadInput,
-              message("file-not-written", with::term("path", path), with::term("why", std::strerror(errno))));
+              message("file-not-written", with::term<"path">(path), with::term<"why">(std::strerror(errno))));
 }
 
 Status writeWhole(int file, std::string_view text, const std::string& path) {
@@ -71,7 +71,7 @@ bool mayHaveRowsOf(const std::string& name, const Shard& shard) {
 
 tl::unexpected<Error> notRead(const std::string& name, Message problem) {
   return fail(ErrorKind::BadInput,
-              message("manifest-not-read", with::quoted("name", name), with::cause("problem", std::move(problem))));
+              message("manifest-not-read", with::quoted<"name">(name), with::cause<"problem">(std::move(problem))));
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shar
   folder.file_ = ::open(own.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (folder.file_ < 0) return notWritten(own);
   if (::flock(folder.file_, LOCK_EX | LOCK_NB) != 0)
-    return fail(ErrorKind::BadInput, message("batch-folder-in-use", with::quoted("name", own)));
+    return fail(ErrorKind::BadInput, message("batch-folder-in-use", with::quoted<"name">(own)));
   const auto end = dropUnfinishedLine(folder.file_, own);
   if (!end) return tl::unexpected(end.error());
   folder.end_ = *end;
@@ -114,14 +114,14 @@ Status BatchFolder::readManifests(const Shard& shard) {
     const std::string name = entry.path().filename().string();
     if (!isManifest(name) || !mayHaveRowsOf(name, shard)) continue;
     std::ifstream stream(entry.path(), std::ios::binary);
-    if (!stream) return notRead(name, message("file-not-opened", with::term("why", std::strerror(errno))));
+    if (!stream) return notRead(name, message("file-not-opened", with::term<"why">(std::strerror(errno))));
     std::map<std::size_t, Line>& rows = manifests_[name];
     std::uint64_t begin = 0;
     std::size_t number = 1;
     // A last line without a line end, left by a killed process, does not count.
     for (std::string line; std::getline(stream, line) && !stream.eof(); begin += line.size() + 1, ++number) {
       const auto read = readManifestLine(line);
-      if (!read) return notRead(name, message("manifest-line", with::count("line", number)));
+      if (!read) return notRead(name, message("manifest-line", with::count<"line">(number)));
       rows[read->number] = {begin, static_cast<std::uint32_t>(line.size()), read->status};
     }
   }
@@ -135,7 +135,7 @@ Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& 
   const ssize_t n = file < 0 ? -1 : ::pread(file, text.data(), text.size(), static_cast<off_t>(line.begin));
   const std::string why = n < 0 ? std::strerror(errno) : "";
   if (file >= 0 && file != file_) ::close(file);
-  if (n < 0) return notRead(name, message("file-not-opened", with::term("why", why)));
+  if (n < 0) return notRead(name, message("file-not-opened", with::term<"why">(why)));
   auto entry = readManifestLine(std::string_view(text).substr(0, static_cast<std::size_t>(n)));
   if (!entry) return notRead(name, message("file-changed"));
   return std::move(*entry);

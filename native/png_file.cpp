@@ -22,7 +22,7 @@ Result<std::vector<std::uint8_t>> encodePng(const GreyImage& image) {
       return bytes;
     }
   }
-  return fail(ErrorKind::Internal, message("png-not-written", with::term("why", header.message)));
+  return fail(ErrorKind::Internal, message("png-not-written", with::term<"why">(header.message)));
 }
 
 }  // namespace qrelief

@@ -46,7 +46,7 @@ export async function npmDecoders(peers) {
     await imported('@undecaf/zbar-wasm'),
   ];
   zxingWasm.prepareZXingModule({
-    overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_decoder.wasm`).buffer },
+    overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_reader.wasm`).buffer },
   });
   /** Returns nothing if the decoder throws because it finds no code. */
   const orNothing = (/** @type {() => string} */ decode) => {

@@ -156,8 +156,8 @@ int run(int argc, char** argv) {
     return 2;
   }
   const Shard shard = *given;
-  const auto context = EglContext::create();
-  if (!context) return failed("EGL", context.error());
+  const auto gl = EglContext::create();
+  if (!gl) return failed("EGL", gl.error());
   StudyContext context(samples);
   const std::vector<Experiment> all = allExperiments();
   for (const std::string& name : names)

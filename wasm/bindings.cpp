@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/facts.h"
 #include "engine/guarded.h"
 #include "engine/planned_batch.h"
 #include "engine/printed_code.h"
@@ -40,6 +41,7 @@
   verb(InspectedEngine, inspectorState)
 #define QRELIEF_PRINT_VERBS(verb) \
   verb(PrintedCode, start) verb(PrintedCode, advance) verb(PrintedCode, readingPictures) verb(PrintedCode, picture)
+#define QRELIEF_FACT_VERBS(verb) verb(Facts, model) verb(Facts, symbol)
 #define QRELIEF_BATCH_VERBS(verb) \
   verb(PlannedBatch, plan) verb(PlannedBatch, rows) verb(PlannedBatch, row) verb(PlannedBatch, toHash) \
   verb(PlannedBatch, manifestLine) verb(PlannedBatch, manifestCsv)
@@ -132,7 +134,8 @@ Owner& partOf(InspectedEngine& engine) {
 
 /// True for classes with an object of their own in JavaScript. All other verbs belong to the engine's object.
 template <class Owner>
-constexpr bool kStandsAlone = std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch>;
+constexpr bool kStandsAlone =
+    std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch> || std::is_same_v<Owner, Facts>;
 
 template <class Owner>
 requires kStandsAlone<Owner> Owner& partOf(Owner& object) { return object; }
@@ -192,6 +195,11 @@ EMSCRIPTEN_BINDINGS(qrelief) {
   print.constructor<>();
 #define QRELIEF_BIND(Owner, verb) print.function(#verb, &Verb<&Owner::verb>::call);
   QRELIEF_PRINT_VERBS(QRELIEF_BIND)
+#undef QRELIEF_BIND
+  const auto facts = emscripten::class_<Facts>("Facts");
+  facts.constructor<>();
+#define QRELIEF_BIND(Owner, verb) facts.function(#verb, &Verb<&Owner::verb>::call);
+  QRELIEF_FACT_VERBS(QRELIEF_BIND)
 #undef QRELIEF_BIND
   const auto batch = emscripten::class_<PlannedBatch>("PlannedBatch");
   batch.constructor<>();

@@ -26,7 +26,7 @@ const graphOf = (
     '}',
   ].join('\n');
 
-test('What only the inspector calls is its own, whatever it is named; what anything else calls is not', () => {
+test('Functions that only the inspector calls move with it, whatever their names', () => {
   const graph = readCallGraph(
     graphOf({
       plain: ['ImGui::Begin', 'ImVector::~ImVector', 'colours', 'deeper', 'unused'],
@@ -47,7 +47,7 @@ test('What only the inspector calls is its own, whatever it is named; what anyth
   assert.deepEqual(onlyForInspector(graph).sort(), ['ImGui::Begin', 'colours', 'deeper', kOpen, kDraw].sort());
 });
 
-test('An entrance of the inspector that something else calls directly stays, with all that it calls', () => {
+test('An entry point of the inspector with other callers stays, with all its callees', () => {
   const graph = readCallGraph(
     graphOf({
       plain: ['ImGui::Begin', 'colours'],

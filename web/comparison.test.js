@@ -13,13 +13,13 @@ const held = [...list.matchAll(/^- \[(\d+)\] `([^`]+)` “([^”]+)”$/gm)].map
   name,
 }));
 
-test('each feature of ours names tests, and none is named for nothing', () => {
+test('every feature of ours names tests, and every named test belongs to one', () => {
   const features = [...table.matchAll(/\[(\d+)\]/g)].map(([, number]) => number);
   assert.ok(features.length >= 15);
   assert.deepEqual(new Set(held.map(({ feature }) => feature)), new Set(features));
 });
 
-test('the tests that are named exist', () => {
+test('the named tests exist', () => {
   assert.equal(held.length, list.split('\n').filter((line) => line.startsWith('- ')).length);
   for (const { file, name } of held) assert.ok(read(file).includes(name), `${file}: ${name}`);
 });

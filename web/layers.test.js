@@ -17,6 +17,7 @@ const kLayers = [
   'payloads', // kinds of content
   'export', // files that can be saved
   'batch', // a code for every part: rows, the engines that carve them, and the storage of the results
+  'npm', // the npm package: engine, decoder and carver for other programs
   'view', // the model on the screen
   'ui', // the panels
   'session', // the current work and its jobs
@@ -84,7 +85,7 @@ const kSources = readdirSync(kRoot, { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.js') && !path.endsWith('.test.js') && !kApart.includes(folderOf(path)));
 const read = (/** @type {string} */ path) => readFileSync(new URL(path, kRoot), 'utf8');
 
-test('A folder imports only what stands below it', () => {
+test('A folder imports only lower layers', () => {
   assert.deepEqual(
     kSources.flatMap((path) => violationsIn(path, read(path))),
     [],
@@ -95,11 +96,11 @@ test('The layers are the folders of web/', () => {
   assert.deepEqual([...new Set(kSources.map(folderOf))].sort(), [...kLayers].sort());
 });
 
-test('No module imports itself by way of others', () => {
+test('There are no import cycles', () => {
   assert.deepEqual(cyclesAmong(kSources, read), []);
 });
 
-test('What is forbidden is seen', () => {
+test('Forbidden imports are detected', () => {
   assert.deepEqual(violationsIn('ui/a.js', "import { b } from '../session/b.js';"), ['ui/a.js imports session/b.js']);
   assert.deepEqual(violationsIn('view/a.js', "/** @typedef {import('../ui/b.js').B} B */"), [
     'view/a.js imports ui/b.js',

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "engine/answers.h"
-#include "engine/symbol_facts.h"
+#include "engine/facts.h"
+#include "engine/model_file.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
@@ -34,9 +35,7 @@ std::string Engine::capabilities() const {
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!pass_ || !scene_.isOpen())
-    return answer(ErrorKind::Internal, message("no-graphics", with::cause("why", problems_.front())));
-  if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return answer(ErrorKind::BadUsage, message("scale-unusable", with::number("scale", scaleToMm)));
+    return answer(ErrorKind::Internal, message("no-graphics", with::cause<"why">(problems_.front())));
   auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();
@@ -53,19 +52,11 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
 }
 
 std::string Engine::describeModel() const {
-  const PreparedModel& prepared = model_->engravable->prepared;
   const std::optional<Vec3>& centre = wanted_.centreMm();
-  return textOf({{"ok", true},
-                 {"model",
-                  {{"format", model_->format},
-                   {"scaleToMm", model_->scaleToMm},
-                   {"triangles", prepared.mesh.triangles.size()},
-                   {"vertices", prepared.mesh.positions.size()},
-                   {"sizeMm", jsonOf(boundingBox(prepared.mesh).size())},
-                   {"shells", prepared.shells},
-                   {"engravable", prepared.engravable().has_value()},
-                   {"findings", jsonOf(model_->warnings, prepared.findings)},
-                   {"centre", centre ? jsonOf(*centre) : Json()}}}});
+  Json model =
+      qrelief::describeModel(model_->format, model_->scaleToMm, model_->warnings, model_->engravable->prepared);
+  model["centre"] = centre ? jsonOf(*centre) : Json();
+  return textOf({{"ok", true}, {"model", std::move(model)}});
 }
 
 std::string Engine::configure(const std::string& settings) {
@@ -75,10 +66,7 @@ std::string Engine::configure(const std::string& settings) {
   return done();
 }
 
-std::string Engine::symbol(const std::string& settings) const {
-  const auto request = requestFromJson(settings);
-  return request ? describeSymbol(*request) : answer(request.error());
-}
+std::string Engine::symbol(const std::string& settings) const { return Facts().symbol(settings); }
 
 std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
   if (!model_) return {};

@@ -112,8 +112,8 @@ std::string Engine::moveCode(double x, double y) {
 std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
   if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
-    return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm("size", symbolMm),
-                                               with::angleDeg("rotation", rotateDeg)));
+    return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
+                                               with::angleDeg<"rotation">(rotateDeg)));
   placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
   scene_.setDecal(placedCode_.code());
   return describeCode(*placedCode_.code());
@@ -155,7 +155,7 @@ std::string Engine::spots() const {
 
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
-    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count("index", index + 1)));
+    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index + 1)));
   const OfferedSpot& spot = offers_.spots()[index];
   const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);

@@ -14,7 +14,7 @@ std::string guarded(const std::function<std::string()>& verb) {
   } catch (const std::bad_alloc&) {
     return answer(ErrorKind::Internal, message("out-of-memory"));
   } catch (const std::exception& exception) {
-    return answer(ErrorKind::Internal, message("internal-fault", with::term("detail", exception.what())));
+    return answer(ErrorKind::Internal, message("internal-fault", with::term<"detail">(exception.what())));
   }
 }
 

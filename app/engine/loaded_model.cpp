@@ -2,9 +2,10 @@
 #include "engine/loaded_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/clock.h"
-#include "io/read_model.h"
+#include "engine/model_file.h"
 #include "mesh/ray.h"
 #include "projection/first_spots.h"
 #include "projection/silhouette.h"
@@ -23,32 +24,27 @@ constexpr double kGoodFit = 0.7;  // part of the square that makes a spot good e
 }  // namespace
 
 Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
-  const auto start = Clock::now();
-  auto soup = readModel(bytes, fileName);
-  if (!soup) return tl::unexpected(soup.error());
-  bytes = {};  // frees the file: file and model need not be in memory at once
+  auto file = readModelFile(std::move(bytes), fileName, scaleToMm);
+  if (!file) return tl::unexpected(file.error());
   LoadedModel model;
   model.fileName = fileName;
-  model.format = soup->format;
-  model.scaleToMm = scaleToMm > 0 ? scaleToMm : soup->unitMm.value_or(1);
-  model.warnings = soup->warnings;
-  for (ModelPart& part : soup->parts) model.partNames.push_back(std::move(part.name));
-  model.loadMs = millisecondsSince(start);
+  model.format = std::move(file->format);
+  model.scaleToMm = file->scaleToMm;
+  model.loadMs = file->loadMs;
+  model.warnings = std::move(file->warnings);
+  model.partNames = std::move(file->partNames);
 
-  const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = model.scaleToMm});
-  if (!prepared) return tl::unexpected(prepared.error());
-  *soup = {};
+  const auto start = Clock::now();
   {
-    const DisplayMesh display = splitAtCreases(prepared->mesh);
+    const DisplayMesh display = splitAtCreases(file->prepared.mesh);
     model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   }
-  model.engravable = EngravableModel::upload(std::move(*prepared));
+  model.engravable = EngravableModel::upload(std::move(file->prepared));
   model.look = [raster = model.engravable->raster](const ProjectionFrame& frame,
                                                    const MapWindow& window) -> Result<std::vector<float>> {
     return raster->draw(frame, window);
   };
-  model.prepareMs = millisecondsSince(preparing);
+  model.prepareMs = file->prepareMs + millisecondsSince(start);
   return model;
 }
 

@@ -52,10 +52,13 @@ std::string PlannedBatch::plan(const std::vector<std::uint8_t>& bytes, const std
   BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
   Json problems = Json::array();
   for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
+  Json warnings = Json::array();
+  for (const Message& warning : plan.warnings()) warnings.push_back(jsonOf(warning));
   Json told = {{"ok", true},
                {"rows", problems.empty() ? plan.size() : 0},
                {"mayBeMore", problems.size() == BatchPlan::kMostProblems},
-               {"unused", plan.unusedColumns()}};
+               {"unused", plan.unusedColumns()},
+               {"warnings", std::move(warnings)}};
   if (problems.empty()) {
     const int version = *plan.row(0).request.symbol.version;
     told["version"] = version;

@@ -14,9 +14,9 @@ namespace qrelief {
 /// context: Engine::configure() and startEngrave() carve the rows. Answers have the form that Engine describes.
 class PlannedBatch {
  public:
-  /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], version, modules}.
-  /// With a problem there are no rows; `version` and `modules` belong to the first row. An error if the list cannot be
-  /// read.
+  /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], warnings:
+  /// [message], version, modules}. With a problem there are no rows; `version` and `modules` belong to the first row.
+  /// An error if the list cannot be read.
   /// @param list    the list's file; ignored if there is a count
   /// @param wanted  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
   ///                where the list's columns give the values; the number of rows without a list; and the number of rows

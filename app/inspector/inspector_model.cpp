@@ -10,14 +10,11 @@ namespace qrelief {
 namespace {
 
 InspectorModel::Solver solverOf(const EngraveRequest& request) {
-  if (request.objective == DepthObjective::Reading) return InspectorModel::Solver::Reading;
   if (request.objective == DepthObjective::OneLight) return InspectorModel::Solver::OneLight;
-  if (request.floor != FloorShape::Flat) return InspectorModel::Solver::ShapedFloor;
   return request.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast : InspectorModel::Solver::PaperSteps;
 }
 
-constexpr std::array<const char*, InspectorModel::kSolvers> kSolverNames = {"fast", "paper's steps", "reading",
-                                                                            "one light", "shaped floor"};
+constexpr std::array<const char*, InspectorModel::kSolvers> kSolverNames = {"fast", "paper's steps", "one light"};
 
 }  // namespace
 

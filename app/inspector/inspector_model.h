@@ -22,8 +22,8 @@ class InspectorModel {
     std::string name;  ///< "fast, c = 0.3, 28.1 mm"
     std::vector<PassSummary> passes;
   };
-  enum class Solver { Fast, PaperSteps, Reading, OneLight, ShapedFloor };
-  static constexpr std::size_t kSolvers = 5;
+  enum class Solver { Fast, PaperSteps, OneLight };
+  static constexpr std::size_t kSolvers = 3;
 
   /// Takes over the engine's changes since the last call. Call it before each frame.
   void follow(const Engine& engine);

@@ -30,8 +30,6 @@ std::string unitLabelOf(const Tunable& tunable) {
       return worded("unit:mm", "mm");
     case Setting::Unit::Degree:
       return worded("unit:deg", "°");
-    case Setting::Unit::Module:
-      return worded("unit:modules", "modules");
     case Setting::Unit::Sky:
       return worded("unit:skies", "skies");
     case Setting::Unit::None:

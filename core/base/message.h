@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "message_codes.h"
 
 namespace qrelief {
 
@@ -47,14 +53,14 @@ struct MessageValue {
 };
 
 /// A message to a person, without words: a code for its sentence, and the values in the sentence. The folder messages/
-/// holds the sentences by code, in every language; tests/project/messages_test.cpp checks that every message in the
-/// sources has them.
+/// holds the sentences by code, in every language. message() makes one in the sources, and the compiler checks it; the
+/// constructor takes a code that is known only at run time.
 struct Message {
   std::string code;  ///< stable, such as "stl-cut-off"
   std::vector<MessageValue> values;
 
   Message();
-  Message(std::string_view named, std::initializer_list<MessageValue> holding);
+  Message(std::string_view named, std::initializer_list<const MessageValue*> holding);
   Message(const Message& other);
   Message(Message&& other) noexcept;
   Message& operator=(const Message& other);
@@ -63,43 +69,124 @@ struct Message {
   bool operator==(const Message& other) const;
 };
 
-/// Makes a message. Nothing else makes one, so a test finds them all in the sources: `message("stl-cut-off",
-/// with::count("bytes", 83))`.
-/// @param code  a string literal
-template <class... Values>
-Message message(const char* code, const Values&... values) {
-  return {code, {values...}};
+/// Name of a value as a template argument: `with::count<"bytes">(83)`.
+template <std::size_t kSize>
+struct ValueName {
+  char text[kSize] = {};
+
+  consteval ValueName(const char (&name)[kSize]) {
+    for (std::size_t i = 0; i < kSize; ++i) text[i] = name[i];
+  }
+};
+
+/// A value whose name the compiler knows.
+template <ValueName kValueName>
+struct NamedValue {
+  static constexpr std::string_view kName = kValueName.text;
+  MessageValue value;
+};
+
+/// Returns true if `names` are the names in `values` (MessageCodeEntry), in any order.
+consteval bool hasValues(std::string_view values, std::initializer_list<std::string_view> names) {
+  std::size_t expected = 0;
+  while (!values.empty()) {
+    const std::size_t end = values.find('}');
+    if (std::find(names.begin(), names.end(), values.substr(1, end - 1)) == names.end()) return false;
+    values.remove_prefix(end + 1);
+    ++expected;
+  }
+  return expected == names.size();
 }
 
-/// Functions that make values. The name is a string literal that occurs in the sentence or in its hint.
+/// Code of a message with these values. Only a code in messages/ compiles, with exactly the values in its words.
+template <class... Values>
+struct MessageCode {
+  const char* text;
+
+  consteval MessageCode(const char* code) : text(code) {
+    for (const MessageCodeEntry& entry : kMessageCodes) {
+      if (entry.code != code) continue;
+      if (!hasValues(entry.values, {Values::kName...})) valuesDifferFromItsWords();
+      return;
+    }
+    unknownCode();
+  }
+
+ private:
+  // They are no constant expressions, so calling one is an error whose text names it.
+  static void unknownCode() {}
+  static void valuesDifferFromItsWords() {}
+};
+
+/// Makes a message: `message("stl-cut-off", with::count<"bytes">(83))`.
+template <class... Values>
+Message message(std::type_identity_t<MessageCode<Values...>> code, const Values&... values) {
+  return {code.text, {&values.value...}};
+}
+
+/// Functions that make values. The name occurs in the sentence of the message or in its hint.
 namespace with {
 
 MessageValue numeric(const char* name, MessageValue::Kind kind, double a);
 MessageValue numeric(const char* name, MessageValue::Kind kind, double x, double y, double z);
+MessageValue textual(const char* name, MessageValue::Kind kind, std::string_view text);
+MessageValue chosen(const char* name, std::string_view key, std::string_view value);
+MessageValue listed(const char* name, std::vector<double> list);
+MessageValue caused(const char* name, Message message);
 
-template <class Integer>
-MessageValue count(const char* name, Integer n) {
-  return numeric(name, MessageValue::Kind::Count, static_cast<double>(n));
+template <ValueName kName, class Integer>
+NamedValue<kName> count(Integer n) {
+  return {numeric(kName.text, MessageValue::Kind::Count, static_cast<double>(n))};
 }
-MessageValue number(const char* name, double value);
-MessageValue lengthMm(const char* name, double mm);
-MessageValue angleDeg(const char* name, double deg);
-MessageValue fraction(const char* name, double part);
+template <ValueName kName>
+NamedValue<kName> number(double value) {
+  return {numeric(kName.text, MessageValue::Kind::Number, value)};
+}
+template <ValueName kName>
+NamedValue<kName> lengthMm(double mm) {
+  return {numeric(kName.text, MessageValue::Kind::LengthMm, mm)};
+}
+template <ValueName kName>
+NamedValue<kName> angleDeg(double deg) {
+  return {numeric(kName.text, MessageValue::Kind::AngleDeg, deg)};
+}
+template <ValueName kName>
+NamedValue<kName> fraction(double part) {
+  return {numeric(kName.text, MessageValue::Kind::Fraction, part)};
+}
 /// @param p  has members x, y and z
-template <class Vector>
-MessageValue place(const char* name, const Vector& p) {
-  return numeric(name, MessageValue::Kind::Place, p.x, p.y, p.z);
+template <ValueName kName, class Vector>
+NamedValue<kName> place(const Vector& p) {
+  return {numeric(kName.text, MessageValue::Kind::Place, p.x, p.y, p.z)};
 }
-template <class Vector>
-MessageValue extentMm(const char* name, const Vector& mm) {
-  return numeric(name, MessageValue::Kind::ExtentMm, mm.x, mm.y, mm.z);
+template <ValueName kName, class Vector>
+NamedValue<kName> extentMm(const Vector& mm) {
+  return {numeric(kName.text, MessageValue::Kind::ExtentMm, mm.x, mm.y, mm.z)};
 }
-MessageValue quoted(const char* name, std::string_view text);
-MessageValue term(const char* name, std::string_view text);
-MessageValue setting(const char* name, std::string_view key);
-MessageValue choice(const char* name, std::string_view key, std::string_view value);
-MessageValue indices(const char* name, std::vector<double> list);
-MessageValue cause(const char* name, Message message);
+template <ValueName kName>
+NamedValue<kName> quoted(std::string_view text) {
+  return {textual(kName.text, MessageValue::Kind::Quoted, text)};
+}
+template <ValueName kName>
+NamedValue<kName> term(std::string_view text) {
+  return {textual(kName.text, MessageValue::Kind::Term, text)};
+}
+template <ValueName kName>
+NamedValue<kName> setting(std::string_view key) {
+  return {textual(kName.text, MessageValue::Kind::Setting, key)};
+}
+template <ValueName kName>
+NamedValue<kName> choice(std::string_view key, std::string_view value) {
+  return {chosen(kName.text, key, value)};
+}
+template <ValueName kName>
+NamedValue<kName> indices(std::vector<double> list) {
+  return {listed(kName.text, std::move(list))};
+}
+template <ValueName kName>
+NamedValue<kName> cause(Message message) {
+  return {caused(kName.text, std::move(message))};
+}
 
 }  // namespace with
 

@@ -6,7 +6,7 @@
 
 namespace qrelief {
 
-/// Pseudo-random numbers that, unlike the distributions of <random>, are the same on every machine, compiler and
+/// Pseudo-random numbers that, unlike the distributions of `<random>`, are the same on every machine, compiler and
 /// standard library: SplitMix64 [Steele, Lea, Flood 2014], period 2^64. For sampling, not for secrets.
 class Random {
  public:

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "io/sniff_format.h"
+#include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -36,13 +37,13 @@ std::optional<Message> whyNoPlainName(std::string_view name) {
   if (name.empty()) return message("name-empty");
   const bool hasControls = std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; });
   if (hasControls || name.find_first_of("/\\<>:\"|?*\x7f") != name.npos || name.starts_with('.') || isDeviceName(name))
-    return message("name-no-plain-name", with::quoted("name", name));
+    return message("name-no-plain-name", with::quoted<"name">(name));
   if (name.size() > kMostNameBytes)
-    return message("name-too-long", with::count("count", name.size()), with::count("limit", kMostNameBytes));
+    return message("name-too-long", with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
   const ModelFormat format = formatOfName(name);
   if (format != ModelFormat::Stl && format != ModelFormat::Obj && format != ModelFormat::Ply &&
       format != ModelFormat::ThreeMf)
-    return message("name-not-writable", with::quoted("name", name));
+    return message("name-not-writable", with::quoted<"name">(name));
   return std::nullopt;
 }
 
@@ -78,19 +79,37 @@ Status BatchPlan::prepare() {
     const Setting* setting = findSetting(columns[i]);
     if (setting && setting->kind == Setting::Kind::Text) setting = nullptr;
     if (setting) settings_.push_back({i, setting});
-    if (!isNamed && !setting && columns[i] != kId) unused_.push_back(columns[i]);
+    if (isNamed || setting || columns[i] == kId) continue;
+    if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
+      warnings_.push_back(removedWarning(*removed, columns[i]));
+    else
+      unused_.push_back(columns[i]);
   }
+  warnOfRemovedChoices();
   return {};
+}
+
+/// Adds one warning for each removed choice in the list.
+void BatchPlan::warnOfRemovedChoices() {
+  for (const RemovedSetting& removed : removedSettings()) {
+    if (removed.choice.empty()) continue;
+    const auto column = std::find_if(settings_.begin(), settings_.end(),
+                                     [&](const SettingColumn& c) { return c.setting->key == removed.key; });
+    if (column == settings_.end()) continue;
+    std::size_t row = 0;
+    while (row < size() && list_.cell(row, column->column) != removed.choice) ++row;
+    if (row < size()) warnings_.push_back(removedWarning(removed, removed.key + " " + removed.choice));
+  }
 }
 
 Status BatchPlan::checkNames(const TextTemplate& wanted) const {
   for (const std::string& name : wanted.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
-    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted("name", name)));
+    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted<"name">(name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    if (name == kText) return badInput(message("list-without-text", with::quoted("columns", columns)));
-    return badInput(message("list-without-column", with::quoted("name", name), with::quoted("columns", columns)));
+    if (name == kText) return badInput(message("list-without-text", with::quoted<"columns">(columns)));
+    return badInput(message("list-without-column", with::quoted<"name">(name), with::quoted<"columns">(columns)));
   }
   return {};
 }
@@ -120,7 +139,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   row.file = std::move(*file);
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));
-    if (cell.empty()) continue;
+    if (cell.empty() || findRemovedChoice(setting->key, cell)) continue;
     const auto given = valueFromText(*setting, std::span(&cell, 1));
     if (!given) return tl::unexpected(given.error());
     if (const Status good = checkValue(*setting, *given); !good) return tl::unexpected(good.error());
@@ -131,7 +150,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
 
 void BatchPlan::add(std::uint32_t line, Message problem) {
   if (problems_.size() < kMostProblems)
-    problems_.push_back(message("list-line", with::count("line", line), with::cause("problem", std::move(problem))));
+    problems_.push_back(message("list-line", with::count<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
 void BatchPlan::checkRows() {
@@ -159,15 +178,15 @@ void BatchPlan::checkRows() {
   if (!all_.symbol.version) all_.symbol.version = largest;
   checkTwice([](const BatchRow& row) { return row.request.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("text-twice", with::quoted("text", row.request.text), with::count("other", other));
+               return message("text-twice", with::quoted<"text">(row.request.text), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return lowered(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("name-twice", with::quoted("name", row.file), with::count("other", other));
+               return message("name-twice", with::quoted<"name">(row.file), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("id-twice", with::quoted("id", row.id), with::count("other", other));
+               return message("id-twice", with::quoted<"id">(row.id), with::count<"other">(other));
              });
 }
 

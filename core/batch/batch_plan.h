@@ -49,6 +49,9 @@ class BatchPlan {
   /// Returns the columns that nothing uses; a misspelt setting would be among them.
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
+  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored.
+  const std::vector<Message>& warnings() const { return warnings_; }
+
   std::size_t size() const { return list_.size(); }
 
   /// Returns a row. Call it only if there are no problems.
@@ -62,6 +65,7 @@ class BatchPlan {
   };
 
   Status prepare();
+  void warnOfRemovedChoices();
   Status checkNames(const TextTemplate& wanted) const;
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
@@ -75,7 +79,7 @@ class BatchPlan {
   TextTemplate text_, name_;
   std::vector<SettingColumn> settings_;
   std::vector<std::string> unused_;
-  std::vector<Message> problems_;
+  std::vector<Message> problems_, warnings_;
 };
 
 /// Returns why a name is not a plain name of a model file in the output folder; none if it is.

@@ -26,7 +26,7 @@ struct Constraint {
 
 Error leavesSurface(Vec2 where) {
   return {ErrorKind::NoSolution,
-          message("carving-leaves-surface", with::lengthMm("right", where.x), with::lengthMm("up", where.y))};
+          message("carving-leaves-surface", with::lengthMm<"right">(where.x), with::lengthMm<"up">(where.y))};
 }
 
 std::vector<Arrangement::Crossing> findCrossings(const Footprint& footprint, EdgeGrid& edges,

@@ -145,7 +145,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are only a risk, which the final check judges. Collinear ones always do harm.
       if (low.collinear == 0) return carving;
-      return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count("count", low.collinear)));
+      return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count<"count">(low.collinear)));
     }
     clearance.placeAgain(low.nodes);
   }

@@ -89,8 +89,8 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
       if (touchesCarving(t, levels, marginMm)) footprint.facets.push_back(facet);
     } else if (inFront && touchesCarving({t[0], t[2], t[1]}, levels, marginMm)) {
-      return fail(ErrorKind::NoSolution, message("facet-from-behind", with::count("facet", facet),
-                                                 with::lengthMm("right", t[0].x), with::lengthMm("up", t[0].y)));
+      return fail(ErrorKind::NoSolution, message("facet-from-behind", with::count<"facet">(facet),
+                                                 with::lengthMm<"right">(t[0].x), with::lengthMm<"up">(t[0].y)));
     }
   }
   std::sort(footprint.facets.begin(), footprint.facets.end());

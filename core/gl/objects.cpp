@@ -46,7 +46,7 @@ Result<GLuint> compile(const char* name, GLenum kind, const char* source) {
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   glDeleteShader(shader);
   return fail(ErrorKind::Internal,
-              message("shader-refused", with::term("shader", name), with::term("log", log.data())));
+              message("shader-refused", with::term<"shader">(name), with::term<"log">(log.data())));
 }
 
 std::string glString(GLenum name) {
@@ -112,8 +112,8 @@ Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours,
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     return fail(ErrorKind::Internal,
-                message("float-texture-refused", with::count("width", made.width_), with::count("height", made.height_),
-                        with::term("status", fmt::format("0x{:x}", status))));
+                message("float-texture-refused", with::count<"width">(made.width_), with::count<"height">(made.height_),
+                        with::term<"status">(fmt::format("0x{:x}", status))));
   return made;
 }
 
@@ -201,7 +201,7 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
   std::array<char, 2048> log{};
   glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
   return fail(ErrorKind::Internal,
-              message("shader-not-linked", with::term("shader", name), with::term("log", log.data())));
+              message("shader-not-linked", with::term<"shader">(name), with::term<"log">(log.data())));
 }
 
 Program::~Program() {

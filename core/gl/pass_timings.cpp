@@ -73,13 +73,13 @@ TimedPass::TimedPass(std::string_view name) : timings_(listening) {
     timings_->pending_.push_back({query, pass_});
     timings_->queryRuns_ = ownsQuery_ = true;
   }
-  start_ = Clock::now();
+  start_ = timings_->now_();
 }
 
 TimedPass::~TimedPass() {
   if (!timings_) return;
   PassTime& time = timings_->times_[pass_];
-  time.cpuMs += millisecondsSince(start_);
+  time.cpuMs += std::chrono::duration<double, std::milli>(timings_->now_() - start_).count();
   ++time.count;
   if (!ownsQuery_) return;
   glEndQuery(kTimeElapsed);

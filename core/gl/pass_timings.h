@@ -28,7 +28,9 @@ bool hasTimerQueries();
 /// measures CPU time only. Needs its own context to be current.
 class PassTimings {
  public:
-  explicit PassTimings(bool withTimerQueries) : withTimerQueries_(withTimerQueries) {}
+  using Now = Clock::time_point (*)();
+  /// @param now  clock of the CPU times
+  explicit PassTimings(bool withTimerQueries, Now now = Clock::now) : withTimerQueries_(withTimerQueries), now_(now) {}
   ~PassTimings();
   PassTimings(const PassTimings&) = delete;
   PassTimings& operator=(const PassTimings&) = delete;
@@ -51,6 +53,7 @@ class PassTimings {
   std::size_t indexOf(std::string_view name);
 
   bool withTimerQueries_ = false;
+  Now now_;
   bool queryRuns_ = false;  // queries cannot be nested
   std::vector<PassTime> times_;
   std::vector<Pending> pending_;

@@ -52,7 +52,7 @@ class HeaderReader {
       } else if (keyword == "property") {
         status = readProperty();
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-        status = failHere(message("ply-unknown-keyword", with::quoted("word", excerpt(keyword))));
+        status = failHere(message("ply-unknown-keyword", with::quoted<"word">(excerpt(keyword))));
       }
       if (!status) return tl::unexpected(status.error());
       scanner_.restOfLine();
@@ -64,7 +64,7 @@ class HeaderReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message("ply-header-line", with::count("line", line_), with::cause("cause", std::move(what))));
+    return badInput(message("ply-header-line", with::count<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status readFormat() {
@@ -76,7 +76,7 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.format = PlyFormat::BigEndian;
     } else {
-      return failHere(message("ply-format", with::quoted("word", excerpt(name))));
+      return failHere(message("ply-format", with::quoted<"word">(excerpt(name))));
     }
     return {};
   }
@@ -87,10 +87,10 @@ class HeaderReader {
     const std::string_view word = scanner_.wordOnLine();
     const std::optional<std::int64_t> count = parseInteger(word);
     if (word.empty())
-      return failHere(message("ply-element-count-missing", with::quoted("element", excerpt(element.name))));
+      return failHere(message("ply-element-count-missing", with::quoted<"element">(excerpt(element.name))));
     if (!count || *count < 0)
-      return failHere(message("ply-element-count", with::quoted("element", excerpt(element.name)),
-                              with::quoted("word", excerpt(word))));
+      return failHere(message("ply-element-count", with::quoted<"element">(excerpt(element.name)),
+                              with::quoted<"word">(excerpt(word))));
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(std::move(element));
     return {};
@@ -100,7 +100,7 @@ class HeaderReader {
     const std::string_view word = scanner_.wordOnLine();
     for (const auto& [name, type] : kTypeNames)
       if (name == word) return type;
-    return failHere(message("ply-type", with::quoted("word", excerpt(word))));
+    return failHere(message("ply-type", with::quoted<"word">(excerpt(word))));
   }
 
   Status readProperty() {

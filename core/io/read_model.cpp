@@ -24,7 +24,7 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::ThreeMf:
       return read3mf(bytes, limits);
     case ModelFormat::Gltf:
-      return badInput(message("format-unreadable", with::term("format", nameOf(format))));
+      return badInput(message("format-unreadable", with::term<"format">(nameOf(format))));
     case ModelFormat::Unknown:
       break;
   }
@@ -38,17 +38,17 @@ Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_v
   if (bytes.empty()) return badInput(message("file-empty"));
   if (bytes.size() > limits.maxBytes)
     return badInput(
-        message("file-too-large", with::count("bytes", bytes.size()), with::count("limit", limits.maxBytes)));
+        message("file-too-large", with::count<"bytes">(bytes.size()), with::count<"limit">(limits.maxBytes)));
   const ModelFormat named = formatOfName(fileName);
   const ModelFormat found = formatOfContent(bytes);
   if (found == ModelFormat::Unknown)
     if (const std::string_view encoding = wideEncodingOf(bytes); !encoding.empty())
-      return badInput(message("text-encoding", with::term("encoding", encoding)));
+      return badInput(message("text-encoding", with::term<"encoding">(encoding)));
   if (found == ModelFormat::Unknown || found == named) return readAs(named, bytes, limits);
   Result<PolygonSoup> soup = readAs(found, bytes, limits);
   if (soup && named != ModelFormat::Unknown)
-    soup->warnings.insert(soup->warnings.begin(), message("format-misnamed", with::term("named", nameOf(named)),
-                                                          with::term("found", nameOf(found))));
+    soup->warnings.insert(soup->warnings.begin(), message("format-misnamed", with::term<"named">(nameOf(named)),
+                                                          with::term<"found">(nameOf(found))));
   return soup;
 }
 

@@ -70,12 +70,12 @@ class VettedStatements : public std::streambuf {
   }
 
   Status failHere(Message what) const {
-    return badInput(message("obj-line", with::count("line", line_), with::cause("cause", std::move(what))));
+    return badInput(message("obj-line", with::count<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status failAtVertex(Message what) const {
     return failHere(
-        message("vertex", with::count("vertex", verticesSoFar_ + 1), with::cause("cause", std::move(what))));
+        message("vertex", with::count<"vertex">(verticesSoFar_ + 1), with::cause<"cause">(std::move(what))));
   }
 
   Status vetVertex() {
@@ -99,14 +99,14 @@ class VettedStatements : public std::streambuf {
     for (std::string_view word = words.wordOnLine(); !word.empty(); word = words.wordOnLine()) {
       const bool malformed = word.find_first_not_of("+-0123456789/") != std::string_view::npos;
       const std::optional<std::int64_t> index = malformed ? std::nullopt : parseInteger(word.substr(0, word.find('/')));
-      if (!index) return failHere(message("obj-corner", with::quoted("word", excerpt(word))));
+      if (!index) return failHere(message("obj-corner", with::quoted<"word">(excerpt(word))));
       if (*index > 0 && static_cast<std::uint64_t>(*index) <= vertices_) continue;
       if (*index < 0 && *index >= -static_cast<std::int64_t>(verticesSoFar_)) continue;
       if (*index == 0) return failHere(message("obj-vertex-zero"));
       if (*index > 0)
-        return failHere(message("obj-vertex-missing", with::count("vertex", *index), with::count("count", vertices_)));
+        return failHere(message("obj-vertex-missing", with::count<"vertex">(*index), with::count<"count">(vertices_)));
       return failHere(
-          message("obj-vertex-not-yet", with::count("vertex", *index), with::count("count", verticesSoFar_)));
+          message("obj-vertex-not-yet", with::count<"vertex">(*index), with::count<"count">(verticesSoFar_)));
     }
     return {};
   }

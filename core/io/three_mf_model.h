@@ -42,7 +42,7 @@ struct ThreeMfObject {
 struct ThreeMfModel {
   double unitMm = 1;
   std::map<std::uint32_t, ThreeMfObject> objects;
-  bool hasBuild = false;  ///< true if there is a <build>; only the start part needs one
+  bool hasBuild = false;  ///< true if there is a `<build>`; only the start part needs one
   std::vector<ThreeMfInstance> items;
 };
 

@@ -56,11 +56,11 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   const auto soup = readModel(*bytes, fmt::format("written.{}", name));
   if (!soup)
     return fail(ErrorKind::Internal,
-                message("write-not-read-back", with::term("format", name), with::cause("cause", soup.error().message)));
+                message("write-not-read-back", with::term<"format">(name), with::cause<"cause">(soup.error().message)));
   const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
-    return fail(ErrorKind::Internal, message("write-read-differently", with::count("triangles", expected),
-                                             with::term("format", name), with::count("count", equal)));
+    return fail(ErrorKind::Internal, message("write-read-differently", with::count<"triangles">(expected),
+                                             with::term<"format">(name), with::count<"count">(equal)));
   return bytes;
 }
 

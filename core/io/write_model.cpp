@@ -25,11 +25,11 @@ Mesh joined(std::span<const ModelObject> objects) {
 
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, message("write-text-no-choice", with::term("format", nameOf(format))));
+    return fail(ErrorKind::BadUsage, message("write-text-no-choice", with::term<"format">(nameOf(format))));
   const bool several =
       std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
   if (several && format != ModelFormat::ThreeMf)
-    return fail(ErrorKind::BadUsage, message("write-several-bodies", with::term("format", nameOf(format))));
+    return fail(ErrorKind::BadUsage, message("write-several-bodies", with::term<"format">(nameOf(format))));
   return {};
 }
 
@@ -53,7 +53,7 @@ Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> object
       break;
   }
   if (format == ModelFormat::Unknown) return fail(ErrorKind::BadUsage, message("write-format-unknown"));
-  return fail(ErrorKind::BadUsage, message("write-format", with::term("format", nameOf(format))));
+  return fail(ErrorKind::BadUsage, message("write-format", with::term<"format">(nameOf(format))));
 }
 
 Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat format, const WriteOptions& options) {

@@ -30,12 +30,12 @@ constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
 tl::unexpected<Error> damaged(Message what) {
-  return badInput(message("zip-damaged", with::cause("cause", std::move(what))));
+  return badInput(message("zip-damaged", with::cause<"cause">(std::move(what))));
 }
 
 /// @param what  text that follows the file's name
 tl::unexpected<Error> damagedFile(const ZipEntry& entry, Message what) {
-  return damaged(message("zip-file", with::quoted("file", excerpt(entry.name)), with::cause("cause", std::move(what))));
+  return damaged(message("zip-file", with::quoted<"file">(excerpt(entry.name)), with::cause<"cause">(std::move(what))));
 }
 
 /// Reads the numbers of a record one after the other. The caller must have checked that the record is complete.
@@ -66,7 +66,7 @@ struct Directory {
 
 /// Finds the end record. It is the last thing in the file, except for a comment of the length it states.
 Result<std::size_t> findEndRecord(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count("count", bytes.size())));
+  if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count<"count">(bytes.size())));
   const std::size_t last = bytes.size() - kEndRecordBytes;
   const std::size_t first = last - std::min(last, kLongestComment);
   for (std::size_t at = last + 1; at-- > first;) {
@@ -154,7 +154,7 @@ bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> n
 Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t number) {
   const auto bad = [&](Message what) {
     return damaged(
-        message("zip-directory-line", with::count("line", number + 1), with::cause("cause", std::move(what))));
+        message("zip-directory-line", with::count<"line">(number + 1), with::cause<"cause">(std::move(what))));
   };
   if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
     return bad(message("zip-line-missing"));
@@ -221,8 +221,8 @@ Status checkOverlap(std::span<const std::uint8_t> bytes, std::vector<Listed>& fi
   for (std::size_t i = 1; i < files.size(); ++i) {
     const std::span<const std::uint8_t> before = files[i - 1].entry.packed;
     if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
-      return damaged(message("zip-files-overlap", with::quoted("first", excerpt(files[i - 1].entry.name)),
-                             with::quoted("second", excerpt(files[i].entry.name))));
+      return damaged(message("zip-files-overlap", with::quoted<"first">(excerpt(files[i - 1].entry.name)),
+                             with::quoted<"second">(excerpt(files[i].entry.name))));
   }
   return {};
 }
@@ -270,7 +270,7 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
     const std::string shown = excerpt(file.entry.name);
     const std::string key = comparable(file.entry.name);
     if (!archive.entries_.emplace(key, std::move(file.entry)).second)
-      return damaged(message("zip-same-name", with::quoted("file", shown)));
+      return damaged(message("zip-same-name", with::quoted<"file">(shown)));
   }
   return archive;
 }
@@ -319,7 +319,7 @@ struct ZipStream::State {
 
   Status checkEnd() const {
     if (given != entry->size)
-      return bad(message("zip-file-size", with::count("count", given), with::count("announced", entry->size)));
+      return bad(message("zip-file-size", with::count<"count">(given), with::count<"announced">(entry->size)));
     if (inflating && z.avail_in > 0) return bad(message("zip-file-followed"));
     if (crc != entry->crc) return bad(message("zip-file-checksum"));
     return {};
@@ -332,14 +332,14 @@ ZipStream& ZipStream::operator=(ZipStream&&) noexcept = default;
 ZipStream::~ZipStream() = default;
 
 Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
-  if (entry.flags & kEncrypted) return badInput(message("zip-encrypted", with::quoted("file", excerpt(entry.name))));
+  if (entry.flags & kEncrypted) return badInput(message("zip-encrypted", with::quoted<"file">(excerpt(entry.name))));
   if (entry.method != kStored && entry.method != kDeflated)
     return badInput(
-        message("zip-method", with::quoted("file", excerpt(entry.name)), with::count("method", entry.method)));
+        message("zip-method", with::quoted<"file">(excerpt(entry.name)), with::count<"method">(entry.method)));
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
-    return badInput(message("zip-expands", with::quoted("file", excerpt(entry.name)),
-                            with::count("packed", entry.packed.size()), with::count("bytes", entry.size),
-                            with::count("limit", maxBytes), with::count("ratio", kMaxRatio)));
+    return badInput(message("zip-expands", with::quoted<"file">(excerpt(entry.name)),
+                            with::count<"packed">(entry.packed.size()), with::count<"bytes">(entry.size),
+                            with::count<"limit">(maxBytes), with::count<"ratio">(kMaxRatio)));
   auto state = std::make_unique<State>();
   state->entry = &entry;
   if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message("zip-file-two-sizes"));

@@ -212,7 +212,7 @@ Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::s
   try {
     return findPairs(mesh, suspects.empty() ? all : suspects, limit, maxLooks);
   } catch (const CGAL::Failure_exception& failure) {
-    return fail(ErrorKind::Internal, message("crossing-test-failed", with::term("reason", failure.what())));
+    return fail(ErrorKind::Internal, message("crossing-test-failed", with::term<"reason">(failure.what())));
   }
 }
 

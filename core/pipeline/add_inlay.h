@@ -6,7 +6,7 @@
 namespace qrelief {
 
 /// Makes the body that fills the pockets of a carved model (carving/inlay.h), for printing in two colours, and checks
-/// it after an STL round trip. Sets EngraveResult::inlay and ::inlaySolidity.
+/// it after an STL round trip. Sets EngraveResult::inlay and EngraveResult::inlaySolidity.
 ///
 /// Cost: carving the mesh and checking the solid, for the pockets alone.
 /// @param model   model before carving

@@ -14,7 +14,7 @@ constexpr double kMostShallow = 0.1;
 
 bool mayHaveWholeFinders(const EngraveRequest& request) {
   return !request.modulePattern && !request.finderPattern && request.objective == DepthObjective::Contrast &&
-         request.solver == ContrastSolver::Fast && request.floor == FloorShape::Flat && request.lights.empty();
+         request.solver == ContrastSolver::Fast && request.lights.empty();
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ inline constexpr double kWholeFinderDepthModules = 1.5;
 /// Fills in the patterns, contrast and greatest depth that a request leaves open.
 ///
 /// Dark modules get `thick-plus`. Finders are carved whole, with a smaller contrast, in a request that names no pattern
-/// and is for even light, flat floors and ContrastSolver::Fast. Finders are `thick-plus-sharp`, with the preset's
+/// and is for even light and ContrastSolver::Fast. Finders are `thick-plus-sharp`, with the preset's
 /// contrast, in every other request, and where walls are too thin for whole ones.
 /// @param moduleMm      > 0
 /// @param areWallsThin  see wallsAreThinForWholeFinders()

@@ -2,12 +2,10 @@
 #include "pipeline/depth_solver_of.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "depth/depth_search.h"
-#include "depth/fast_search.h"
 #include "depth/one_light_search.h"
-#include "depth/reading_search.h"
-#include "depth/shaped_floor_search.h"
 
 namespace qrelief {
 namespace {
@@ -15,34 +13,41 @@ namespace {
 constexpr double kDepthStepMm = 0.1;  // the published step; thicker layers need no coarser step
 constexpr int kPassesBeforePrint = 4;
 
+FastSearchOptions fastOptions(const EngraveRequest& request) {
+  FastSearchOptions options;
+  options.contrast = request.contrastAsked();
+  options.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
+  options.albedo = static_cast<double>(request.albedo);
+  return options;
+}
+
 }  // namespace
 
-std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target,
-                                             std::vector<double> contrastOfModule, const DepthSolver* before) {
-  if (request.objective == DepthObjective::Reading)
-    return std::make_unique<ReadingSearch>(std::move(target), request.reading);
+std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target) {
   if (request.objective == DepthObjective::OneLight)
     return std::make_unique<OneLightSearch>(
         std::move(target), OneLightOptions{.lamp = request.lamps().front(), .contrast = request.contrastAsked()});
-  const double slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
-  if (request.floor != FloorShape::Flat)
-    return std::make_unique<ShapedFloorSearch>(
-        std::move(target),
-        ShapedFloorOptions{.shape = request.floor, .contrast = request.contrastAsked(), .slackMm = slackMm});
-  if (request.solver == ContrastSolver::PaperSteps) {
-    DepthSearchOptions options;
-    options.contrast = request.contrastAsked();
-    options.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
-    return std::make_unique<DepthSearch>(std::move(target), options);
-  }
-  FastSearchOptions options;
+  if (request.solver == ContrastSolver::Fast)
+    return std::make_unique<FastSearch>(std::move(target), fastOptions(request));
+  DepthSearchOptions options;
   options.contrast = request.contrastAsked();
+  options.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
+  return std::make_unique<DepthSearch>(std::move(target), options);
+}
+
+std::unique_ptr<FastSearch> makeSearchBeforePrint(const EngraveRequest& request, CarvingTarget target) {
+  assert(request.isForPrint());
+  FastSearchOptions options = fastOptions(request);
+  options.maxIterations = kPassesBeforePrint;
+  return std::make_unique<FastSearch>(std::move(target), options);
+}
+
+std::unique_ptr<FastSearch> makeSearchAfterPrint(const EngraveRequest& request, CarvingTarget target,
+                                                 std::vector<double> contrastOfModule, const FastSearch& before) {
+  assert(request.isForPrint());
+  FastSearchOptions options = fastOptions(request);
   options.contrastOfModule = std::move(contrastOfModule);
-  options.slackMm = slackMm;
-  options.albedo = static_cast<double>(request.albedo);
-  const bool isBeforePrint = request.isForPrint() && options.contrastOfModule.empty();
-  if (isBeforePrint) options.maxIterations = kPassesBeforePrint;
-  return std::make_unique<FastSearch>(std::move(target), options, dynamic_cast<const FastSearch*>(before));
+  return std::make_unique<FastSearch>(std::move(target), options, &before);
 }
 
 }  // namespace qrelief

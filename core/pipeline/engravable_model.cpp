@@ -14,8 +14,7 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
-  const bool isReading = request.objective == DepthObjective::Reading;
-  const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
+  const double contrast = request.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // later refused
   const bool isOneLight = request.objective == DepthObjective::OneLight;
   const double depth = isOneLight ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);

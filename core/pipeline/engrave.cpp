@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "base/clock.h"
 #include "carving/embed.h"
@@ -41,7 +42,7 @@ constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause("problem", solidity.problems().front())));
+  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
 }
 
 }  // namespace
@@ -86,8 +87,10 @@ struct EngraveJob::State {
   bool isMeasured = false;
   LightBy lightBy = LightBy::Renderer;
   CarvingTarget target;
+  MakeSearch makeOwnSearch;  // empty: the request decides
   std::unique_ptr<DepthSolver> search;
-  std::vector<float> means;  // mean luminance of every cell of the map
+  const FastSearch* searchBeforePrint = nullptr;  // `search`, until the print has been taken into account
+  std::vector<float> means;                       // mean luminance of every cell of the map
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
   bool isPrinted = false;  // true once the print has been taken into account
@@ -98,6 +101,7 @@ struct EngraveJob::State {
   void decidePatterns(bool areWallsThin);
   std::vector<double> limitsOfMask() const;
   Status map();
+  void startSearch();
   Status searchOnce();
   Status embed();
   Status print();
@@ -189,10 +193,22 @@ Status EngraveJob::State::map() {
     if (mask.carved[i]) allCarved.push_back(i);
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
-  search = makeDepthSolver(request, target);
+  startSearch();
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
+}
+
+void EngraveJob::State::startSearch() {
+  if (makeOwnSearch) {
+    search = makeOwnSearch(target);
+  } else if (request.isForPrint()) {
+    auto rough = makeSearchBeforePrint(request, target);
+    searchBeforePrint = rough.get();
+    search = std::move(rough);
+  } else {
+    search = makeDepthSolver(request, target);
+  }
 }
 
 /// Measures the luminance of the submodules that the search requests, at its depths.
@@ -258,7 +274,7 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
-    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm("wall", request.minWallMm)));
+    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
   stage = Stage::Embedding;
   return {};
 }
@@ -291,10 +307,10 @@ Status EngraveJob::State::print() {
   const auto progress = printing->advance();
   if (!progress) return tl::unexpected(progress.error());
   if (progress->done) {
-    search = makeDepthSolver(
+    search = makeSearchAfterPrint(
         request, target,
         contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()),
-        search.get());
+        *std::exchange(searchBeforePrint, nullptr));
     printing.reset();
     embedded = {};
     isPrinted = true;
@@ -403,6 +419,8 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   state->layout = {state->symbol.size};
   state->measured = known.measured;
   state->lightBy = known.lightBy;
+  state->makeOwnSearch = known.makeSearch;
+  assert(!state->makeOwnSearch || !state->request.isForPrint());
   if (known.placed)
     state->take(*known.placed);
   else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,6 +79,9 @@ struct InspectorMaps {
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
 
+/// Function that makes a depth search.
+using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
+
 /// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the model's GL
 /// context.
 ///
@@ -96,6 +100,9 @@ class EngraveJob {
     /// From a finished job on the same model; the place is measured anew if this job's place differs.
     std::shared_ptr<MeasuredPlace> measured = nullptr;
     LightBy lightBy = LightBy::Renderer;
+    /// Replaces the request's objective and solver, if the request is not carved for its print
+    /// (EngraveRequest::isForPrint). The study's methods use it.
+    MakeSearch makeSearch = nullptr;
   };
   /// @returns the errors of checkEngraving()
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,

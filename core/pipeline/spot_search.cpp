@@ -55,7 +55,7 @@ Status checkRequest(const SpotSearchRequest& request) {
   if (const Status checked = checkSettings(engraving); !checked) return checked;
   if (request.count >= 1 && request.count <= kMaxSpots) return {};
   return fail(ErrorKind::BadUsage,
-              message("place-count", with::count("count", request.count), with::count("max", kMaxSpots)));
+              message("place-count", with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
 }
 
 struct Wall {
@@ -68,8 +68,8 @@ bool isUneven(const OfferedSpot& spot) { return spot.unevenLight > kMostUnevenLi
 std::vector<Message> concernsAt(const OfferedSpot& spot, const SpotSearchRequest& request) {
   std::vector<Message> concerns;
   if (!spot.prints)
-    concerns.push_back(message("spot-too-small-to-print", with::lengthMm("nozzle", request.nozzleMm),
-                               with::lengthMm("needed", std::ceil(10 * request.leastPrintableMm) / 10)));
+    concerns.push_back(message("spot-too-small-to-print", with::lengthMm<"nozzle">(request.nozzleMm),
+                               with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
   if (spot.facesDown) concerns.push_back(message("faces-down"));
   if (isUneven(spot)) concerns.push_back(message("spot-lit-unevenly"));
   return concerns;
@@ -329,20 +329,20 @@ Error SpotSearchJob::State::nothingFound() const {
     const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
     if (spare > 0 && spare < request.minWallMm)
       return {ErrorKind::NoSolution,
-              message("no-spot-wall-too-thick", with::cause("code", codeInWords(place)), with::count("count", tooThin),
-                      with::lengthMm("thickest", thickestMm), with::lengthMm("depth", request.leastDepthMm),
-                      with::lengthMm("wall", request.minWallMm), with::number("spare", spare))};
+              message("no-spot-wall-too-thick", with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
+                      with::lengthMm<"thickest">(thickestMm), with::lengthMm<"depth">(request.leastDepthMm),
+                      with::lengthMm<"wall">(request.minWallMm), with::number<"spare">(spare))};
     return {ErrorKind::NoSolution,
-            message("no-spot-wall-too-thin", with::cause("code", codeInWords(place)), with::count("count", tooThin),
-                    with::lengthMm("thickest", thickestMm), with::lengthMm("depth", request.leastDepthMm),
-                    with::lengthMm("wall", request.minWallMm))};
+            message("no-spot-wall-too-thin", with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
+                    with::lengthMm<"thickest">(thickestMm), with::lengthMm<"depth">(request.leastDepthMm),
+                    with::lengthMm<"wall">(request.minWallMm))};
   }
   if (largest)
-    return {ErrorKind::NoSolution, message("no-spot-so-large", with::cause("code", codeInWords(place)),
-                                           with::lengthMm("largest", downToThreeDigits(largest->symbolMm)),
-                                           with::place("at", largest->centreFileUnits))};
-  return {ErrorKind::NoSolution, message("no-spot", with::cause("code", codeInWords(place)),
-                                         with::lengthMm("model", boundingBox(model->prepared.mesh).diagonal()))};
+    return {ErrorKind::NoSolution, message("no-spot-so-large", with::cause<"code">(codeInWords(place)),
+                                           with::lengthMm<"largest">(downToThreeDigits(largest->symbolMm)),
+                                           with::place<"at">(largest->centreFileUnits))};
+  return {ErrorKind::NoSolution, message("no-spot", with::cause<"code">(codeInWords(place)),
+                                         with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()))};
 }
 
 double SpotSearchJob::State::testedShare() const {

@@ -26,9 +26,9 @@ Status checkSizeBound(const PreparedModel& model, const SizeBound& room, double 
   const double most = squareBoundMm(box, eyeDistanceMm) / room.outer;
   if (most >= room.minSymbolMm()) return {};
   return fail(ErrorKind::NoSolution,
-              message("model-too-small", with::extentMm("size", box.size()), with::count("modules", room.modules),
-                      with::lengthMm("least", room.minSymbolMm()), with::lengthMm("module", kMinModuleMm),
-                      with::lengthMm("most", most), with::cause("advice", adviceFor(model))));
+              message("model-too-small", with::extentMm<"size">(box.size()), with::count<"modules">(room.modules),
+                      with::lengthMm<"least">(room.minSymbolMm()), with::lengthMm<"module">(kMinModuleMm),
+                      with::lengthMm<"most">(most), with::cause<"advice">(adviceFor(model))));
 }
 
 }  // namespace qrelief

@@ -34,8 +34,7 @@ struct SymbolOptions {
   std::optional<int> version = std::nullopt;  ///< 1 … 40; empty: the smallest that holds the text
   bool raiseErrorCorrection = false;          ///< raise it to the highest level that needs no larger version
   MaskRule maskRule = MaskRule::Standard;
-  int mask = 0;                   ///< Fixed: 0 … 7
-  bool breakUpDarkAreas = false;  ///< spend error correction on making dark areas smaller (qr/symbol_shaping.h)
+  int mask = 0;  ///< Fixed: 0 … 7
 
   bool operator==(const SymbolOptions&) const = default;
 };

@@ -12,7 +12,7 @@
 #include "verification/grades.h"
 #include "verification/printability.h"
 
-/// Pieces that the reports of `engrave` and `verify` share.
+// Pieces that the reports of `engrave` and `verify` share.
 namespace qrelief {
 
 inline nlohmann::ordered_json triple(Vec3 v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }

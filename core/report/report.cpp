@@ -5,7 +5,7 @@
 
 #include "math/angle.h"
 #include "projection/flatness.h"
-#include "qr/symbol_shaping.h"
+#include "qr/codewords.h"
 #include "report/json_parts.h"
 #include "verification/grades.h"
 
@@ -29,9 +29,7 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
 }
 
 const char* solverName(const EngraveRequest& request) {
-  if (request.objective == DepthObjective::Reading) return "secant";
   if (request.objective == DepthObjective::OneLight) return "one-light";
-  if (request.floor != FloorShape::Flat) return "shaped-floor";
   return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
 }
 
@@ -42,14 +40,11 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
-  const CorrectionReserve reserve = correctionReserve(symbol);
   return {{"version", symbol.version},
           {"ecc", errorCorrectionName(symbol.errorCorrection)},
           {"mask", symbol.mask},
           {"modules", symbol.size},
-          {"flippedModules", reserve.flippedModules},
-          {"correctableCodewords", reserve.correctable},
-          {"spentCodewords", reserve.spent},
+          {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
           {"rows", rows}};
 }
 
@@ -106,11 +101,10 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"features", describeFeatures(features, printer)},
                      {"objective", depthObjectiveName(request.objective)},
-                     {"floor", floorShapeName(request.floor)},
                      {"lights", describeLights(request.lamps())},
                      {"carvedFor", request.isForPrint() ? "print" : "design"},
-                     {"solver", solverName(request)}};
-  if (request.objective != DepthObjective::Reading) report["depth"]["contrast"] = result.request.contrastAsked();
+                     {"solver", solverName(request)},
+                     {"contrast", result.request.contrastAsked()}};
   if (!request.contrast) {
     report["depth"]["preset"] = presetName(request.preset);
     report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));

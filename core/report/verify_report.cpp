@@ -117,10 +117,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
   const auto size = static_cast<std::size_t>(symbol.size);
   std::vector<std::uint8_t> flipped(size * size, 0);
   if (rows.size() != size)
-    return badInput(message("report-rows", with::count("rows", rows.size()), with::count("wanted", size)));
+    return badInput(message("report-rows", with::count<"rows">(rows.size()), with::count<"wanted">(size)));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
-      return badInput(message("report-row", with::count("row", row + 1), with::count("wanted", size)));
+      return badInput(message("report-row", with::count<"row">(row + 1), with::count<"wanted">(size)));
     for (std::size_t column = 0; column < size; ++column) {
       const bool dark = rows[row][column] == '1';
       flipped[row * size + column] = symbol.dark[row * size + column] && !dark;
@@ -133,11 +133,11 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
 
 Result<VerifyRequest> requestFromReport(std::string_view json) {
   const Result<Json> report = parseJson(json);
-  if (!report) return badInput(message("report-not-understood", with::cause("problem", report.error().message)));
+  if (!report) return badInput(message("report-not-understood", with::cause<"problem">(report.error().message)));
   try {
     return readRequest(*report);
   } catch (const Json::exception& error) {
-    return badInput(message("report-not-understood", with::term("problem", error.what())));
+    return badInput(message("report-not-understood", with::term<"problem">(error.what())));
   }
 }
 

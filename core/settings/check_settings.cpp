@@ -18,26 +18,25 @@ Status checkNumber(const std::string& key, Unit unit, double value, double min, 
   switch (unit) {
     case Unit::Millimetre:
       return fail(ErrorKind::BadUsage,
-                  message("setting-out-of-range", with::setting("setting", key), with::lengthMm("value", value),
-                          with::lengthMm("min", min), with::lengthMm("max", max)));
+                  message("setting-out-of-range", with::setting<"setting">(key), with::lengthMm<"value">(value),
+                          with::lengthMm<"min">(min), with::lengthMm<"max">(max)));
     case Unit::Degree:
       return fail(ErrorKind::BadUsage,
-                  message("setting-out-of-range", with::setting("setting", key), with::angleDeg("value", value),
-                          with::angleDeg("min", min), with::angleDeg("max", max)));
+                  message("setting-out-of-range", with::setting<"setting">(key), with::angleDeg<"value">(value),
+                          with::angleDeg<"min">(min), with::angleDeg<"max">(max)));
     case Unit::None:
-    case Unit::Module:
     case Unit::Sky:
       break;
   }
   return fail(ErrorKind::BadUsage,
-              message("setting-out-of-range", with::setting("setting", key), with::number("value", value),
-                      with::number("min", min), with::number("max", max)));
+              message("setting-out-of-range", with::setting<"setting">(key), with::number<"value">(value),
+                      with::number<"min">(min), with::number<"max">(max)));
 }
 
 Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& lamps) {
   if (lamps.size() > kMaxLights)
-    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", setting.key),
-                                             with::count("count", lamps.size()), with::count("max", kMaxLights)));
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting<"setting">(setting.key),
+                                             with::count<"count">(lamps.size()), with::count<"max">(kMaxLights)));
   for (const DirectionalLight& lamp : lamps)
     for (const LampPart& part : lampParts())
       if (const Status checked = checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max); !checked)
@@ -49,26 +48,15 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
   const double length = glm::length(vector);
   if (length > 0 && std::isfinite(length)) return {};
   return fail(ErrorKind::BadUsage,
-              message("setting-no-length", with::setting("setting", setting.key), with::place("vector", vector)));
+              message("setting-no-length", with::setting<"setting">(setting.key), with::place<"vector">(vector)));
 }
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
-  const auto exclude = [](const char* setting, const char* value, const char* other, const char* otherValue) {
-    return fail(ErrorKind::BadUsage,
-                message("settings-exclude", with::setting("setting", setting), with::choice("value", setting, value),
-                        with::setting("other", other), with::choice("otherValue", other, otherValue)));
-  };
-  if (request.floor != FloorShape::Flat) {
-    const char* floor = floorShapeName(request.floor);
-    if (request.objective != DepthObjective::Contrast)
-      return exclude("floor", floor, "objective", depthObjectiveName(request.objective));
-    if (request.solver == ContrastSolver::PaperSteps) return exclude("floor", floor, "solver", "paper-steps");
-  }
   if (request.objective == DepthObjective::OneLight && request.lamps().size() > 1)
     return fail(ErrorKind::BadUsage,
-                message("one-light-has-several", with::setting("objective", "objective"),
-                        with::choice("value", "objective", "one-light"), with::count("count", request.lights.size())));
+                message("one-light-has-several", with::setting<"objective">("objective"),
+                        with::choice<"value">("objective", "one-light"), with::count<"count">(request.lights.size())));
   return {};
 }
 
@@ -86,7 +74,7 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
       return checked;
     if (setting.isWhole && *n != std::floor(*n))
       return fail(ErrorKind::BadUsage,
-                  message("setting-not-whole", with::setting("setting", setting.key), with::number("value", *n)));
+                  message("setting-not-whole", with::setting<"setting">(setting.key), with::number<"value">(*n)));
     return {};
   }
   if (const std::string* name = std::get_if<std::string>(&value)) {
@@ -117,30 +105,30 @@ Error wrongKind(const Setting& setting, std::string_view found) {
   switch (setting.kind) {
     case Kind::Text:
       return {ErrorKind::BadUsage,
-              message("setting-no-text", with::setting("setting", setting.key), with::term("found", found))};
+              message("setting-no-text", with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Switch:
       return {ErrorKind::BadUsage,
-              message("setting-no-switch", with::setting("setting", setting.key), with::term("found", found))};
+              message("setting-no-switch", with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Number:
       return {ErrorKind::BadUsage,
-              message("setting-no-number", with::setting("setting", setting.key), with::term("found", found))};
+              message("setting-no-number", with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Choice:
-      return {ErrorKind::BadUsage, message("setting-no-choice", with::setting("setting", setting.key),
-                                           with::term("found", found), with::term("choices", choices))};
+      return {ErrorKind::BadUsage, message("setting-no-choice", with::setting<"setting">(setting.key),
+                                           with::term<"found">(found), with::term<"choices">(choices))};
     case Kind::ChoiceOrNumber:
-      return {ErrorKind::BadUsage, message("setting-no-choice-or-number", with::setting("setting", setting.key),
-                                           with::term("found", found), with::term("choices", choices))};
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-number", with::setting<"setting">(setting.key),
+                                           with::term<"found">(found), with::term<"choices">(choices))};
     case Kind::ChoiceOrVector:
-      return {ErrorKind::BadUsage, message("setting-no-choice-or-vector", with::setting("setting", setting.key),
-                                           with::term("found", found), with::term("choices", choices))};
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-vector", with::setting<"setting">(setting.key),
+                                           with::term<"found">(found), with::term<"choices">(choices))};
     case Kind::Vector:
       return {ErrorKind::BadUsage,
-              message("setting-no-vector", with::setting("setting", setting.key), with::term("found", found))};
+              message("setting-no-vector", with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Lamps:
       break;
   }
   return {ErrorKind::BadUsage,
-          message("setting-no-lamps", with::setting("setting", setting.key), with::term("found", found))};
+          message("setting-no-lamps", with::setting<"setting">(setting.key), with::term<"found">(found))};
 }
 
 }  // namespace qrelief

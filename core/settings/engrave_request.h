@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "carving/surface_mode.h"
-#include "depth/reading_search.h"
-#include "depth/shaped_floor_search.h"
 #include "light/directional_light.h"
 #include "printing/build_direction.h"
 #include "printing/print_process.h"
@@ -22,11 +20,10 @@ namespace qrelief {
 /// Criterion that makes a depth deep enough.
 enum class DepthObjective : std::uint8_t {
   Contrast,  ///< every submodule darker than its surroundings, as published: depth/depth_search.h
-  Reading,   ///< every module darker than its surroundings, as a decoder sees it: depth/reading_search.h
   OneLight   ///< every submodule darker than its surroundings under one lamp: depth/one_light_search.h
 };
 
-/// Returns "contrast", "reading" or "one-light".
+/// Returns "contrast" or "one-light".
 const char* depthObjectiveName(DepthObjective objective);
 
 /// The lamp of DepthObjective::OneLight if the request has none. It is as strong relative to the sky as in [Peng 2020].
@@ -54,17 +51,12 @@ struct EngraveRequest {
   std::optional<FinderPattern> finderPattern;  ///< none: the same
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
-  /// Only Flat works with objectives other than DepthObjective::Contrast and with solvers other than
-  /// ContrastSolver::Fast.
-  FloorShape floor = FloorShape::Flat;
   Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
   bool keepPreset = false;  ///< never carve deeper than the preset, even if the code or its print does not read
   /// Fraction by which a carved submodule is darker than its surroundings, 0 < c < 1; none: the preset's contrast.
   std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;
-  ReadingOptions reading;
-  /// Print takes effect for flat floors by ContrastSolver::Fast without lamps, if a process is known; otherwise Design
-  /// applies.
+  /// Print takes effect for ContrastSolver::Fast without lamps, if a process is known; otherwise Design applies.
   CarveFor carveFor = CarveFor::Design;
   std::optional<double> maxDepthMm;      ///< none: see pipeline/default_patterns.h
   double minWallMm = 0.8;                ///< material left behind every floor, ≥ 0
@@ -80,7 +72,7 @@ struct EngraveRequest {
 
   bool isForPrint() const {
     return carveFor == CarveFor::Print && process && lights.empty() && objective == DepthObjective::Contrast &&
-           solver == ContrastSolver::Fast && floor == FloorShape::Flat;
+           solver == ContrastSolver::Fast;
   }
 
   /// Returns the lamps that the code is carved for and judged under.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parse_json.h"
+#include "settings/removed_settings.h"
 
 namespace qrelief {
 namespace {
@@ -89,11 +90,13 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
   const Json& given = *parsed;
   for (const auto& [key, value] : given.items())
-    if (!findSetting(key)) return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted("key", key)));
+    if (!findSetting(key) && !findRemovedSetting(key))
+      return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto found = given.find(setting.key);
     if (found == given.end() || found->is_null()) continue;
+    if (found->is_string() && findRemovedChoice(setting.key, found->get<std::string>())) continue;
     const auto value = valueFrom(setting, *found);
     // An unknown choice also counts as the wrong kind, because there is nothing to write.
     const bool isName = value && std::holds_alternative<std::string>(*value);

@@ -144,7 +144,7 @@ Setting text() {
   return setting;
 }
 
-/// Makes the setting for error correction. A level given by its letter is not raised unless `raiseEcc` asks for it.
+/// Makes the setting for error correction. A level given by its letter is exact.
 Setting errorCorrection() {
   Setting setting = made("ecc", "symbol", Kind::Choice);
   setting.choices = namesOf(4, [](int i) { return errorCorrectionName(static_cast<ErrorCorrection>(i)); });
@@ -202,15 +202,7 @@ Setting carveFor() {
 Setting objective() {
   Setting setting = choice(
       "objective", "depth", [](auto& r) -> auto& { return r.objective; },
-      [] { return namesOf(3, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
-  setting.since = kSinceSecond;
-  return setting;
-}
-
-Setting floor() {
-  Setting setting = choice(
-      "floor", "depth", [](auto& r) -> auto& { return r.floor; },
-      [] { return namesOf(3, [](int i) { return floorShapeName(static_cast<FloorShape>(i)); }); });
+      [] { return namesOf(2, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
   setting.since = kSinceSecond;
   return setting;
 }
@@ -320,13 +312,9 @@ std::vector<Setting> makeSettings() {
   return {
       text(),
       errorCorrection(),
-      toggle(
-          "raiseEcc", "symbol", [](auto& r) -> auto& { return r.symbol.raiseErrorCorrection; }),
       optionalNumber(
           "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.symbol.version; }),
       mask(),
-      toggle(
-          "breakUp", "symbol", [](auto& r) -> auto& { return r.symbol.breakUpDarkAreas; }),
       choice(
           "preset", "depth", [](auto& r) -> auto& { return r.preset; },
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
@@ -340,7 +328,6 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
       contrast(),
       carveFor(),
-      floor(),
       objective(),
       choice(
           "solver", "depth", [](auto& r) -> auto& { return r.solver; },
@@ -351,20 +338,6 @@ std::vector<Setting> makeSettings() {
           "maxDepthMm", "depth", mm, {0.1, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.maxDepthMm; }),
       number(
           "minWallMm", "depth", mm, {0, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.minWallMm; }),
-      number(
-          "dataContrast", "reading", Unit::None, {0.01, 0.95, 0.01},
-          [](auto& r) -> auto& { return r.reading.dataContrast; }),
-      number(
-          "finderContrast", "reading", Unit::None, {0.01, 0.95, 0.01},
-          [](auto& r) -> auto& { return r.reading.finderContrast; }),
-      number(
-          "blurModules", "reading", Unit::Module, {0.05, 2, 0.05},
-          [](auto& r) -> auto& { return r.reading.blurModules; }),
-      number(
-          "tolerance", "reading", Unit::None, {0.001, 0.1, 0.001},
-          [](auto& r) -> auto& { return r.reading.tolerance; }),
-      number(
-          "maxPasses", "reading", Unit::None, {1, 60, 1}, [](auto& r) -> auto& { return r.reading.maxPasses; }),
       size(),
       number(
           "maxSizeMm", "placement", mm, {0.1, kMaxMm, 1}, [](auto& r) -> auto& { return r.placement.maxSizeMm; }),
@@ -424,7 +397,7 @@ void apply(const SettingChange& change, EngraveRequest& request) {
 }
 
 const char* depthObjectiveName(DepthObjective objective) {
-  constexpr std::array<const char*, 3> kNames = {"contrast", "reading", "one-light"};
+  constexpr std::array<const char*, 2> kNames = {"contrast", "one-light"};
   return kNames[static_cast<std::size_t>(objective)];
 }
 

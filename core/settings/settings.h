@@ -30,7 +30,7 @@ struct Setting {
     Vector,
     Lamps  ///< a list of lamps, see lampParts()
   };
-  enum class Unit { None, Millimetre, Degree, Module, Sky };
+  enum class Unit { None, Millimetre, Degree, Sky };
 
   std::string key;    ///< one name everywhere, with its unit: flag (messages/sentences.h), JSON, report, page
   std::string group;  ///< key of the group; settings of a group are adjacent
@@ -64,7 +64,7 @@ struct LampPart {
 };
 std::span<const LampPart> lampParts();
 
-/// Returns all settings in the order in which to write them: error correction before the switch that raises it.
+/// Returns all settings in the order in which to write them: the process before the nozzle and layer that it sets.
 std::span<const Setting> settings();
 
 /// Finds a setting by its key.

@@ -32,18 +32,17 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
   }
   const double neededMm = std::ceil(std::max(kLarger * found.symbolMm, leastModuleMm * result.symbol.size));
   if (found.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
-    remedies.push_back({message("remedy-allow-size", with::lengthMm("size", neededMm)), "maxSizeMm", plain(neededMm)});
+    remedies.push_back({message("remedy-allow-size", with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
   else if (place.sizeMode != SizeMode::Best)
     remedies.push_back({message("remedy-turn"), "size", "best"});
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  if (request.objective == DepthObjective::Reading) return;
   if (request.contrast) {
     remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
   } else if (const std::optional<Preset> deeper = deeperPreset(request.preset)) {
     const char* name = presetName(*deeper);
-    remedies.push_back({message("remedy-deeper", with::choice("preset", "preset", name)), "preset", name});
+    remedies.push_back({message("remedy-deeper", with::choice<"preset">("preset", name)), "preset", name});
   }
 }
 
@@ -89,14 +88,14 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   if (isTooFine) {
     if (request.modulePattern && request.modulePattern != ModulePattern::ThickPlus) {
       const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
-      remedies.push_back({message("remedy-pattern", with::choice("pattern", "pattern", pattern)), "pattern", pattern});
+      remedies.push_back({message("remedy-pattern", with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
     }
     const double most = printableNozzleMm(features);
     const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
       return mm <= most + kRoundingMm && mm < request.printer.nozzleMm;
     });
     if (finer != kNozzlesMm.end())
-      remedies.push_back({message("remedy-nozzle", with::lengthMm("nozzle", *finer)), "nozzleMm", plain(*finer)});
+      remedies.push_back({message("remedy-nozzle", with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
   }
   const double thickestLayerMm = printableLayerMm(features);
   if (thickestLayerMm < request.printer.layerMm - kRoundingMm) {
@@ -104,7 +103,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
     const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
                                       [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });
     if (thinner != kLayersMm.end())
-      remedies.push_back({message("remedy-layer", with::lengthMm("layer", *thinner)), "layerMm", plain(*thinner)});
+      remedies.push_back({message("remedy-layer", with::lengthMm<"layer">(*thinner)), "layerMm", plain(*thinner)});
   }
   remedies.push_back(anotherSpot());
   return remedies;

@@ -27,14 +27,14 @@ std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::
                                      const SymbolGrades* grades) {
   const ReadingCount& count = reading.count;
   if (!reading.text.empty() && reading.text != wanted)
-    return {message("other-text", with::quoted("found", reading.text), with::quoted("wanted", wanted))};
+    return {message("other-text", with::quoted<"found">(reading.text), with::quoted<"wanted">(wanted))};
   if (count.enough()) return {};
   if (grades && grades->cellContrast.value < kGoodContrast)
-    return {message("too-shallow", with::lengthMm("depth", meanDepthMm),
-                    with::fraction("contrast", grades->cellContrast.value), with::count("reads", count.reads),
-                    with::count("tries", count.tries), with::count("needed", count.needed()))};
-  return {message("unreadable", with::count("reads", count.reads), with::count("tries", count.tries),
-                  with::count("needed", count.needed()))};
+    return {message("too-shallow", with::lengthMm<"depth">(meanDepthMm),
+                    with::fraction<"contrast">(grades->cellContrast.value), with::count<"reads">(count.reads),
+                    with::count<"tries">(count.tries), with::count<"needed">(count.needed()))};
+  return {message("unreadable", with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                  with::count<"needed">(count.needed()))};
 }
 
 /// Returns the warning that must come with a code that is read under one lamp.
@@ -60,14 +60,14 @@ Message oneLightNeeded(const DirectionalLight& lamp) {
         return message("light-from-bottom-right");
     }
   };
-  return message("needs-one-light", with::cause("from", from()), with::angleDeg("elevation", lamp.elevationDeg));
+  return message("needs-one-light", with::cause<"from">(from()), with::angleDeg<"elevation">(lamp.elevationDeg));
 }
 
 Message readingSummary(const ReadingEvidence& reading, const std::string& wanted, Level level) {
   if (reading.text.empty()) return message("reads-not");
-  if (reading.text != wanted) return message("reads-wrong", with::quoted("text", reading.text));
-  if (level == Level::Good) return message("reads-as", with::term("text", wanted));
-  return message("barely-reads-as", with::term("text", wanted));
+  if (reading.text != wanted) return message("reads-wrong", with::quoted<"text">(reading.text));
+  if (level == Level::Good) return message("reads-as", with::term<"text">(wanted));
+  return message("barely-reads-as", with::term<"text">(wanted));
 }
 
 Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
@@ -83,13 +83,13 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, d
   }
   const ReadingCount& count = reading.count;
   aspect.reasons.push_back(reading.traced
-                               ? message("tries-on-traced-pictures", with::count("reads", count.reads),
-                                         with::count("tries", count.tries), with::count("needed", count.needed()))
-                               : message("tries-on-drawn-pictures", with::count("reads", count.reads),
-                                         with::count("tries", count.tries), with::count("needed", count.needed())));
+                               ? message("tries-on-traced-pictures", with::count<"reads">(count.reads),
+                                         with::count<"tries">(count.tries), with::count<"needed">(count.needed()))
+                               : message("tries-on-drawn-pictures", with::count<"reads">(count.reads),
+                                         with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
   if (grades)
     aspect.reasons.push_back(
-        message("correction-left", with::fraction("left", std::max(0.0, grades->unusedCorrection.value))));
+        message("correction-left", with::fraction<"left">(std::max(0.0, grades->unusedCorrection.value))));
   if (weak) aspect.reasons.push_back(message("graded-weak"));
   return aspect;
 }
@@ -99,8 +99,8 @@ Message facing(double facingDeg) {
   constexpr double kFacingDeg = 15;
   if (facingDeg <= kFacingDeg) return message("facing-up");
   if (std::abs(facingDeg - 90) <= kFacingDeg) return message("facing-aside");
-  return facingDeg < 90 ? message("facing-slanted", with::angleDeg("angle", std::round(facingDeg)))
-                        : message("facing-down", with::angleDeg("angle", std::round(facingDeg)));
+  return facingDeg < 90 ? message("facing-slanted", with::angleDeg<"angle">(std::round(facingDeg)))
+                        : message("facing-down", with::angleDeg<"angle">(std::round(facingDeg)));
 }
 
 /// Describes how a code is printed, for use within a sentence.
@@ -109,12 +109,12 @@ Message printing(const Printer& printer) {
     case PrintTechnique::Filament:
       break;
     case PrintTechnique::Resin:
-      return message("printed-in-resin", with::lengthMm("layer", printer.layerMm));
+      return message("printed-in-resin", with::lengthMm<"layer">(printer.layerMm));
     case PrintTechnique::Powder:
-      return message("printed-in-powder", with::lengthMm("layer", printer.layerMm));
+      return message("printed-in-powder", with::lengthMm<"layer">(printer.layerMm));
   }
-  return message("printed-by-nozzle", with::lengthMm("nozzle", printer.nozzleMm),
-                 with::lengthMm("layer", printer.layerMm));
+  return message("printed-by-nozzle", with::lengthMm<"nozzle">(printer.nozzleMm),
+                 with::lengthMm<"layer">(printer.layerMm));
 }
 
 /// Judges whether a code prints.
@@ -125,13 +125,13 @@ Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, dou
   aspect.reasons = advisePrinting(features, printer, minWallMm);
   if (printed) return judgePrinted(*printed, printer, wanted, std::move(aspect.reasons));
   if (aspect.reasons.empty()) {
-    aspect.summary = message("prints", with::lengthMm("nozzle", printer.nozzleMm));
+    aspect.summary = message("prints", with::lengthMm<"nozzle">(printer.nozzleMm));
     const double layers = features.leastDepthMm / printer.layerMm;
-    aspect.reasons.push_back(message("prints-because", with::lengthMm("pocket", features.pocketMm),
-                                     with::count("count", std::floor(layers + 1e-9))));
+    aspect.reasons.push_back(message("prints-because", with::lengthMm<"pocket">(features.pocketMm),
+                                     with::count<"count">(std::floor(layers + 1e-9))));
   } else {
     aspect.level = Level::Barely;
-    aspect.summary = message("may-not-print", with::lengthMm("nozzle", printer.nozzleMm));
+    aspect.summary = message("may-not-print", with::lengthMm<"nozzle">(printer.nozzleMm));
   }
   return aspect;
 }
@@ -143,8 +143,8 @@ Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   own.selfIntersections -= std::min(inherited, solid.selfIntersections);
   for (const SolidityFinding& finding : own.findings())
     aspect.failed.push_back(
-        finding.at ? message("not-solid-at", with::cause("problem", finding.message), with::place("at", *finding.at))
-                   : message("not-solid", with::cause("problem", finding.message)));
+        finding.at ? message("not-solid-at", with::cause<"problem">(finding.message), with::place<"at">(*finding.at))
+                   : message("not-solid", with::cause<"problem">(finding.message)));
   if (!aspect.passed()) {
     aspect.level = Level::Bad;
     aspect.summary = message("solid-not");
@@ -152,10 +152,10 @@ Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   } else if (solid.selfIntersections > 0) {
     aspect.level = Level::Barely;
     aspect.summary = message("solid-but-crossing");
-    aspect.reasons.push_back(message("inherited-crossings", with::count("count", solid.selfIntersections)));
+    aspect.reasons.push_back(message("inherited-crossings", with::count<"count">(solid.selfIntersections)));
   } else {
     aspect.summary = message("solid");
-    aspect.reasons.push_back(message("solid-because", with::count("count", solid.triangles)));
+    aspect.reasons.push_back(message("solid-because", with::count<"count">(solid.triangles)));
   }
   return aspect;
 }
@@ -174,7 +174,7 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
     case SymbolPose::Turned90:
     case SymbolPose::Turned180:
     case SymbolPose::Turned270:
-      failed.push_back(message("turned", with::angleDeg("turn", 90 * (static_cast<int>(profile.pose) -
+      failed.push_back(message("turned", with::angleDeg<"turn">(90 * (static_cast<int>(profile.pose) -
                                                                       static_cast<int>(SymbolPose::AsWanted)))));
       break;
     case SymbolPose::None:
@@ -183,7 +183,7 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
       return failed;
   }
   if (depth < -kFlatMm)
-    failed.push_back(message("raised", with::lengthMm("height", -depth)));
+    failed.push_back(message("raised", with::lengthMm<"height">(-depth)));
   else if (depth <= kFlatMm)
     failed.push_back(message("not-carved"));
   return failed;
@@ -200,13 +200,13 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
   aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
   const Message how = facing(printed.facingDeg), by = printing(printer);
   if (aspect.level == Level::Good)
-    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::cause("printing", by));
+    aspect.summary = message("reads-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
   else if (aspect.level == Level::Barely)
-    aspect.summary = message("barely-reads-as-printed", with::cause("facing", how), with::cause("printing", by));
+    aspect.summary = message("barely-reads-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
   else
-    aspect.summary = message("reads-not-as-printed", with::cause("facing", how), with::cause("printing", by));
-  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
-                                   with::count("tries", count.tries), with::count("needed", count.needed())));
+    aspect.summary = message("reads-not-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
+  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count<"reads">(count.reads),
+                                   with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
   if (hangs) aspect.reasons.push_back(message("faces-down"));
   if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
   return aspect;
@@ -242,7 +242,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   if (request.objective == DepthObjective::OneLight) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
   if (verdict.reads.level != Level::Good) {
     if (result.limitedSubmodules > 0)
-      verdict.reads.reasons.push_back(message("submodules-limited", with::count("count", result.limitedSubmodules)));
+      verdict.reads.reasons.push_back(message("submodules-limited", with::count<"count">(result.limitedSubmodules)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
   verdict.prints = judgePrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
@@ -251,7 +251,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
   if (result.inlay)
     for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)
-      verdict.solid.failed.push_back(message("inlay-not-solid", with::cause("problem", failure)));
+      verdict.solid.failed.push_back(message("inlay-not-solid", with::cause<"problem">(failure)));
   if (!verdict.solid.passed()) verdict.solid.remedies = {anotherSpot()};
   return verdict;
 }
@@ -268,13 +268,13 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
   const bool isExplained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
   if (!reading.otherText.empty())
     failed.push_back(
-        message("other-text", with::quoted("found", reading.otherText), with::quoted("wanted", request.text)));
+        message("other-text", with::quoted<"found">(reading.otherText), with::quoted<"wanted">(request.text)));
   else if (!isExplained)
     failed.insert(failed.end(), verdict.reads.failed.begin(), verdict.reads.failed.end());
   if (reading.mirrored && profile.pose != SymbolPose::Mirrored) failed.push_back(message("mirrored"));
   const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
   if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
-    failed.push_back(message("misplaced", with::number("modules", std::round(10 * *reading.cornerErrorModules) / 10)));
+    failed.push_back(message("misplaced", with::number<"modules">(std::round(10 * *reading.cornerErrorModules) / 10)));
   if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
   if (result.features)
@@ -289,7 +289,7 @@ std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, cons
   if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
     return std::nullopt;
   if (!reads && request.isForPrint()) return SettingChange{"carveFor", "design"};
-  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective != DepthObjective::Reading;
+  const bool mayGoDeeper = !request.contrast && !request.keepPreset;
   const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
   return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;
 }

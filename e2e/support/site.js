@@ -27,9 +27,13 @@ const kTypes = {
 /** @type {Map<string, Buffer>} */ const packed = new Map();
 
 export class Site {
-  /** @param {string} base  path of the page, between slashes */
-  constructor(base) {
+  /**
+   * @param {string} base      path of the page, between slashes
+   * @param {string} [folder]  to serve
+   */
+  constructor(base, folder = kFolder) {
     this.base = base;
+    this.folder_ = folder;
     this.origin = '';
     /** @type {Map<string, (content: string) => string>} */ this.changes = new Map(); // by file, for a new version
     /** @type {{ path: string, bytes: number }[]} */ this.sent = [];
@@ -57,7 +61,7 @@ export class Site {
   answer_(request, response) {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = pathname.startsWith(this.base) ? decodeURI(pathname.slice(this.base.length)) || 'index.html' : '..';
-    const file = `${kFolder}/${path}`;
+    const file = `${this.folder_}/${path}`;
     if (path.includes('..') || this.lacks(path) || !statSync(file, { throwIfNoEntry: false })?.isFile()) {
       response.writeHead(404).end();
       return;
@@ -65,8 +69,8 @@ export class Site {
     const change = this.changes.get(path);
     const content = change
       ? gzipSync(change(readFileSync(file, 'utf8')))
-      : (packed.get(path) ?? gzipSync(readFileSync(file)));
-    if (!change) packed.set(path, content);
+      : (packed.get(file) ?? gzipSync(readFileSync(file)));
+    if (!change) packed.set(file, content);
     this.sent.push({ path, bytes: content.length });
     response
       .writeHead(200, {

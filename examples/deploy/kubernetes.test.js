@@ -57,7 +57,7 @@ test('The manifest is a Job as the Kubernetes API has it', async () => {
   assert.equal(await faultsOf(manifest), '');
 });
 
-test('A misspelt field, a value of another kind and a missing template are noticed', async () => {
+test('A misspelt field, a value of another kind and a missing template are detected', async () => {
   const [misspelt, kind, missing] = await Promise.all([
     faultsOf(changed((job) => (job.spec.backoffLimitPerIndexes = 3))),
     faultsOf(changed((job) => (job.spec.completions = '8'))),
@@ -69,7 +69,7 @@ test('A misspelt field, a value of another kind and a missing template are notic
 });
 
 // Rules of the API that types do not say [kubernetes.io/docs/concepts/workloads/controllers/job].
-test('Every index is a share, and fails alone', () => {
+test('Every index is a share and fails independently', () => {
   const { spec } = manifest;
   assert.equal(spec.completionMode, 'Indexed');
   const [container] = spec.template.spec.containers;
@@ -82,7 +82,7 @@ test('Every index is a share, and fails alone', () => {
   assert.deepEqual(onExitCodes.values, [1, 2]);
 });
 
-test('The container needs no rights and writes to the mounted folder alone', () => {
+test('The container needs no privileges and writes only to the mounted folder', () => {
   const pod = manifest.spec.template.spec;
   const [container] = pod.containers;
   assert.equal(pod.securityContext.runAsNonRoot, true);
@@ -95,7 +95,7 @@ test('The container needs no rights and writes to the mounted folder alone', () 
   assert.ok(written.startsWith(`${container.volumeMounts[0].mountPath}/`));
 });
 
-test('All recipes ask for the same memory', async () => {
+test('All recipes request the same memory', async () => {
   const [container] = manifest.spec.template.spec.containers;
   const slurm = await readFile(path.join(import.meta.dirname, 'slurm.sh'), 'utf8');
   const aws = await readFile(path.join(import.meta.dirname, 'aws-batch.sh'), 'utf8');

@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "base/clock.h"
 #include "batch/manifest.h"
@@ -92,6 +94,7 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
 int runRows(const BatchOptions& options, const GivenShard& given, const BatchRequest& request, BatchList list) {
   const BatchPlan plan = BatchPlan::make(std::move(list), request);
   if (!plan.problems().empty()) return printProblems(plan, options.list);
+  for (const Message& warning : plan.warnings()) printWarning(warning, options.list);
   if (!plan.unusedColumns().empty())
     fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(plan.unusedColumns(), ", "));
   if (options.merge) return merge(options, plan);
@@ -131,13 +134,18 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   return run.failed() == 0 ? kEngraved : kCheckFailed;
 }
 
-/// Makes a row from a line of a stream. @param number  for the row, unless the folder knows its name
-Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_t number) {
+/// Makes a row from a line of a stream.
+/// @param number  for the row, unless the folder knows its name
+/// @param warned  the warnings printed so far; each is printed once
+Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_t number,
+                       std::set<std::string>& warned) {
   auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   if (!list) return tl::unexpected(list.error());
   request.firstNumber = number;
   const BatchPlan plan = BatchPlan::make(std::move(*list), request);
   if (!plan.problems().empty()) return badInput(plan.problems().front());
+  for (const Message& warning : plan.warnings())
+    if (warned.insert(sentence(warning)).second) printWarning(warning, {});
   return plan.row(0);
 }
 
@@ -146,6 +154,7 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
 int runStream(const BatchOptions& options, const BatchRequest& request) {
   auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
+  std::set<std::string> warned;
   std::map<std::string, std::pair<std::size_t, std::string>> known;  // number and text by file
   std::size_t next = 1;
   const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
@@ -158,10 +167,10 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   std::optional<EngraveRequest> placed;
   LineReader lines(std::cin, kMostLineBytes);
   for (auto line = lines.next(); line; line = lines.next()) {
-    auto row = *line ? rowOf(**line, request, next) : tl::unexpected(line->error());
+    auto row = *line ? rowOf(**line, request, next, warned) : tl::unexpected(line->error());
     const auto same = row ? known.find(row->file) : known.end();
     if (same != known.end() && same->second.second != row->request.text)
-      row = badInput(message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
+      row = badInput(message("name-taken", with::quoted<"name">(row->file), with::quoted<"text">(same->second.second)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;

@@ -46,9 +46,9 @@ Status completeRequest(EngraveOptions& options) {
   if (!request) return tl::unexpected(request.error());
   options.request = std::move(*request);
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term("output", options.output)));
+    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
   if (options.request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
-    return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term("output", options.output)));
+    return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
   return {};
 }
 

@@ -56,7 +56,7 @@ int printFailed(const Verdict& verdict) {
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
   if (scale && !(*scale > 0 && *scale < 1e12))
-    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number("scale", *scale)));
+    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number<"scale">(*scale)));
   return scale;
 }
 

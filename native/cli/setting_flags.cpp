@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/commands.h"
 #include "generate/option_texts.h"
+#include "messages/sentences.h"
 #include "messages/setting_words.h"
+#include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -23,6 +26,21 @@ std::string helpOf(const OptionTexts& texts, std::string_view before) {
 std::string headingOf(const Setting& setting) {
   if (setting.kind == Kind::Text) return "Options";
   return settingWords().at("groups").at(setting.group).at("en");
+}
+
+void warnOf(const RemovedSetting& removed) {
+  const std::string flag = flagOf(removed.key);
+  printWarning(removedWarning(removed, removed.choice.empty() ? flag : flag + " " + removed.choice), {});
+}
+
+/// Accepts the flag of a removed setting. `--help` does not list it.
+void addRemoved(CLI::App& command, const RemovedSetting& removed) {
+  constexpr const char* kHidden = "";
+  const std::string flag = flagOf(removed.key);
+  CLI::Option* option =
+      removed.isSwitch ? command.add_flag_callback(flag, [&removed] { warnOf(removed); })
+                       : command.add_option_function<std::string>(flag, [&removed](const auto&) { warnOf(removed); });
+  option->group(kHidden);
 }
 
 }  // namespace
@@ -47,6 +65,10 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
   else
     option->expected(1);
   option->type_name(texts.values)->group(headingOf(*setting));
+  if (setting->takesChoice())
+    option->each([setting](const std::string& text) {
+      if (const RemovedSetting* removed = findRemovedChoice(setting->key, text)) warnOf(*removed);
+    });
   flag.option = option;
   return *option;
 }
@@ -54,11 +76,15 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
 void SettingFlags::addGroup(CLI::App& command, std::string_view group) {
   for (const Setting& setting : settings())
     if (setting.group == group && setting.kind != Kind::Text) add(command, setting.key);
+  for (const RemovedSetting& removed : removedSettings())
+    if (removed.group == group) addRemoved(command, removed);
 }
 
 void SettingFlags::addAll(CLI::App& command) {
   for (const Setting& setting : settings())
     if (setting.kind != Kind::Text) add(command, setting.key);
+  for (const RemovedSetting& removed : removedSettings())
+    if (removed.choice.empty()) addRemoved(command, removed);
 }
 
 const SettingFlags::Flag* SettingFlags::find(std::string_view key) const {
@@ -76,6 +102,7 @@ Result<SettingValue> SettingFlags::value(std::string_view key) const {
   const Setting& setting = *findSetting(key);
   if (!isGiven(key)) return setting.read(defaultRequest());
   std::vector<std::string> texts = find(key)->texts;
+  if (!texts.empty() && findRemovedChoice(key, texts.front())) return setting.read(defaultRequest());
   if (setting.kind == Kind::Switch) texts = {optionTexts(setting).flag.starts_with("--no-") ? "off" : "on"};
   if (setting.kind == Kind::Vector) texts = {fmt::format("{}", fmt::join(texts, ","))};
   auto value = valueFromText(setting, texts);

@@ -18,9 +18,10 @@ class SettingFlags {
   /// Adds the flag of a setting. SettingFlags must outlive the parsing.
   /// @param before  text to put before the help
   CLI::Option& add(CLI::App& command, std::string_view key, std::string_view before = {});
-  /// Adds the settings of a group, except texts.
+  /// Adds the settings of a group, except texts. Accepts the flags of removed settings too
+  /// (settings/removed_settings.h): parsing prints a warning and ignores them.
   void addGroup(CLI::App& command, std::string_view group);
-  /// Adds all settings, except texts.
+  /// Adds the settings of all groups.
   void addAll(CLI::App& command);
 
   bool isGiven(std::string_view key) const;

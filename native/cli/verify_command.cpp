@@ -58,8 +58,8 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->buildUp = settings->buildUp.resolve(request->frame);
   request->minWallMm = settings->minWallMm;
   if (settings->lights.size() > 1)
-    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", "light"),
-                                             with::count("count", settings->lights.size()), with::count("max", 1)));
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting<"setting">("light"),
+                                             with::count<"count">(settings->lights.size()), with::count<"max">(1)));
   if (!settings->lights.empty()) request->oneLight = settings->lights.front();
   return request;
 }

@@ -14,6 +14,7 @@ install(EXPORT QReliefTargets NAMESPACE QRelief:: DESTINATION ${CMAKE_INSTALL_LI
 
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/qrelief)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/ DESTINATION ${headers} COMPONENT library FILES_MATCHING PATTERN *.h)
+install(FILES ${CMAKE_BINARY_DIR}/generated/message_codes.h DESTINATION ${headers} COMPONENT library)
 foreach(folder native messages)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers} COMPONENT library FILES_MATCHING PATTERN *.h PATTERN cli EXCLUDE)
 endforeach()

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "script/generate/options_page.h"
-#include "script/generate/settings_module.h"
+#include "generate/options_page.h"
+#include "generate/settings_module.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "script/generate/option_texts.h"
+#include "generate/option_texts.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,8 +41,6 @@ std::string numberName(const Setting& setting) {
       return "MM";
     case Setting::Unit::Degree:
       return "DEG";
-    case Setting::Unit::Module:
-      return "MODULES";
     case Setting::Unit::Sky:
     case Setting::Unit::None:
       break;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "script/generate/options_page.h"
+#include "generate/options_page.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "messages/setting_words.h"
-#include "script/generate/option_texts.h"
+#include "generate/option_texts.h"
 
 namespace qrelief {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "script/generate/settings_module.h"
+#include "generate/settings_module.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/message_json.h"
 #include "messages/setting_words.h"
+#include "settings/removed_settings.h"
 #include "settings/setting_json.h"
 #include "settings/settings.h"
 
@@ -22,7 +24,7 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @typedef {object} Setting
  * @property {string} group
  * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
- * @property {'mm' | 'deg' | 'modules' | 'skies'} [unit]
+ * @property {'mm' | 'deg' | 'skies'} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
  * @property {number} [step]
@@ -36,6 +38,14 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
  * @property {number} [most]         lamps
+ */
+
+/**
+ * @typedef {object} RemovedSetting  a setting of earlier versions, or a choice of a setting that is still there
+ * @property {string} key
+ * @property {string} [choice]  absent: the whole setting is gone
+ * @property {string} since     the first version without it
+ * @property {{ code: string, values: Record<string, any> }} why  the message that says what to use instead
  */
 
 )";
@@ -69,8 +79,6 @@ const char* nameOf(Setting::Unit unit) {
       return "mm";
     case Setting::Unit::Degree:
       return "deg";
-    case Setting::Unit::Module:
-      return "modules";
     case Setting::Unit::Sky:
       return "skies";
     case Setting::Unit::None:
@@ -119,6 +127,19 @@ std::string constant(const char* name, const char* type, const Json& entries) {
   return text + "};\n";
 }
 
+/// Returns the removed settings as a constant of the module, one a line.
+std::string removedConstant() {
+  std::string text = "/** @type {readonly RemovedSetting[]} */\nexport const kRemovedSettings = [\n";
+  for (const RemovedSetting& removed : removedSettings()) {
+    Json entry = {{"key", removed.key}};
+    if (!removed.choice.empty()) entry["choice"] = removed.choice;
+    entry["since"] = removed.since;
+    entry["why"] = jsonOf(removed.why);
+    text += fmt::format("  {},\n", entry.dump());
+  }
+  return text + "];\n";
+}
+
 /// Returns the settings that each process implies.
 Json processes() {
   Json all = Json::object();
@@ -138,7 +159,7 @@ std::string settingsModule() {
     keys += fmt::format("{}'{}'", keys.empty() ? "" : " | ", setting.key);
   }
   return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kModuleHead, keys) +
-         constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
+         constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" + removedConstant() + "\n" +
          constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
          constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +
          constant("kUnits", "Readonly<Record<string, Words>>", Json(settingWords().at("units")));

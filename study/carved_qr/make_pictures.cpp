@@ -261,8 +261,8 @@ int run(int argc, char** argv) {
   app.add_option("--first", first, "begin with this carving")->capture_default_str();
   app.add_option("--step", step, "make every so many-th, as one of several processes")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  const auto context = EglContext::create();
-  if (!context) return failed("EGL", context.error());
+  const auto gl = EglContext::create();
+  if (!gl) return failed("EGL", gl.error());
   StudyContext context(samples);
   fs::create_directories(folder + "/pictures");
   fs::create_directories(folder + "/truth");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/experiments/chosen_settings.h"
 
-#include "qr/symbol_shaping.h"
+#include "study/methods/break_up.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/methods.h"
 

@@ -3,8 +3,8 @@
 // of 2019 and for ours. Whole modules, level H, version 3.
 #include <algorithm>
 
-#include "qr/symbol_shaping.h"
 #include "study/experiments/experiments.h"
+#include "study/methods/break_up.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/self_shadow_2019.h"
 #include "study/methods/symbol_flips_2019.h"

@@ -104,8 +104,8 @@ Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::s
 }
 
 Status make(const std::string& sample, const std::string& samples, const std::string& folder, bool withPatterns) {
-  const auto context = EglContext::create();
-  if (!context) return tl::unexpected(context.error());
+  const auto gl = EglContext::create();
+  if (!gl) return tl::unexpected(gl.error());
   StudyContext context(samples);
   const auto model = context.model(sample);
   if (!model) return tl::unexpected(model.error());

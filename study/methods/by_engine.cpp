@@ -14,8 +14,11 @@ EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderP
   return request;
 }
 
-Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol) {
-  auto job = EngraveJob::create(spot.model, request, {spot.search.get(), spot.pass, nullptr, symbol, spot.measured});
+Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol,
+                                 MakeSearch makeSearch) {
+  EngraveJob::Known known{spot.search.get(), spot.pass, nullptr, symbol, spot.measured};
+  known.makeSearch = std::move(makeSearch);
+  auto job = EngraveJob::create(spot.model, request, known);
   if (!job) return tl::unexpected(job.error());
   auto result = runToEnd(**job);
   if (!result) return tl::unexpected(result.error());

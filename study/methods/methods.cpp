@@ -7,7 +7,9 @@
 #include "study/methods/by_engine.h"
 #include "study/methods/groove_2018.h"
 #include "study/methods/one_light_2020.h"
+#include "study/methods/reading_search.h"
 #include "study/methods/self_shadow_2019.h"
+#include "study/methods/shaped_floor_search.h"
 #include "study/methods/symbol_flips_2019.h"
 
 namespace qrelief::study {
@@ -71,21 +73,23 @@ Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
   return carveByEngine(spot, request);
 }
 
+/// Carves to the least depths that a blurred picture needs (docs/decisions/0024).
 Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
-  EngraveRequest request = spot.request;
-  request.objective = DepthObjective::Reading;
-  request.reading.dataContrast = contrast;
-  request.reading.finderContrast = 1.5 * contrast;
-  return carveByEngine(spot, request);
+  const ReadingOptions options{.dataContrast = contrast, .finderContrast = 1.5 * contrast};
+  return carveByEngine(
+      spot, patterned(spot, kOurModules, kOurFinders, contrast), nullptr,
+      [options](CarvingTarget target) { return std::make_unique<ReadingSearch>(std::move(target), options); });
 }
 
 /// Carves by Papp 2021: whole modules with a tilted or a wavy floor.
 auto floors2021(FloorShape shape) {
   return [shape](const Spot& spot, double contrast) {
     EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
-    request.floor = shape;
     request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
-    return carveByEngine(spot, request);
+    const ShapedFloorOptions options{.shape = shape, .contrast = contrast};
+    return carveByEngine(spot, request, nullptr, [options](CarvingTarget target) {
+      return std::make_unique<ShapedFloorSearch>(std::move(target), options);
+    });
   };
 }
 

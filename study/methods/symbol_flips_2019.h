@@ -18,7 +18,7 @@ namespace qrelief::study {
 /// Our choices where the program says nothing: 720 rays measure the visible area; equal modules come in reading order;
 /// blocks of different sizes have the same budget.
 ///
-/// Our own method flips the module that sees the most sky instead (qr/symbol_shaping.h).
+/// Our own method flips the module that sees the most sky instead (study/methods/break_up.h).
 /// @param symbol  of any level; below H there may be nothing to spend
 /// Cost: O(flips · modules · rays).
 void flipModules2019(Symbol& symbol);

@@ -16,11 +16,11 @@ TEST(ParallelFor, CallsEachIndexOnce) {
   EXPECT_EQ(calls, std::vector<int>(1000, 1));
 }
 
-TEST(ParallelFor, OfNothingCallsNothing) {
+TEST(ParallelFor, CallsNothingForAnEmptyRange) {
   parallelFor(0, [](std::size_t) { FAIL(); });
 }
 
-TEST(ParallelFor, ThrowsTheExceptionOfTheLowestIndexAndCallsNoneTwice) {
+TEST(ParallelFor, RethrowsTheExceptionOfTheLowestIndexAndCallsNoIndexTwice) {
   std::vector<int> calls(100, 0);
   try {
     parallelFor(calls.size(), [&](std::size_t i) {

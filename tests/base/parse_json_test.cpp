@@ -18,7 +18,7 @@ std::string codeOf(const std::string& text) {
   return parsed ? "" : parsed.error().message.code;
 }
 
-TEST(ParseJson, ReadsWhatTheLibraryReads) {
+TEST(ParseJson, AcceptsTheSameTextsAsTheLibrary) {
   const std::string text =
       R"({"b": [1, -2, 2.5, 18446744073709551615, true, null, "Ä\n"], "a": {"c": [], "d": {}, "": [[0]]}, "e": 1e300})";
   EXPECT_EQ(parseJson(text).value(), nlohmann::ordered_json::parse(text));
@@ -27,20 +27,20 @@ TEST(ParseJson, ReadsWhatTheLibraryReads) {
     EXPECT_EQ(parseJson(single).value(), nlohmann::ordered_json::parse(single)) << single;
 }
 
-TEST(ParseJson, SaysAtWhichByteATextIsMalformed) {
+TEST(ParseJson, ReportsTheByteWhereATextIsMalformed) {
   for (const char* text : {"", "{", "[1,]", "{\"a\" 1}", "{} {}", "\xff", "[1e999]"})
     EXPECT_EQ(codeOf(text), "json-malformed") << text;
   EXPECT_EQ(parseJson("[1, x]").error().message.values.front().numbers[0], 5);
 }
 
-TEST(ParseJson, AcceptsOnlySoManyNestedValues) {
+TEST(ParseJson, LimitsTheNestingDepth) {
   EXPECT_EQ(codeOf(repeated("[", kMaxJsonDepth) + repeated("]", kMaxJsonDepth)), "");
   EXPECT_EQ(codeOf(repeated("[", kMaxJsonDepth + 1) + repeated("]", kMaxJsonDepth + 1)), "json-too-deep");
   EXPECT_EQ(codeOf(repeated("{\"a\":", kMaxJsonDepth + 1)), "json-too-deep");
   EXPECT_EQ(codeOf(repeated("[", 1'000'000)), "json-too-deep");
 }
 
-TEST(ParseJson, RefusesAKeyThatAnObjectHasTwice) {
+TEST(ParseJson, RefusesADuplicateKey) {
   EXPECT_EQ(codeOf(R"({"a": 1, "b": 2, "a": 3})"), "json-key-twice");
   EXPECT_EQ(codeOf(R"([{"a": {"b": 1, "\u0062": 2}}])"), "json-key-twice");
   EXPECT_EQ(codeOf(R"({"a": {"a": 1}, "b": {"a": 1}})"), "");

@@ -25,7 +25,7 @@ TEST(RadixSort, SortsAsStdStableSortDoes) {
   }
 }
 
-TEST(RadixSort, AcceptsNothing) {
+TEST(RadixSort, AcceptsAnEmptyList) {
   std::vector<KeyedIndex> items;
   radixSort(items);
   EXPECT_TRUE(items.empty());

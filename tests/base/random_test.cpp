@@ -25,7 +25,7 @@ TEST(Random, MapsTheTopBitsOfANumberToTheUnitInterval) {
   }
 }
 
-TEST(Random, StaysBetweenTheLimitsAskedFor) {
+TEST(Random, StaysWithinTheGivenLimits) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
     const double value = random.uniform(-3, 5);
@@ -34,7 +34,7 @@ TEST(Random, StaysBetweenTheLimitsAskedFor) {
   }
 }
 
-TEST(Random, DrawsEachWholeNumberEquallyOften) {
+TEST(Random, DrawsEachIntegerEquallyOften) {
   Random random(2);
   std::array<int, 7> counts{};
   for (int k = 0; k < 70000; ++k) ++counts[static_cast<std::size_t>(random.below(7))];

@@ -38,7 +38,7 @@ TEST(BatchList, ReadsTablesWithEachSeparatorAndLineEnd) {
       }
 }
 
-TEST(BatchList, CountsTheLinesOfTextsThatHaveSeveral) {
+TEST(BatchList, CountsTheLinesOfMultilineTexts) {
   const auto list = read("text\n\"one\ntwo\n\nthree\"\nfour\n");
   ASSERT_TRUE(list) << list.error().message;
   EXPECT_THAT(row(list, 0), ElementsAre("one\ntwo\n\nthree"));
@@ -46,7 +46,7 @@ TEST(BatchList, CountsTheLinesOfTextsThatHaveSeveral) {
   EXPECT_EQ(list->line(1), 6u);
 }
 
-TEST(BatchList, PassesOverSpacesRoundCellsAndRowsOfEmptyCells) {
+TEST(BatchList, IgnoresSpacesAroundCellsAndEmptyRows) {
   const auto list = read("id , text\n 7 , a \n,\n , \n8,\n");
   ASSERT_TRUE(list) << list.error().message;
   ASSERT_EQ(list->size(), 2u);
@@ -65,7 +65,7 @@ TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {
   EXPECT_EQ(list->line(1), 3u);
 }
 
-TEST(BatchList, ReadsWhatWasWrittenInAHundredThousandRows) {
+TEST(BatchList, ReadsBackAHundredThousandRows) {
   std::string text = "id,text\n";
   for (int i = 0; i < 100000; ++i) text += std::to_string(i) + ",https://example.org/" + std::to_string(i) + "\n";
   const auto list = read(text);
@@ -75,7 +75,7 @@ TEST(BatchList, ReadsWhatWasWrittenInAHundredThousandRows) {
     EXPECT_THAT(row(list, i), ElementsAre(std::to_string(i), "https://example.org/" + std::to_string(i)));
 }
 
-TEST(BatchList, CountedHasRowsWithoutCells) {
+TEST(BatchList, MakesRowsWithoutCellsFromACount) {
   const BatchList list = countedBatchList(3);
   EXPECT_EQ(list.size(), 3u);
   EXPECT_EQ(list.line(2), 3u);
@@ -104,7 +104,7 @@ struct Malformed {
   double line = 0;  ///< line that the refusal names; 0: none
 };
 
-TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {
+TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
   const std::string cell(kMostCellBytes + 1, 'x');
   const std::vector<Malformed> all = {
       {"nothing", "", "list-empty"},
@@ -159,13 +159,13 @@ TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {
   }
 }
 
-TEST(BatchList, TakesAsManyColumnsAsAreAccepted) {
+TEST(BatchList, AcceptsTheMaximumNumberOfColumns) {
   const auto list = read("{" + keys(0, kMostColumns) + "}\n");
   ASSERT_TRUE(list) << list.error().message.code;
   EXPECT_EQ(list->columns().size(), kMostColumns);
 }
 
-TEST(BatchList, NamesTheKeyThatALineHasTwice) {
+TEST(BatchList, NamesADuplicateKeyOfALine) {
   const auto list = read("{\"text\": \"a\", \"text\": \"b\"}\n");
   ASSERT_FALSE(list);
   const Message& cause = list.error().message.values[1].cause.front();

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
@@ -51,7 +53,7 @@ TEST(BatchPlan, FillsTemplatesFromColumnsAndNumbers) {
   EXPECT_THAT(plan.unusedColumns(), IsEmpty());
 }
 
-TEST(BatchPlan, CountsWithoutAList) {
+TEST(BatchPlan, NumbersTheRowsWithoutAList) {
   BatchRequest request;
   request.all.text = "part {n:04}";
   request.firstNumber = 500;
@@ -61,7 +63,7 @@ TEST(BatchPlan, CountsWithoutAList) {
   EXPECT_EQ(plan.row(2).file, "502.stl");
 }
 
-TEST(BatchPlan, SetsWhatColumnsOfSettingsSay) {
+TEST(BatchPlan, AppliesColumnsOfSettings) {
   const BatchPlan plan = planOf("id,text,minWallMm,preset\n1,a,1.5,robust\n2,b,,\n");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_EQ(plan.row(0).request.minWallMm, 1.5);
@@ -70,7 +72,7 @@ TEST(BatchPlan, SetsWhatColumnsOfSettingsSay) {
   EXPECT_EQ(plan.row(1).request.preset, defaultRequest().preset);
 }
 
-TEST(BatchPlan, GivesAllTheVersionOfTheLongestText) {
+TEST(BatchPlan, UsesTheVersionOfTheLongestTextForAllRows) {
   const std::string longest(60, 'x');
   const BatchPlan plan = planOf("id,text,version\n1,a,\n2," + longest + ",\n3,c,7\n");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
@@ -81,11 +83,29 @@ TEST(BatchPlan, GivesAllTheVersionOfTheLongestText) {
   EXPECT_EQ(plan.row(2).request.symbol.version, 7);
 }
 
-TEST(BatchPlan, SaysWhichColumnsNothingAsksFor) {
+TEST(BatchPlan, ReportsUnusedColumns) {
   EXPECT_THAT(planOf("id,text,presett,note\n1,a,robust,x\n").unusedColumns(), ElementsAre("presett", "note"));
 }
 
-TEST(BatchPlan, RefusesWhatColumnsLack) {
+TEST(BatchPlan, IgnoresRemovedSettingsWithAWarning) {
+  const BatchPlan plan = planOf("id,text,floor,objective\n1,a,wavy,one-light\n2,b,,reading\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_THAT(plan.unusedColumns(), IsEmpty());
+  ASSERT_EQ(plan.warnings().size(), 2u);
+  EXPECT_EQ(sentence(plan.warnings()[0]), "The setting floor is ignored: version 0.2.0 has removed it");
+  EXPECT_EQ(sentence(plan.warnings()[1]), "The setting objective reading is ignored: version 0.2.0 has removed it");
+  EXPECT_EQ(plan.row(0).request.objective, DepthObjective::OneLight);
+  EXPECT_EQ(plan.row(1).request.objective, DepthObjective::Contrast);
+}
+
+TEST(BatchPlan, AColumnInATemplateMayHaveTheNameOfARemovedSetting) {
+  const BatchPlan plan = planOf("id,floor\n1,ground\n", "room {id}, {floor} floor");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_THAT(plan.warnings(), IsEmpty());
+  EXPECT_EQ(plan.row(0).request.text, "room 1, ground floor");
+}
+
+TEST(BatchPlan, RefusesTemplatesThatTheColumnsCannotFill) {
   EXPECT_THAT(problemsOf(planOf("id,name\n1,a\n")), ElementsAre("list-without-text"));
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "{lot}")), ElementsAre("list-without-column"));
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "", "{lot}.stl")), ElementsAre("list-without-column"));
@@ -95,7 +115,7 @@ TEST(BatchPlan, RefusesWhatColumnsLack) {
   EXPECT_THAT(problemsOf(BatchPlan::make(countedBatchList(2), request)), ElementsAre("template-without-list"));
 }
 
-TEST(BatchPlan, RefusesTextsNamesAndIdsThatStandTwice) {
+TEST(BatchPlan, RefusesDuplicateTextsNamesAndIds) {
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n3,a\n")), ElementsAre("4 text-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n2,b,X.STL\n")), ElementsAre("3 name-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n1,b,y.stl\n")), ElementsAre("3 id-twice"));
@@ -111,13 +131,13 @@ TEST(BatchPlan, RefusesRowsThatCannotBeCarved) {
                   "6 setting-no-number", "7 setting-out-of-range", "8 setting-no-choice"));
 }
 
-TEST(BatchPlan, NamesTwentyProblemsAtMost) {
+TEST(BatchPlan, ReportsAtMostTwentyProblems) {
   std::string list = "id,text\n";
   for (int i = 0; i < 100; ++i) list += std::to_string(i) + ",\n";
   EXPECT_EQ(planOf(list).problems().size(), BatchPlan::kMostProblems);
 }
 
-TEST(BatchPlan, WritesToPlainNamesOnly) {
+TEST(BatchPlan, AcceptsOnlyPlainFileNames) {
   for (const char* name : {"../x.stl", "a/b.stl", "/etc/x.stl", "..\\x.stl", "C:x.stl", ".x.stl", "..", "a\nb.stl",
                            "con.stl", "NUL.3mf", "lpt1.stl", "a?.stl", "a|b.stl", "\x7f.stl"})
     EXPECT_EQ(whyNoPlainName(name).value_or(Message()).code, "name-no-plain-name") << name;

@@ -30,7 +30,7 @@ void expectEqual(const ManifestEntry& a, const ManifestEntry& b) {
   EXPECT_EQ(a.details, b.details);
 }
 
-TEST(Manifest, IsReadAsItWasWritten) {
+TEST(Manifest, ReadsBackWhatItWrote) {
   for (const RowStatus status : {RowStatus::Done, RowStatus::Failed, RowStatus::Refused}) {
     const auto row = readManifestLine(manifestLine(entry(4, status)));
     ASSERT_TRUE(row);
@@ -38,7 +38,7 @@ TEST(Manifest, IsReadAsItWasWritten) {
   }
 }
 
-TEST(Manifest, RefusesLinesOfSomethingElse) {
+TEST(Manifest, RefusesLinesThatAreNotOfAManifest) {
   for (const char* line : {"", "{}", "[]", "text", "{\"number\": 1}",
                            R"({"number":"1","id":"","text":"","file":"","sha256":{},"status":"done"})"})
     EXPECT_FALSE(readManifestLine(line)) << line;
@@ -47,7 +47,7 @@ TEST(Manifest, RefusesLinesOfSomethingElse) {
   for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_FALSE(readManifestLine(whole.substr(0, i))) << i;
 }
 
-TEST(Manifest, IsATableForSpreadsheets) {
+TEST(Manifest, WritesATableForSpreadsheets) {
   const std::string table = manifestCsvHeader() + manifestCsvLine(entry(7, RowStatus::Failed));
   EXPECT_EQ(
       table,

@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-TEST(PlateLayout, PutsCopiesSideBySideWithGapsAndNoneOverAnother) {
+TEST(PlateLayout, PlacesCopiesSideBySideWithGapsAndNoOverlap) {
   const Box3 box{Vec3(-10.003, 4, -2), Vec3(20, 14.5, 3)};
   for (const std::size_t copies : {1u, 2u, 5u, 9u, 10u}) {
     const std::vector<Vec3> offsets = plateOffsets(box, copies);
@@ -24,12 +24,12 @@ TEST(PlateLayout, PutsCopiesSideBySideWithGapsAndNoneOverAnother) {
   }
 }
 
-TEST(PlateLayout, NamesOfPlatesStandInTheirOrder) {
+TEST(PlateLayout, PadsPlateNamesSoThatTheySort) {
   EXPECT_EQ(plateName(0, 4), "plate-001.3mf");
   EXPECT_EQ(plateName(6, 1200), "plate-0007.3mf");
 }
 
-TEST(PlateLayout, IsAboutSquareInCopies) {
+TEST(PlateLayout, LaysNineCopiesOutThreeByThree) {
   const std::vector<Vec3> offsets = plateOffsets({Vec3(0), Vec3(10, 10, 5)}, 9);
   EXPECT_EQ(offsets[0], Vec3(0));
   EXPECT_EQ(offsets[8], Vec3(30, 30, 0));

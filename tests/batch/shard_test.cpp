@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-TEST(Shard, GivesEveryItemToOneOfThem) {
+TEST(Shard, AssignsEveryItemToExactlyOneShard) {
   for (const std::size_t count : {1u, 2u, 7u})
     for (std::size_t item = 0; item < 20; ++item) {
       int owners = 0;
@@ -15,7 +15,7 @@ TEST(Shard, GivesEveryItemToOneOfThem) {
     }
 }
 
-TEST(Shard, IsReadAsIndexAndCount) {
+TEST(Shard, ReadsIndexAndCount) {
   const auto shard = Shard::parse("2/8");
   ASSERT_TRUE(shard);
   EXPECT_EQ(shard->index, 2u);
@@ -23,7 +23,7 @@ TEST(Shard, IsReadAsIndexAndCount) {
   EXPECT_EQ(shard->name(), "2-of-8");
 }
 
-TEST(Shard, IsNothingElse) {
+TEST(Shard, RefusesAnyOtherText) {
   for (const char* text : {"", "/", "1", "1/", "/2", "8/8", "9/8", "-1/8", "1/8 ", " 1/8", "1/8/9", "a/b", "0/0",
                            "99999999999999999999/8"})
     EXPECT_FALSE(Shard::parse(text)) << text;

@@ -17,7 +17,7 @@ std::string filled(const char* text, const char* value) {
   return made ? *made : made.error().message.code;
 }
 
-TEST(TextTemplate, PutsValuesInTheirPlaces) {
+TEST(TextTemplate, InsertsValues) {
   const auto parsed = TextTemplate::parse("https://example.org/{lot}/{n:05}?lot={lot}");
   ASSERT_TRUE(parsed);
   EXPECT_THAT(parsed->names(), ElementsAre("lot", "n"));
@@ -26,7 +26,7 @@ TEST(TextTemplate, PutsValuesInTheirPlaces) {
   EXPECT_EQ(*made, "https://example.org/A7/00042?lot=A7");
 }
 
-TEST(TextTemplate, PutsZerosBeforeShortNumbersOnly) {
+TEST(TextTemplate, PadsOnlyShortNumbersWithZeros) {
   EXPECT_EQ(filled("{n:03}", "7"), "007");
   EXPECT_EQ(filled("{n:03}", "1234"), "1234");
   EXPECT_EQ(filled("{n:03}", "x7"), "template-no-number");
@@ -34,19 +34,19 @@ TEST(TextTemplate, PutsZerosBeforeShortNumbersOnly) {
   EXPECT_EQ(filled("{n}", "x7"), "x7");
 }
 
-TEST(TextTemplate, TakesDoubledBracesAsBraces) {
+TEST(TextTemplate, ReadsDoubledBracesAsBraces) {
   EXPECT_EQ(filled("{{{n}}}", "7"), "{7}");
   EXPECT_EQ(filled(R"({{"id": "{n}"}})", "7"), R"({"id": "7"})");
 }
 
-TEST(TextTemplate, WithoutPlacesIsItsText) {
+TEST(TextTemplate, LeavesATextWithoutPlaceholdersUnchanged) {
   const auto parsed = TextTemplate::parse("same");
   ASSERT_TRUE(parsed);
   EXPECT_THAT(parsed->names(), IsEmpty());
   EXPECT_EQ(filled("", "7"), "");
 }
 
-TEST(TextTemplate, IsRefusedWhereABraceLacksItsOtherHalf) {
+TEST(TextTemplate, RefusesAnUnpairedBrace) {
   for (const char* text : {"{", "}", "{n", "n}", "{n}}", "{{n}", "{}", "{:05}", "{a{b}}", "{n:}", "{n:5}", "{n:0}",
                            "{n:0x}", "{n:099}", "{n:0000005}", "{n: 05}"})
     EXPECT_EQ(filled(text, "7"), "template-brace") << text;

@@ -90,7 +90,7 @@ TEST(Arrangement, CutsOutlinesIntoPiecesThatAddUp) {
   EXPECT_EQ(c.arrangement->pieces.size(), c.graph.outlines.size() + c.arrangement->crossings.size());
 }
 
-TEST(Arrangement, NoticesAnOutlineThatLeavesTheFootprint) {
+TEST(Arrangement, DetectsAnOutlineThatLeavesTheFootprint) {
   const Case c = arrangeOnPlate(patternLevels(), {17, 11}, 3);
   ASSERT_FALSE(c.arrangement);
   EXPECT_EQ(c.arrangement.error().kind, ErrorKind::NoSolution);

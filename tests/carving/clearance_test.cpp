@@ -18,7 +18,7 @@ OutlineGraph squareOutline(double half) {
   return graph;
 }
 
-TEST(Clearance, LeavesNodesAloneWhereNothingIsNear) {
+TEST(Clearance, LeavesNodesUnchangedIfNothingIsNear) {
   OutlineGraph graph = squareOutline(1);
   const std::vector<Vec2> before = graph.nodes;
   EdgeGrid edges({{Vec2(-5, -4.7), Vec2(5, 4.9)}, {Vec2(-0.4, -0.2), Vec2(0.1, 0.3)}});
@@ -56,7 +56,7 @@ TEST(Clearance, FreesOutlinesThatRunExactlyAlongAGridOfModelEdges) {
   EXPECT_GT(clearance.smallest(), 2e-4);
 }
 
-TEST(Clearance, ThrowsOtherDartsOnRequest) {
+TEST(Clearance, TriesOtherRandomPositionsOnRequest) {
   OutlineGraph graph = squareOutline(1);
   const std::vector<Vec2> before = graph.nodes;
   EdgeGrid edges({{Vec2(5, 5), Vec2(6, 5)}});
@@ -72,7 +72,7 @@ TEST(Clearance, ThrowsOtherDartsOnRequest) {
   EXPECT_EQ(graph.nodes[0], before[0]);
 }
 
-TEST(Clearance, ThrowsFartherWhenAskedOftenButNeverBeyondTheLeeway) {
+TEST(Clearance, MovesFartherWithEveryTryButNeverBeyondTheLeeway) {
   OutlineGraph graph = squareOutline(1);
   const std::vector<Vec2> before = graph.nodes;
   std::vector<EdgeGrid::Edge> fan;  // so dense that no point within the snap distance is clear

@@ -24,7 +24,7 @@ TEST(ConstrainedDelaunay, KeepsAConstraintThatDelaunayWouldNot) {
   }
 }
 
-TEST(ConstrainedDelaunay, GivesCounterClockwiseTrianglesAndTheirNeighboursAcrossEachEdge) {
+TEST(ConstrainedDelaunay, ReturnsCounterClockwiseTrianglesWithTheirNeighbours) {
   std::vector<Vec2> points;
   for (int k = 0; k < 60; ++k) points.emplace_back(k * 37 % 60 + 0.01 * k, k * 23 % 60);
   const auto result = triangulateConstrained(points, {});

@@ -49,7 +49,7 @@ TEST(EdgeGrid, FindsEveryEdgeThatABoxMeetsOnce) {
   }
 }
 
-TEST(EdgeGrid, ReturnsFewOfManyShortEdges) {
+TEST(EdgeGrid, ReturnsOnlyAFewOfManyShortEdges) {
   std::vector<EdgeGrid::Edge> edges;
   for (int row = 0; row < 100; ++row)
     for (int column = 0; column < 100; ++column) edges.push_back({Vec2(column, row), Vec2(column + 1, row)});

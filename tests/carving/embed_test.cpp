@@ -46,7 +46,7 @@ CornerTriple cornersOf(const Mesh& mesh, std::size_t t) {
   return corners;
 }
 
-TEST(Embed, LeavesTheMeshAloneWithoutCarving) {
+TEST(Embed, LeavesTheMeshUnchangedWithoutCarving) {
   const Mesh mesh = coarsePlate();
   const auto result = carve(mesh, aboveOrigin(), fieldOf(5, 10, [](int, int) { return 0.0; }));
   ASSERT_TRUE(result);
@@ -71,7 +71,7 @@ TEST(Embed, SinksOneSubmoduleWithFourWallsAndAFloor) {
   EXPECT_NEAR(volumeLost(mesh, *result), expected, 2e-5 * expected);
 }
 
-TEST(Embed, TakesTheVolumeOfThePocketsFromAPlate) {
+TEST(Embed, RemovesTheVolumeOfThePocketsFromAPlate) {
   const Mesh mesh = coarsePlate();
   const ProjectionFrame frame = makeFrame({1.3, 0.7, 0}, kTowardsZ, {0.3, 1, 0}, 250);
   const DepthField field =
@@ -93,7 +93,7 @@ TEST(Embed, MakesPocketsOfAnLShapeOneFloor) {
   EXPECT_EQ(result->newTriangles.size(), 4u + 12u + 9u);
 }
 
-TEST(Embed, KeepsACheckerboardApartByTheChamfer) {
+TEST(Embed, SeparatesTheSquaresOfACheckerboardByTheChamfer) {
   const Mesh mesh = coarsePlate();
   const ProjectionFrame frame = makeFrame({1.3, 0.7, 0}, kTowardsZ, {0.3, 1, 0}, 250);
   const DepthField field = fieldOf(15, 9, [](int r, int c) { return (r + c) % 2 == 0 ? 0.4 : 0.0; });
@@ -197,7 +197,7 @@ TEST(Embed, CarvesAlongTheRaysOnCurvedSurfaces) {
 }
 
 /// Worst case for the arrangement: the model's vertices and edges lie exactly on the outlines.
-TEST(Embed, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
+TEST(Embed, HandlesAPlateWhoseMeshIsTheSubmoduleGrid) {
   for (const int perSubmodule : {1, 2, 5}) {
     SCOPED_TRACE(perSubmodule);
     const Mesh mesh = shapes::plate({12, 12}, 10, 24 * perSubmodule, 24 * perSubmodule);
@@ -248,7 +248,7 @@ TEST(Embed, CarvesAcrossNeedlesAFloatWide) {
   }
 }
 
-TEST(Embed, GivesTheSameMeshTwice) {
+TEST(Embed, IsDeterministic) {
   const Mesh mesh = shapes::plate({12, 12}, 10, 24, 24);
   const DepthField field = fieldOf(20, 10, [](int r, int c) { return 0.01 * ((5 * r + 3 * c) % 40); });
   const auto first = carve(mesh, aboveOrigin(), field), second = carve(mesh, aboveOrigin(), field);
@@ -257,7 +257,7 @@ TEST(Embed, GivesTheSameMeshTwice) {
   EXPECT_EQ(first->mesh.triangles, second->mesh.triangles);
 }
 
-TEST(Embed, HoldsFarFromTheOriginWhereFloatsAreCoarse) {
+TEST(Embed, WorksFarFromTheOriginWhereFloatsAreCoarse) {
   const Vec3 away(900, -700, 800);
   const Mesh mesh = shapes::translated(shapes::bumpySphere(40, 1, 3, 5), away);
   const ProjectionFrame frame = makeFrame(away + Vec3(0, 40, 0), {0, 1, 0}, kUp, 250);
@@ -268,7 +268,7 @@ TEST(Embed, HoldsFarFromTheOriginWhereFloatsAreCoarse) {
   EXPECT_EQ(oracle::solidProblems(*result), "");
 }
 
-TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
+TEST(Embed, ReportsFacetsTooFineForFloats) {
   // Every other strip of the plate is four floats wide, so any piece cut from it collapses.
   const Vec3 away(937, -840, 1001);
   Mesh mesh = shapes::plate({40, 40}, 10, 16, 8);
@@ -285,7 +285,7 @@ TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
   EXPECT_THAT(hint(result.error().message), testing::HasSubstr("erge vertices"));
 }
 
-TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
+TEST(Embed, ReportsACodeThatExtendsBeyondTheRim) {
   const auto result = carve(coarsePlate(), makeFrame({20, 0, 0}, kTowardsZ, {0, 1, 0}, 250),
                             fieldOf(5, 10, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
@@ -294,7 +294,7 @@ TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
   EXPECT_THAT(hint(result.error().message), testing::HasSubstr("smaller size"));
 }
 
-TEST(Embed, SaysThatACodeOverAHoleOfThePatchLeavesTheSurface) {
+TEST(Embed, ReportsACodeOverAHoleOfThePatch) {
   const Mesh mesh = shapes::plate({20, 20}, 10, 40, 40);
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
   std::vector<std::uint32_t> patch = oracle::frontPatch(mesh, adjacency, aboveOrigin(), 10);
@@ -308,7 +308,7 @@ TEST(Embed, SaysThatACodeOverAHoleOfThePatchLeavesTheSurface) {
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
 }
 
-TEST(Embed, SaysThatNothingLiesUnderTheCode) {
+TEST(Embed, ReportsThatNoSurfaceLiesUnderTheCode) {
   const Mesh mesh = coarsePlate();
   const auto result = embedDepthField(mesh, aboveOrigin(), {}, fieldOf(1, 6, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
@@ -325,7 +325,7 @@ TEST(Embed, RefusesAFacetSeenFromBehind) {
 }
 
 /// A hundred random codes on random shapes in random places.
-TEST(Embed, MakesASolidOfTheRightDepthWhateverTheFieldAndTheShape) {
+TEST(Embed, MakesASolidOfTheRightDepthForAnyFieldAndShape) {
   std::mt19937 random(20221121);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
   const auto pick = [&](int n) { return static_cast<int>(unit() * n); };

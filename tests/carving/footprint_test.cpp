@@ -26,7 +26,7 @@ DepthLevels oneCarved() {
   return levels;
 }
 
-TEST(Footprint, HoldsTheFacetsThatMeetACarvedSubmodule) {
+TEST(Footprint, ContainsTheFacetsThatMeetACarvedSubmodule) {
   // The squares are 2 mm wide, from -20 to 20. The 4 × 4 squares from [-2, 0] to [4, 6] come within 0.4 mm of [0, 5].
   const Mesh mesh = shapes::plate({40, 40}, 5, 20, 20);
   const auto footprint = findFootprint(mesh, kFrame, upperFace(20), oneCarved(), 0.4);
@@ -41,7 +41,7 @@ TEST(Footprint, HoldsTheFacetsThatMeetACarvedSubmodule) {
   EXPECT_TRUE(std::is_sorted(footprint->facets.begin(), footprint->facets.end()));
 }
 
-TEST(Footprint, KnowsItsEdgesAndTheFacetsBesideThem) {
+TEST(Footprint, HasItsEdgesWithTheirAdjacentFacets) {
   const Mesh mesh = shapes::plate({40, 40}, 5, 20, 20);
   const auto footprint = findFootprint(mesh, kFrame, upperFace(20), oneCarved(), 0.4);
   ASSERT_TRUE(footprint);
@@ -59,7 +59,7 @@ TEST(Footprint, KnowsItsEdgesAndTheFacetsBesideThem) {
   EXPECT_EQ(footprint->points.size() + footprint->facets.size(), footprint->edges.size() + 1);
 }
 
-TEST(Footprint, TakesAFacetThatContainsTheWholeCode) {
+TEST(Footprint, ContainsAFacetLargerThanTheCode) {
   const Mesh mesh = shapes::plate({400, 400}, 5, 1, 1);
   DepthLevels levels = oneCarved();
   std::swap(levels.level[1 * 4 + 2], levels.level[2 * 4 + 3]);  // wholly on one side of the plate's diagonal

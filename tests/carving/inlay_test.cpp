@@ -81,7 +81,7 @@ TEST(Inlay, OfOneSubmoduleOnAPlateIsAFrustumOfTwelveTriangles) {
   EXPECT_NEAR(signedVolume(result->inlay), expected, 2e-5 * expected);
 }
 
-TEST(Inlay, IsEmptyUnlessAskedFor) {
+TEST(Inlay, IsEmptyUnlessRequested) {
   const auto result =
       oracle::carve(shapes::plate({80, 80}, 10, 1, 1), makeFrame({11, -9, 0}, {0, 0, 1}, {0, 1, 0}, 250),
                     fieldOf(3, 3, [](int, int) { return 0.5; }));
@@ -89,7 +89,7 @@ TEST(Inlay, IsEmptyUnlessAskedFor) {
   EXPECT_TRUE(result->inlay.triangles.empty());
 }
 
-TEST(Inlay, OfACheckerboardIsABodyForEachSubmodule) {
+TEST(Inlay, OfACheckerboardHasOneBodyPerSubmodule) {
   const Mesh mesh = shapes::plate({47, 43}, 10, 3, 2);
   const DepthField field = fieldOf(15, 9, [](int r, int c) { return (r + c) % 2 == 0 ? 0.4 : 0.0; });
   for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {

@@ -60,7 +60,7 @@ TEST(Lift, MovesEachPointAlongItsRayByExactlyTheDepth) {
   }
 }
 
-TEST(Lift, PutsACrossingOnItsEdgeInSpace) {
+TEST(Lift, PlacesACrossingOnItsEdgeInSpace) {
   // The edge rises towards the eye, so the first quarter of its image is more than a quarter of its length in space.
   const Scene s = halvedFacet(30, 0);
   const LiftedSurface surface = lift(s.mesh, kFrame, s.footprint, s.arrangement);
@@ -87,7 +87,7 @@ TEST(Lift, TurnsWallsTowardsThePocket) {
   }
 }
 
-TEST(Lift, GivesAWallEveryLevelThatOccursAtItsEnds) {
+TEST(Lift, GivesAWallEveryDepthOfItsEnds) {
   // The crossing alone has a third level, as if a floor lay beyond the facet's edge.
   Scene s = halvedFacet(30, 0);
   s.arrangement.triangles.push_back({3, 1, 2});

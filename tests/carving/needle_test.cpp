@@ -23,13 +23,13 @@ Scene needleOfHeight(float height) {
   return s;
 }
 
-TEST(Needle, KnowsTheHeightOfATriangle) {
+TEST(Needle, MeasuresTheHeightOfATriangle) {
   EXPECT_DOUBLE_EQ(triangleHeight({0, 0, 0}, {5, 0, 0}, {1, 2, 0}), 2);
   EXPECT_DOUBLE_EQ(triangleHeight({0, 0, 0}, {1, 2, 0}, {5, 0, 0}), 2);
   EXPECT_EQ(triangleHeight({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), 0);
 }
 
-TEST(Needle, AsksForFourUnitsInTheLastPlaceOfTheLargestCoordinate) {
+TEST(Needle, RequiresFourUnitsInTheLastPlaceOfTheLargestCoordinate) {
   const std::vector<Vec3f> positions{{1, 2, 3}, {0, -100, 5}};
   EXPECT_DOUBLE_EQ(lowestHeight(positions), 4 * 0x1p-17);  // 64 … 128 has a spacing of 2⁻¹⁷
 }
@@ -47,7 +47,7 @@ TEST(Needle, FlipsTheLongestEdgeOfANeedle) {
   EXPECT_NEAR(area, 16 * 5, 1e-9);
 }
 
-TEST(Needle, LeavesFacetsThatFloatsCanHold) {
+TEST(Needle, KeepsFacetsThatFloatsCanRepresent) {
   Scene s = needleOfHeight(1e-3f);
   const std::vector<Triangle> before = s.footprint.corners;
   flipNeedles(s.footprint, s.mesh);
@@ -55,7 +55,7 @@ TEST(Needle, LeavesFacetsThatFloatsCanHold) {
   EXPECT_EQ(s.footprint.reshaped, std::vector<char>(4, 0));
 }
 
-TEST(Needle, LeavesANeedleOnTheRim) {
+TEST(Needle, KeepsANeedleOnTheRim) {
   Scene s = needleOfHeight(1e-6f);
   s.footprint.facets.erase(s.footprint.facets.begin() + 1);
   s.footprint.corners.erase(s.footprint.corners.begin() + 1);

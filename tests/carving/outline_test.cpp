@@ -57,14 +57,14 @@ TEST(Outline, PassesStraightCornersWithoutANode) {
   EXPECT_DOUBLE_EQ(totalLength(graph), 16);
 }
 
-TEST(Outline, GetsNodesInBetweenWhereItMustNotBeLong) {
+TEST(Outline, GetsNodesInBetweenIfItsLengthIsLimited) {
   const OutlineGraph graph = buildOutlines(levelsOf({"2222", "2222", "2222", "2222"}), 0.04, 2);
   EXPECT_EQ(graph.nodes.size(), 8u);
   EXPECT_EQ(graph.outlines.size(), 8u);
   EXPECT_DOUBLE_EQ(totalLength(graph), 16);
 }
 
-TEST(Outline, HasANodeWhereTheDepthsBesideItChange) {
+TEST(Outline, HasANodeWhereAnAdjacentDepthChanges) {
   const OutlineGraph graph = buildOutlines(levelsOf({"12", "12"}), 0.04, kAnyLength);
   EXPECT_EQ(graph.nodes.size(), 6u);  // four corners, and two nodes where the dividing line meets the rim
   EXPECT_EQ(graph.outlines.size(), 7u);
@@ -76,7 +76,7 @@ TEST(Outline, IsEmptyWithoutCarving) {
   EXPECT_TRUE(graph.outlines.empty());
 }
 
-TEST(Outline, PartsPocketsThatTouchInACornerByTheChamfer) {
+TEST(Outline, SeparatesPocketsThatTouchAtACornerByTheChamfer) {
   for (const std::vector<std::string>& rows : {std::vector<std::string>{"30", "03"}, {"03", "30"}}) {
     const OutlineGraph graph = buildOutlines(levelsOf(rows), 0.1, kAnyLength);
     ASSERT_EQ(graph.nodes.size(), 8u);
@@ -120,7 +120,7 @@ TEST(Outline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
   }
 }
 
-TEST(GridOutline, HasANodeAtEveryCornerAndABorderAllRound) {
+TEST(GridOutline, HasANodeAtEveryCornerAndAClosedBorder) {
   const OutlineGraph graph = buildGridOutlines(levelsOf({"000", "030", "000"}), 0.04);
   EXPECT_EQ(graph.nodes.size(), 16u);
   std::size_t border = 0, inner = 0;
@@ -142,7 +142,7 @@ TEST(GridOutline, HasANodeAtEveryCornerAndABorderAllRound) {
   EXPECT_EQ(inner, 4u);
 }
 
-TEST(GridOutline, LetsNodesOfTheBorderMoveAndNoOthers) {
+TEST(GridOutline, MovesOnlyNodesOfTheBorder) {
   const OutlineGraph graph = buildGridOutlines(levelsOf({"303", "030", "303"}), 0.04);
   EXPECT_EQ(graph.nodes.size(), 16u + 4u);  // the inner corners are saddles
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {

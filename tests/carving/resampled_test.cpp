@@ -60,7 +60,7 @@ TEST(Resampled, ReplacesTheFacetsOfADensePlateByTheGrid) {
   EXPECT_EQ(within, 16u + 4u);  // the inner corners and the floor's corners
 }
 
-TEST(Resampled, TakesTheVolumeOfThePocketsFromAPlate) {
+TEST(Resampled, RemovesTheVolumeOfThePocketsFromAPlate) {
   const Mesh mesh = shapes::plate({47, 43}, 10, 3, 2);
   const ProjectionFrame frame = makeFrame({1.3, 0.7, 0}, {0, 0, 1}, {0.3, 1, 0}, 250);
   // The border stays uncarved because its nodes may move. No diagonal neighbours are carved because the outlines keep
@@ -91,7 +91,7 @@ TEST(Resampled, PutsTheCornersOfTheGridOnTheSurface) {
     }
 }
 
-TEST(Resampled, KeepsEveryFacetThatDoesNotMeetTheSquareBitForBitAndNoOther) {
+TEST(Resampled, KeepsExactlyTheFacetsOutsideTheSquareBitForBit) {
   const Mesh mesh = shapes::bumpySphere(30, 0.5, 3, 5);
   const ProjectionFrame frame = makeFrame({0, 0, 30}, {0.2, 0.1, 1}, {0, 1, 0}, 250);
   const DepthField field = fieldOf(15, 12, [](int r, int c) { return r % 5 == 0 || c % 5 == 0 ? 0.0 : 0.3; });
@@ -134,7 +134,7 @@ TEST(Resampled, RefusesAHoleOfThePatchUnderAnUncarvedPartOfTheSquare) {
   EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("extends beyond the visible surface"));
 }
 
-TEST(Resampled, RefusesASquareThatLeavesThePlateThoughNoPocketDoes) {
+TEST(Resampled, RefusesASquareThatLeavesThePlateEvenIfNoPocketDoes) {
   const Mesh mesh = shapes::plate({20, 20}, 10, 3, 3);
   const DepthField middle = fieldOf(5, 10, [](int r, int c) { return r == 2 && c == 2 ? 0.3 : 0.0; });
   const ProjectionFrame frame = makeFrame({7, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250);
@@ -144,7 +144,7 @@ TEST(Resampled, RefusesASquareThatLeavesThePlateThoughNoPocketDoes) {
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
 }
 
-TEST(Resampled, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
+TEST(Resampled, HandlesAPlateWhoseMeshIsTheSubmoduleGrid) {
   const Mesh mesh = shapes::plate({12, 12}, 10, 24, 24);
   const DepthField field = fieldOf(20, 10, [](int r, int c) { return 0.01 * ((5 * r + 3 * c) % 40); });
   const auto result = oracle::carve(mesh, aboveOrigin(), field, kResampled);
@@ -154,7 +154,7 @@ TEST(Resampled, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
 
 /// As for preserved surfaces (embed_test.cpp), except that the surface between grid lines lies off the model by its
 /// bulge.
-TEST(Resampled, MakesASolidOfTheRightDepthWhateverTheFieldAndTheShape) {
+TEST(Resampled, MakesASolidOfTheRightDepthForAnyFieldAndShape) {
   std::mt19937 random(20221122);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
   const auto pick = [&](int n) { return static_cast<int>(unit() * n); };

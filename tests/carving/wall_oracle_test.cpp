@@ -132,7 +132,7 @@ double leastDistance(Vec3 p, const Mesh& mesh, std::span<const std::uint32_t> fa
   return least;
 }
 
-TEST(WallOracle, WhatIsTakenOutKeepsTheMinimumWallFromEveryOtherSide) {
+TEST(WallOracle, PocketsKeepTheMinimumWallToEveryOtherSide) {
   std::mt19937 random(20261121);
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);

@@ -57,7 +57,7 @@ class BatchCommandTest : public CommandTest {
   std::string model_;
 };
 
-TEST_F(BatchCommandTest, CarvesAModelARowAndSaysWhatBecameOfEach) {
+TEST_F(BatchCommandTest, CarvesOneModelPerRowAndReportsEachResult) {
   const std::string list = writeText("l.csv", "id;text\nA 1;first\nB2;\"second; quoted\"\n");
   const Outcome made = run(arguments({"--list", list, "--reports"}));
   ASSERT_EQ(made.status, 0) << made.err;
@@ -83,7 +83,7 @@ TEST_F(BatchCommandTest, CarvesAModelARowAndSaysWhatBecameOfEach) {
   EXPECT_EQ(contentOf(path("alone.stl")), contentOf(path("out/B2.stl")));
 }
 
-TEST_F(BatchCommandTest, GoesOnWhereItWasAndNoticesWhatWasChanged) {
+TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {
   const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
   ASSERT_EQ(run(arguments({"--list", list})).status, 0);
   const std::string first = contentOf(path("out/1.stl")), second = contentOf(path("out/2.stl"));
@@ -104,7 +104,7 @@ TEST_F(BatchCommandTest, GoesOnWhereItWasAndNoticesWhatWasChanged) {
   EXPECT_EQ(contentOf(path("out/1.stl")), first);
 }
 
-TEST_F(BatchCommandTest, SharesGiveTheFilesOfOneRun) {
+TEST_F(BatchCommandTest, SharesMakeTheFilesOfASingleRun) {
   const std::vector<std::string> rows = {"--count", "3", "--text", "part {n:03}"};
   ASSERT_EQ(run(arguments(rows)).status, 0);
   for (const char* shard : {"0/2", "1/2"}) {
@@ -128,7 +128,7 @@ TEST_F(BatchCommandTest, SharesGiveTheFilesOfOneRun) {
   EXPECT_EQ(manifest("shared").size(), 3u);
 }
 
-TEST_F(BatchCommandTest, PutsNamedPartsSideBySideOnPlates) {
+TEST_F(BatchCommandTest, PlacesNamedPartsSideBySideOnPlates) {
   const std::string list = writeText("l.csv", "id,text\nA,one & only\nB,two\nC,three\n");
   const Outcome made = run(arguments({"--list", list, "--per-plate", "2"}));
   ASSERT_EQ(made.status, 0) << made.err;
@@ -163,7 +163,7 @@ TEST_F(BatchCommandTest, PutsNamedPartsSideBySideOnPlates) {
   EXPECT_EQ(contentOf(path("partly/plate-001.3mf")), before);
 }
 
-TEST_F(BatchCommandTest, LooksAtThePrintOfEveryNthRow) {
+TEST_F(BatchCommandTest, SimulatesThePrintOfEveryNthRow) {
   std::vector<std::string> rows = arguments({"--count", "3", "--text", "part {n}", "--print-every", "2"});
   rows.erase(std::find(rows.begin(), rows.end(), "--process"));
   rows.erase(std::find(rows.begin(), rows.end(), "none"));
@@ -175,7 +175,7 @@ TEST_F(BatchCommandTest, LooksAtThePrintOfEveryNthRow) {
   EXPECT_EQ(made[1]["reading"]["tries"], 72);
 }
 
-TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
+TEST_F(BatchCommandTest, AFailedRowDoesNotStopTheRest) {
   const std::string list = writeText("l.csv", "text,size\na,\nb,39\nc,\n");
   const Outcome made = run(arguments({"--list", list}));
   EXPECT_EQ(made.status, 1);
@@ -209,7 +209,7 @@ TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
   EXPECT_THAT(filesIn("out"), IsEmpty());
 }
 
-TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
+TEST_F(BatchCommandTest, TakesItsShareFromTheSchedulersEnvironment) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> engines = {
       {{"SLURM_ARRAY_TASK_ID=12", "SLURM_ARRAY_TASK_MIN=10", "SLURM_ARRAY_TASK_COUNT=3"}, "share 2 of 3"},
       {{"SLURM_ARRAY_TASK_ID=2", "SLURM_ARRAY_TASK_MIN=2", "SLURM_ARRAY_TASK_COUNT=1", "--shards"}, "share 2 of 3"},
@@ -235,7 +235,7 @@ TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
   }
 }
 
-TEST_F(BatchCommandTest, AnswersEachRequestOfAStream) {
+TEST_F(BatchCommandTest, AnswersEveryRequestOfAStream) {
   const std::string nested(100'000, '['), endless(3 << 20, 'x');
   writeText("requests", nested + "\n" + endless + "\n" + R"({"id": "a", "text": "first"}
 nonsense

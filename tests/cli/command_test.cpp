@@ -44,7 +44,7 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
   EXPECT_FALSE(std::filesystem::exists(path("out.stl")));
 }
 
-TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
+TEST_F(CommandTest, EngraveHasAFlagAndHelpForEverySetting) {
   const std::string help = run({"engrave", "--help"}).out;
   for (const Setting& setting : settings()) {
     const OptionTexts texts = optionTexts(setting);
@@ -53,7 +53,7 @@ TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
   }
 }
 
-TEST_F(CommandTest, EveryFlagInAHelpIsInTheDocuments) {
+TEST_F(CommandTest, TheDocumentationNamesEveryFlagOfTheHelp) {
   const std::filesystem::path docs = std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs";
   const std::string documents = contentOf(docs / "command-line.md") + contentOf(docs / "options.md");
   const std::regex flag("\n  (?:-\\w,)?(--?[\\w-]+)");
@@ -67,7 +67,7 @@ TEST_F(CommandTest, EveryFlagInAHelpIsInTheDocuments) {
   EXPECT_GT(flags, settings().size());
 }
 
-TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead) {
+TEST_F(CommandTest, RefusesANumberOutOfRangeByFlagBeforeReadingTheModel) {
   for (const Setting& setting : settings()) {
     if (!setting.takesNumber()) continue;
     const std::string flag = optionTexts(setting).flag;
@@ -81,7 +81,27 @@ TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead
   }
 }
 
-TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
+TEST_F(CommandTest, FlagsOfRemovedSettingsAreIgnoredWithAWarning) {
+  const std::pair<std::vector<std::string>, const char*> cases[] = {
+      {{"--floor", "wavy"}, "--floor"},
+      {{"--raise-ecc"}, "--raise-ecc"},
+      {{"--break-up"}, "--break-up"},
+      {{"--blur-modules", "0.5"}, "--blur-modules"},
+      {{"--objective", "reading"}, "--objective reading"}};
+  for (const auto& [flags, name] : cases) {
+    std::vector<std::string> words = {"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl")};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.status, 3) << outcome.err;  // the model is missing; the flags are accepted
+    const std::string warning =
+        fmt::format("qrelief: warning: The setting {} is ignored: version 0.2.0 has removed it\n", name);
+    EXPECT_NE(outcome.err.find(warning), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run({"place", path("missing.stl"), "--break-up"}).status, 3);
+  EXPECT_EQ(run({"engrave", "--help"}).out.find("--floor"), std::string::npos);
+}
+
+TEST_F(CommandTest, RefusesAnUnknownChoiceAndListsTheChoices) {
   const Outcome outcome =
       run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), "--pattern", "dots"});
   EXPECT_EQ(outcome.status, 2);
@@ -89,7 +109,7 @@ TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
   EXPECT_NE(outcome.err.find("none, square, thin-plus, diamond, thick-plus"), std::string::npos) << outcome.err;
 }
 
-TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {
+TEST_F(CommandTest, BadInputIsStatusThreeWithAHint) {
   EXPECT_EQ(run({"info", path("missing.stl")}).status, 3);
   writeBytes("empty.stl", {});
   EXPECT_EQ(run({"info", path("empty.stl")}).status, 3);
@@ -110,7 +130,7 @@ TEST_F(CommandTest, NoSolutionIsStatusFour) {
   EXPECT_NE(outcome.err.find("There is no room here for a code of 60 mm"), std::string::npos) << outcome.err;
 }
 
-TEST_F(CommandTest, AnUnwritablePlaceIsAnErrorAndLeavesNothingBehind) {
+TEST_F(CommandTest, AnUnwritableOutputIsAnErrorAndLeavesNoFile) {
   const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 4)), "--text", "x", "--at",
                                "0,0,40", "--size", "25", "-o", path("no_such_folder/out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 3);

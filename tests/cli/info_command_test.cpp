@@ -10,7 +10,7 @@ namespace {
 
 using InfoCommandTest = CommandTest;
 
-TEST_F(InfoCommandTest, TellsSizeAndFindings) {
+TEST_F(InfoCommandTest, ReportsSizeAndFindings) {
   Mesh open = shapes::box({40, 30, 20});
   open.triangles.pop_back();
   const Outcome outcome = run({"info", writeModel("open.stl", open), "--json", path("info.json")});
@@ -28,7 +28,7 @@ TEST_F(InfoCommandTest, TellsSizeAndFindings) {
   EXPECT_NE(info["findings"][1]["hint"], "");
 }
 
-TEST_F(InfoCommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps) {
+TEST_F(InfoCommandTest, DistinguishesWarningsFromErrorsAndGivesFileAndHint) {
   const std::string tiny = writeModel("tiny.stl", shapes::box({0.2, 0.1, 0.15}));
   const Outcome outcome = run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 4);
@@ -45,7 +45,7 @@ TEST_F(InfoCommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps)
             std::string::npos);
 }
 
-TEST_F(InfoCommandTest, RepairsAreSwitchedByOptions) {
+TEST_F(InfoCommandTest, OptionsSwitchRepairsOff) {
   Mesh open = shapes::icosphere(40, 3);
   open.triangles.pop_back();
   const std::string model = writeModel("open.stl", open);

@@ -10,7 +10,7 @@ namespace {
 
 using PlaceCommandTest = CommandTest;
 
-TEST_F(PlaceCommandTest, OffersSpotsThatEngraveTakesAsPrinted) {
+TEST_F(PlaceCommandTest, ListsSpotsThatEngraveAccepts) {
   const std::string model = writeModel("ball.stl", shapes::bumpySphere(40, 2, 5, 5));
   const Outcome placed = run({"place", model, "--size", "20", "--count", "3", "--json", path("spots.json"), "--quiet"});
   ASSERT_EQ(placed.status, 0) << placed.err;
@@ -25,7 +25,7 @@ TEST_F(PlaceCommandTest, OffersSpotsThatEngraveTakesAsPrinted) {
   EXPECT_EQ(engraved.status, 0) << at << engraved.err;
 }
 
-TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
+TEST_F(PlaceCommandTest, ReportsSpotsTooSmallForTheNozzleAndTheSizeThatWouldDo) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const auto place = [&](std::vector<std::string> more) {
     std::vector<std::string> all = {"place", model, "--count", "2", "--json", path("spots.json"), "--quiet"};
@@ -47,7 +47,7 @@ TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
   EXPECT_NE(impossible.err.find("A nozzle of 0.2 mm cannot lay layers of 0.5 mm"), std::string::npos) << impossible.err;
 }
 
-TEST_F(PlaceCommandTest, SaysWhichSpotsFaceDownInThePoseThatIsAskedFor) {
+TEST_F(PlaceCommandTest, ReportsSpotsThatFaceDownInTheRequestedPose) {
   const std::string model = writeModel("box.stl", shapes::box({60, 60, 12}));
   const auto place = [&](const std::string& buildUp) {
     return run({"place", model, "--size", "30", "--build-up=" + buildUp, "--json", path("spots.json"), "--quiet"}).out;
@@ -60,7 +60,7 @@ TEST_F(PlaceCommandTest, SaysWhichSpotsFaceDownInThePoseThatIsAskedFor) {
   EXPECT_EQ(json["spots"].back()["facesDown"], true);
 }
 
-TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeWhereNothingFits) {
+TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeIfNothingFits) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});
   EXPECT_EQ(outcome.status, 4);

@@ -11,7 +11,7 @@ namespace {
 
 using VerifyCommandTest = CommandTest;
 
-TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels) {
+TEST_F(VerifyCommandTest, PassesWhatEngraveWroteAndReportsProblemsOfOtherModels) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   ASSERT_EQ(run({"engrave", model, "--text", "HELLO", "--at", "0,0,4", "--size", "25.2", "-o", path("out.3mf"),
                  "--report", path("out.json"), "--carve-for", "design", "--quiet"})
@@ -55,7 +55,7 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
   EXPECT_EQ(plain.out.find("printed"), std::string::npos) << plain.out;
 }
 
-TEST_F(VerifyCommandTest, FindsOutWhichOtherWayOfPrintingWouldDo) {
+TEST_F(VerifyCommandTest, FindsAnotherProcessOrPoseThatWouldDecode) {
   const std::string model = writeModel("box.stl", shapes::box({20, 20, 8}));
   const auto engrave = [&](const std::string& process) {
     return run({"engrave", model, "--text", "HELLO", "--at", "0,0,4", "--size", "10.5", "--process", process, "-o",
@@ -76,7 +76,7 @@ TEST_F(VerifyCommandTest, FindsOutWhichOtherWayOfPrintingWouldDo) {
   EXPECT_EQ(fine.out.find("other"), std::string::npos) << fine.out;
 }
 
-TEST_F(VerifyCommandTest, NeedsToKnowTheCodesPlace) {
+TEST_F(VerifyCommandTest, NeedsThePlacementOfTheCode) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   const Outcome nowhere = run({"verify", model, "--text", "HELLO", "--quiet"});
   EXPECT_EQ(nowhere.status, 2);

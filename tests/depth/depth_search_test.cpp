@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-TEST(DepthIncrease, TakesTheValuesOfThePapersFormula) {
+TEST(DepthIncrease, MatchesThePapersFormula) {
   EXPECT_NEAR(depthIncrease(0), 0.0932, 5e-5);
   EXPECT_NEAR(depthIncrease(1), 0.1, 1e-12);
   EXPECT_NEAR(depthIncrease(5), 0.389, 5e-4);
@@ -58,7 +58,7 @@ TEST_F(DepthSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUnca
       EXPECT_DOUBLE_EQ(search.depths().depth(row, column), mask_.isCarved(row, column) ? 0.1 : 0);
 }
 
-TEST_F(DepthSearchTest, StopsAsSoonAsEverySubmoduleIsDarkEnough) {
+TEST_F(DepthSearchTest, StopsOnceEverySubmoduleIsDarkEnough) {
   darken(10, 10);
   DepthSearch search = start(5, {.contrast = 0.3});
   // Luminance falls linearly with depth and reaches 0.7 at 0.6 mm.
@@ -72,7 +72,7 @@ TEST_F(DepthSearchTest, StopsAsSoonAsEverySubmoduleIsDarkEnough) {
   EXPECT_LE(search.worstExcess(), 0);
 }
 
-TEST_F(DepthSearchTest, SubmodulesAreJudgedOneByOne) {
+TEST_F(DepthSearchTest, JudgesEverySubmoduleSeparately) {
   darken(10, 10);
   DepthSearch search = start();
   while (!search.finished())
@@ -82,7 +82,7 @@ TEST_F(DepthSearchTest, SubmodulesAreJudgedOneByOne) {
   EXPECT_GE(search.depths().depth(52, 50), 0.6 - 1e-9);
 }
 
-TEST_F(DepthSearchTest, ALimitIsNeverPassedAndIsCounted) {
+TEST_F(DepthSearchTest, NeverExceedsALimitAndCountsIt) {
   darken(10, 10);
   DepthSearch search = start(0.333);
   while (!search.finished()) search.update(luminances(search, [](int, int, double) { return 0.95; }));
@@ -92,7 +92,7 @@ TEST_F(DepthSearchTest, ALimitIsNeverPassedAndIsCounted) {
   EXPECT_NEAR(search.worstExcess(), 0.25, 1e-12);
 }
 
-TEST_F(DepthSearchTest, StepsGrowWhileTheLuminanceStalls) {
+TEST_F(DepthSearchTest, TakesLargerStepsWhileTheLuminanceStalls) {
   darken(10, 10);
   DepthSearch search = start(1000);
   std::vector<double> depths;
@@ -121,7 +121,7 @@ TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
   EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
 }
 
-TEST_F(DepthSearchTest, InsideALargeDarkAreaTheRingIsWidenedUntilItHoldsFourLightModules) {
+TEST_F(DepthSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModules) {
   for (int row = 0; row < 21; ++row)
     for (int column = 0; column < 21; ++column) darken(row, column);
   symbol_.dark[3 * 21 + 3] = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11

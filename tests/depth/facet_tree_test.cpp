@@ -14,7 +14,7 @@ const FacetTree::Facet kFacet{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 3, 0)};
 
 FacetTree treeOf(const std::vector<FacetTree::Facet>& facets) { return FacetTree(facets); }
 
-TEST(FacetTree, MeasuresToTheInsideASideAndACornerOfAFacet) {
+TEST(FacetTree, MeasuresDistancesToInteriorSideAndCornerOfAFacet) {
   const FacetTree tree = treeOf({kFacet});
   EXPECT_DOUBLE_EQ(tree.distance({1, 1, 5}, 100), 5);
   EXPECT_DOUBLE_EQ(tree.distance({1, 1, -5}, 100), 5);
@@ -24,18 +24,18 @@ TEST(FacetTree, MeasuresToTheInsideASideAndACornerOfAFacet) {
   EXPECT_DOUBLE_EQ(tree.distance({1, 1, 0}, 100), 0);
 }
 
-TEST(FacetTree, AnswersNoFartherThanItsReach) {
+TEST(FacetTree, ReturnsItsReachIfNothingIsNearer) {
   const FacetTree tree = treeOf({kFacet});
   EXPECT_EQ(tree.distance({1, 1, 5}, 4.5), 4.5);
   EXPECT_EQ(treeOf({}).distance({1, 1, 5}, 4.5), 4.5);
 }
 
-TEST(FacetTree, MeasuresToAFacetWithoutAreaAsToASegmentOrAPoint) {
+TEST(FacetTree, TreatsAFacetWithoutAreaAsASegmentOrAPoint) {
   EXPECT_DOUBLE_EQ(treeOf({{Vec3(0), Vec3(10, 0, 0), Vec3(5, 0, 0)}}).distance({7, 3, 4}, 100), 5);
   EXPECT_DOUBLE_EQ(treeOf({{Vec3(1), Vec3(1), Vec3(1)}}).distance({1, 4, 5}, 100), 5);
 }
 
-TEST(FacetTree, AgreesWithAllFacetsInTurn) {
+TEST(FacetTree, AgreesWithBruteForceOverAllFacets) {
   Random random(9);
   const auto point = [&](double extent) {
     return Vec3(random.uniform(-extent, extent), random.uniform(-extent, extent), random.uniform(-extent, extent));

@@ -73,7 +73,7 @@ class FastSearchTest : public testing::Test {
   PocketSky sky_;
 };
 
-TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasuringAndNoDeeper) {
+TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasurementsAndNoMoreDepth) {
   FastSearch fast(target(5), {.contrast = kContrast});
   DepthSearch paper(target(5), {.contrast = kContrast});
   const std::size_t measured = run(fast), measuredByPaper = run(paper);
@@ -85,7 +85,7 @@ TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasuringAndNoDeeper) {
   EXPECT_EQ(fast.limitedCount(), 0u);
 }
 
-TEST_F(FastSearchTest, AModuleOfWhichMoreIsAskedGetsAllOfItAndOthersHardlyMore) {
+TEST_F(FastSearchTest, AHigherTargetDeepensItsOwnModuleAndHardlyAnyOther) {
   FastSearchOptions options{.contrast = kContrast};
   options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
   const auto isAsked = [&](int row, int column) { return (row / 5 + column / 5) % 2 == 0; };  // a chessboard of modules
@@ -109,7 +109,7 @@ TEST_F(FastSearchTest, AModuleOfWhichMoreIsAskedGetsAllOfItAndOthersHardlyMore) 
   EXPECT_LT(others, 1.15 * othersBefore);
 }
 
-TEST_F(FastSearchTest, BeginningAtWhatAnotherFoundItMeasuresLessAndEndsNoDeeper) {
+TEST_F(FastSearchTest, StartingFromAnEarlierResultNeedsFewerMeasurementsAndNoMoreDepth) {
   FastSearchOptions options{.contrast = kContrast};
   options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
   for (std::size_t module = 0; module < symbol_.dark.size(); module += 3) options.contrastOfModule[module] = 0.33;
@@ -129,7 +129,7 @@ TEST_F(FastSearchTest, BeginningAtWhatAnotherFoundItMeasuresLessAndEndsNoDeeper)
   }
 }
 
-TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) {
+TEST_F(FastSearchTest, NeedsOnlyTheRequestedLuminancesAndChecksAllAtTheEnd) {
   FastSearch fast(target(5), {.contrast = kContrast});
   const int edge = 5 * (symbol_.size + 8);
   std::vector<double> told = luminances(fast.depths());
@@ -152,7 +152,7 @@ TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) 
   EXPECT_LT(measured, static_cast<std::size_t>(fast.iterations()) * sky_.carved().size() * 3 / 4);
 }
 
-TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanTheyMustBe) {
+TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanNecessary) {
   FastSearch fast(target(5), {.contrast = kContrast, .slackMm = 0.05});
   run(fast);
   int tooDeep = 0;
@@ -164,7 +164,7 @@ TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanTheyMustBe) {
   EXPECT_LE(tooDeep, static_cast<int>(sky_.carved().size()) / 100);
 }
 
-TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsWhatTheyKeepTooBright) {
+TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   FastSearch fast(target(0.123), {.contrast = kContrast});
   run(fast);
   for (const double depth : fast.depths().depthMm) EXPECT_LE(depth, 0.123);
@@ -172,7 +172,7 @@ TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsWhatTheyKeepTooBright) {
   EXPECT_GT(fast.limitedCount(), 0u);
 }
 
-TEST_F(FastSearchTest, WhereThereIsNoRoomNothingIsCarved) {
+TEST_F(FastSearchTest, CarvesNothingIfTheLimitIsZero) {
   FastSearch fast(target(0), {.contrast = kContrast});
   run(fast);
   EXPECT_EQ(fast.iterations(), 1);

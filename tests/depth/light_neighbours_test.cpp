@@ -25,7 +25,7 @@ class LightNeighboursTest : public testing::Test {
   std::vector<double> luminance_;
 };
 
-TEST_F(LightNeighboursTest, TakesTheFourDarkestOfTheEightAround) {
+TEST_F(LightNeighboursTest, TakesTheFourDarkestOfTheEightNeighbours) {
   symbol_.dark[moduleAt(10, 10)] = 1;
   luminanceAt(9, 9) = 0.5;
   luminanceAt(9, 10) = 0.6;
@@ -37,7 +37,7 @@ TEST_F(LightNeighboursTest, TakesTheFourDarkestOfTheEightAround) {
   EXPECT_DOUBLE_EQ(LightNeighbours(symbol_).darkestMean(moduleAt(10, 10), luminance_), 0.65);
 }
 
-TEST_F(LightNeighboursTest, PassesOverDarkNeighboursAndLooksFartherForFour) {
+TEST_F(LightNeighboursTest, SkipsDarkNeighboursAndLooksFartherForFour) {
   for (int row = 9; row <= 11; ++row)
     for (int column = 9; column <= 11; ++column) {
       symbol_.dark[moduleAt(row, column)] = 1;

@@ -113,7 +113,7 @@ TEST_F(OneLightSearchTest, ALoneModuleBeginsAsAStaircaseWithTheSlopeOfTheClosedF
   }
 }
 
-TEST_F(OneLightSearchTest, WhatThePatternLeavesStandingBeginsANewRun) {
+TEST_F(OneLightSearchTest, AnUncarvedSubmoduleStartsANewRun) {
   for (int row = 3; row < 18; ++row) darken(row, 10);
   const DepthField joined = start(ModulePattern::None).depths(), apart = start(ModulePattern::Square).depths();
   EXPECT_NEAR(joined.depth(5 * 18 - 1, 52), 75 * stepMm(), 75 * kDepthQuantumMm);
@@ -121,7 +121,7 @@ TEST_F(OneLightSearchTest, WhatThePatternLeavesStandingBeginsANewRun) {
   for (int row = 3; row < 18; ++row) EXPECT_NEAR(apart.depth(5 * row + 3, 52), 3 * stepMm(), 3 * kDepthQuantumMm);
 }
 
-TEST_F(OneLightSearchTest, OnAPlaneThatReflectsNothingTheClosedFormIsDarkEnoughAndNoShallowerOneIs) {
+TEST_F(OneLightSearchTest, TheClosedFormIsTheShallowestDarkEnoughDepthWithoutReflections) {
   for (int row = 4; row < 8; ++row)
     for (int column = 5; column < 9; ++column) darken(row, column);
   darken(12, 3);
@@ -137,7 +137,7 @@ TEST_F(OneLightSearchTest, OnAPlaneThatReflectsNothingTheClosedFormIsDarkEnoughA
   }
 }
 
-TEST_F(OneLightSearchTest, WhatIsBrightenedByReflectionsGetsDeeperUntilItIsDarkEnough) {
+TEST_F(OneLightSearchTest, DeepensModulesThatReflectionsBrightenUntilTheyAreDarkEnough) {
   darken(10, 10);
   darken(3, 4);
   reflected_ = 1;
@@ -153,7 +153,7 @@ TEST_F(OneLightSearchTest, WhatIsBrightenedByReflectionsGetsDeeperUntilItIsDarkE
   EXPECT_EQ(search.doneFraction(), 1);
 }
 
-TEST_F(OneLightSearchTest, WhereTheSurfaceTurnsToTheLampItIsCarvedDeeperAtOnce) {
+TEST_F(OneLightSearchTest, StartsDeeperWhereTheSurfaceFacesTheLamp) {
   darken(10, 10);
   surfaceElevationDeg_ = 45;
   OneLightSearch search = start(ModulePattern::None);
@@ -165,7 +165,7 @@ TEST_F(OneLightSearchTest, WhereTheSurfaceTurnsToTheLampItIsCarvedDeeperAtOnce) 
   EXPECT_GT(search.depths().depth(54, 52), 1.5 * before);
 }
 
-TEST_F(OneLightSearchTest, NothingIsCarvedDeepWhereTheLampDoesNotReach) {
+TEST_F(OneLightSearchTest, CarvesNothingDeepWhereTheLampDoesNotReach) {
   darken(10, 10);
   surfaceElevationDeg_ = 0;
   OneLightSearch search = start(ModulePattern::None);
@@ -174,7 +174,7 @@ TEST_F(OneLightSearchTest, NothingIsCarvedDeepWhereTheLampDoesNotReach) {
   EXPECT_EQ(search.limitedCount(), 25u);
 }
 
-TEST_F(OneLightSearchTest, StopsAtTheLimitAndCountsWhatStaysTooBright) {
+TEST_F(OneLightSearchTest, StopsAtTheLimitAndCountsSubmodulesThatStayTooBright) {
   darken(10, 10);
   OneLightSearch search = start(ModulePattern::None, 0.055);
   run(search);
@@ -183,7 +183,7 @@ TEST_F(OneLightSearchTest, StopsAtTheLimitAndCountsWhatStaysTooBright) {
   EXPECT_GT(search.limitedCount(), 0u);
 }
 
-TEST(ShadowFraction, IsWhatTheSkysShareOfTheLightAsksFor) {
+TEST(ShadowFraction, FollowsFromTheSkysShareOfTheLight) {
   EXPECT_DOUBLE_EQ(shadowFraction(0.3, 9), 1.0 / 3);
   EXPECT_EQ(shadowFraction(0.5, 0.5), 1);  // the sky alone is too bright
   EXPECT_EQ(shadowFraction(0.3, 0), 1);

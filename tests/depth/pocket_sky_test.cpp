@@ -19,7 +19,7 @@ SubmoduleMask maskOf(int size, const std::function<bool(int, int)>& isCarved) {
   return mask;
 }
 
-TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
+TEST(PocketSky, MatchesTheFormFactorOfASquarePit) {
   // Form factor of two parallel squares of edge 1 at a distance of 1/2, with x = 1/(1/2): floor and opening.
   const double x = 2, root = std::sqrt(1 + x * x);
   const double factor =
@@ -29,14 +29,14 @@ TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
   EXPECT_NEAR(PocketSky::Depths(sky, std::vector<double>{0.5}).fraction(0, 0.5), factor, 0.005);
 }
 
-TEST(PocketSky, SeesOfALongTrenchWhatItsClosedFormSays) {
+TEST(PocketSky, MatchesTheClosedFormOfALongTrench) {
   // Floor of an infinite trench of width w and depth h: √(1 + (h/w)²) − h/w.
   const PocketSky sky(maskOf(101, [](int, int column) { return column == 50; }), 0.4);
   const std::vector<double> depths(101, 0.3);
   EXPECT_NEAR(PocketSky::Depths(sky, depths).fraction(50, 0.3), std::hypot(1, 0.75) - 0.75, 0.01);
 }
 
-TEST(PocketSky, IsTheSameByAllInstructionSets) {
+TEST(PocketSky, IsTheSameForAllInstructionSets) {
   const PocketSky sky(maskOf(30, [](int row, int column) { return (row / 5 * 7 + column / 5 * 3) % 4 != 0; }), 0.2);
   const std::size_t floors = sky.carved().size();
   expectSameByAllInstructionSets([&] {
@@ -74,7 +74,7 @@ class PocketSkySolve : public testing::Test {
   std::vector<double> limits_, shares_;
 };
 
-TEST_F(PocketSkySolve, EveryFloorSeesItsShareAndNoLess) {
+TEST_F(PocketSkySolve, EveryFloorSeesExactlyItsShareOfTheSky) {
   const std::vector<double> depths = solvedFrom(0.2);
   const PocketSky::Depths solved(sky_, depths);
   for (std::size_t k = 0; k < depths.size(); ++k) {
@@ -84,7 +84,7 @@ TEST_F(PocketSkySolve, EveryFloorSeesItsShareAndNoLess) {
   }
 }
 
-TEST_F(PocketSkySolve, EndsAtTheSameDepthsFromAnyStart) {
+TEST_F(PocketSkySolve, FindsTheSameDepthsFromAnyStart) {
   const std::vector<double> fromBelow = solvedFrom(0.001), fromAbove = solvedFrom(1.9);
   for (std::size_t k = 0; k < fromBelow.size(); ++k) EXPECT_NEAR(fromBelow[k], fromAbove[k], 0.02) << k;
 }

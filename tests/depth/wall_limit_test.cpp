@@ -71,13 +71,13 @@ struct Case {
   }
 };
 
-TEST(WallLimit, OfAPlateIsItsThicknessLessTheWall) {
+TEST(WallLimit, OfAPlateIsItsThicknessMinusTheWall) {
   Case c{.mesh = shapes::plate({60, 60}, 2, 3, 3)};
   c.prepare();
   c.expectLimits(0, [&](Vec3 p, Vec3 ray) { return (2 + p.z - c.minWallMm) / -ray.z; });
 }
 
-TEST(WallLimit, OfAThickBlockIsTheGreatestDepth) {
+TEST(WallLimit, OfAThickBlockIsTheMaximumDepth) {
   Case c{.mesh = shapes::box({60, 60, 60})};
   c.prepare();
   for (const double limit : c.limits()) EXPECT_EQ(limit, 3);
@@ -89,7 +89,7 @@ TEST(WallLimit, OfAPlateThinnerThanTheWallIsZero) {
   for (const double limit : c.limits()) EXPECT_EQ(limit, 0);
 }
 
-TEST(WallLimit, OfAWedgeIsMeasuredAcrossItsBack) {
+TEST(WallLimit, OfAWedgeIsMeasuredToItsBack) {
   // The back falls from 1.2 mm at x = -30 to 13.2 mm at x = 30.
   Mesh wedge = shapes::box({60, 60, 10});
   for (Vec3f& p : wedge.positions) p.z = p.z > 0 ? 0.0f : -7.2f - 0.2f * p.x;
@@ -103,7 +103,7 @@ TEST(WallLimit, OfAWedgeIsMeasuredAcrossItsBack) {
   });
 }
 
-TEST(WallLimit, BesideASideFaceKeepsTheWallUprightToo) {
+TEST(WallLimit, KeepsTheWallToASideFace) {
   // Rays lean outwards, so the vertical wall gets thinner with depth.
   Case c{.mesh = shapes::box({22, 200, 40}), .symbolMm = 20.8, .size = 26};
   c.prepare();
@@ -114,7 +114,7 @@ TEST(WallLimit, BesideASideFaceKeepsTheWallUprightToo) {
   });
 }
 
-TEST(WallLimit, OfAShellEndsBeforeItsCavity) {
+TEST(WallLimit, KeepsTheWallToACavity) {
   // The wall between two concentric spheres is 4 mm thick; their facets lie less than 0.02 mm below the spheres.
   Case c{.mesh = shapes::together(shapes::icosphere(50, 6), shapes::insideOut(shapes::icosphere(46, 6)))};
   c.maxDepthMm = 5;
@@ -177,7 +177,7 @@ TEST(WallLimit, IsZeroWhereThePatchDoesNotCoverTheSubmodule) {
   }
 }
 
-TEST(WallLimit, BesideADraftedSideThatTheEyeSeesKeepsTheWall) {
+TEST(WallLimit, KeepsTheWallToADraftedSideThatTheEyeSees) {
   // The sides have a mould's draft of 5°: they lean outwards by tan 5° per mm, rays by half a mm in ten.
   Mesh block = shapes::box({22, 200, 40});
   const double slope = std::tan(5 * 0.017453292519943295);
@@ -195,7 +195,7 @@ TEST(WallLimit, BesideADraftedSideThatTheEyeSeesKeepsTheWall) {
   });
 }
 
-TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
+TEST(WallLimit, KeepsTheWallThroughASharpRidgeOfWhichTheEyeSeesBothSides) {
   // A roof of 50° at its ridge along y: next to the ridge the material is thin from the start.
   const double slope = 1 / std::tan(25 * 0.017453292519943295);
   Mesh roof;
@@ -226,7 +226,7 @@ TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
   }
 }
 
-TEST(WallLimit, OfARoofThatIsNotSharpIsTheGreatestDepth) {
+TEST(WallLimit, OfABluntRoofIsTheMaximumDepth) {
   // At 120°, both sides of the ridge are one surface to carve.
   const double slope = 1 / std::tan(60 * 0.017453292519943295);
   const Mesh roof = shapes::plate({40, 40}, 40, 2, 2, [&](double x, double) { return -slope * std::abs(x); });
@@ -242,7 +242,7 @@ TEST(WallLimit, IsZeroWithoutDepth) {
   for (const double limit : c.limits()) EXPECT_EQ(limit, 0);
 }
 
-TEST(WallLimit, DoesNotTakeTheSurfaceOutsideThePatchesRadiusForAWall) {
+TEST(WallLimit, IgnoresTheSurfaceOutsideThePatch) {
   // The radius ends at the symbol's corners. The floor's facets beyond it face the eye and are not hidden.
   Case c{.mesh = shapes::plate({60, 60}, 40, 60, 60)};
   c.patchRadiusMm = c.symbolMm / std::sqrt(2.0);

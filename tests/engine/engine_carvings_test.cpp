@@ -43,12 +43,12 @@ class EngineCarvingsTest : public GlTest {
   std::unique_ptr<Engine> engine_;
 };
 
-TEST_F(EngineCarvingsTest, ThereIsNoneBeforeTheFirst) {
+TEST_F(EngineCarvingsTest, HasNoCarvingAtFirst) {
   EXPECT_EQ(engine_->carving(), 0);
   EXPECT_FALSE(engine_->useCarving(1));
 }
 
-TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRead) {
+TEST_F(EngineCarvingsTest, RestoresThePreviousCarvingBitForBitWithItsReadings) {
   const int first = carve("first");
   engine_->setReadings(R"(["first"])", "a reader");
   const auto firstFile = engine_->exportModel("stl");
@@ -67,7 +67,7 @@ TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRe
   EXPECT_EQ(engine_->exportModel("stl"), secondFile);
 }
 
-TEST_F(EngineCarvingsTest, ACodeIsTheSameAfterAnotherOneInItsPlaceAndAfterAnotherModel) {
+TEST_F(EngineCarvingsTest, CarvesTheSameAgainAfterOtherCodesAndModels) {
   carve("https://example.org/first");
   const auto alone = engine_->exportModel("stl");
   carve("https://example.org/other");
@@ -83,7 +83,7 @@ TEST_F(EngineCarvingsTest, ACodeIsTheSameAfterAnotherOneInItsPlaceAndAfterAnothe
   EXPECT_EQ(engine_->exportModel("stl"), alone);
 }
 
-TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
+TEST_F(EngineCarvingsTest, DescribesACarvingForTheManifest) {
   EXPECT_EQ(Json::parse(engine_->describeRow(0))["error"]["code"], "nothing-engraved");
   carve("part 7");
   const Json unread = Json::parse(engine_->describeRow(12.4));
@@ -98,7 +98,7 @@ TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
   EXPECT_GT(row["details"]["depth"]["meanMm"], 0.1);
 }
 
-TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
+TEST_F(EngineCarvingsTest, PlacesCarvingsSideBySideOnAPlate) {
   EXPECT_EQ(Json::parse(engine_->startPlate(2))["ok"], true);
   EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none"))["error"]["code"], "nothing-engraved");
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
@@ -144,7 +144,7 @@ TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneD
   EXPECT_EQ(step["carving"], engine_->carving());
 }
 
-TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {
+TEST_F(EngineCarvingsTest, ForgetsOlderCarvings) {
   const int first = carve("a");
   const int second = carve("b");
   carve("c");
@@ -153,7 +153,7 @@ TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {
   EXPECT_TRUE(engine_->useCarving(second));
 }
 
-TEST_F(EngineCarvingsTest, ACarvingThatIsCancelledLeavesTheOneBeforeIt) {
+TEST_F(EngineCarvingsTest, KeepsThePreviousCarvingAfterACancel) {
   const int first = carve("kept");
   engine_->configure(R"({"text": "cancelled", "size": 30})");
   engine_->startEngrave();
@@ -165,7 +165,7 @@ TEST_F(EngineCarvingsTest, ACarvingThatIsCancelledLeavesTheOneBeforeIt) {
   EXPECT_EQ(reportedText(), "kept");
 }
 
-TEST_F(EngineCarvingsTest, AnotherModelForgetsThemAll) {
+TEST_F(EngineCarvingsTest, ForgetsAllCarvingsWithAnotherModel) {
   const int first = carve("a");
   const int second = carve("b");
   load();
@@ -174,7 +174,7 @@ TEST_F(EngineCarvingsTest, AnotherModelForgetsThemAll) {
   EXPECT_EQ(engine_->carving(), 0);
 }
 
-TEST_F(EngineCarvingsTest, FromStraightAheadThePictureFromAsideIsThatOfTheReader) {
+TEST_F(EngineCarvingsTest, TheFrontalTrialPictureIsTheReadersView) {
   EXPECT_TRUE(engine_->readerImageFrom(0, 0).pixels.empty());
   carve("picture");
   const GreyImage& straight = engine_->readerImage();

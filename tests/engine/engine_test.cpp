@@ -2,6 +2,7 @@
 #include "engine/engine.h"
 
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -37,14 +38,14 @@ class EngineTest : public GlTest {
   std::unique_ptr<Engine> engine_;
 };
 
-TEST_F(EngineTest, SaysWhatDrawsAndThatNothingIsWrong) {
+TEST_F(EngineTest, ReportsTheRendererAndNoProblems) {
   const Json capabilities = Json::parse(engine_->capabilities());
   EXPECT_FALSE(capabilities["renderer"].get<std::string>().empty());
   EXPECT_TRUE(capabilities["problems"].empty());
   EXPECT_EQ(Engine("My GPU").gl().renderer, "My GPU");
 }
 
-TEST_F(EngineTest, DescribesTheModelThatItLoaded) {
+TEST_F(EngineTest, DescribesTheLoadedModel) {
   const Json answer = load(shapes::box({60, 50, 20}));
   ASSERT_EQ(answer["ok"], true);
   const Json& model = answer["model"];
@@ -59,7 +60,7 @@ TEST_F(EngineTest, DescribesTheModelThatItLoaded) {
   EXPECT_NEAR(std::max({inBox.x, inBox.y, inBox.z}), 1, 1e-6);
 }
 
-TEST_F(EngineTest, ABadFileIsRefusedAndTheOldModelStays) {
+TEST_F(EngineTest, RefusesABadFileAndKeepsTheOldModel) {
   load(shapes::box({60, 50, 20}));
   const Json refused = Json::parse(engine_->loadModel({1, 2, 3}, "broken.stl", 1));
   EXPECT_EQ(refused["ok"], false);
@@ -69,7 +70,7 @@ TEST_F(EngineTest, ABadFileIsRefusedAndTheOldModelStays) {
   EXPECT_EQ(Json::parse(engine_->setCentre(0, 0, 100))["centre"], Json({0, 0, 10}));
 }
 
-TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
+TEST_F(EngineTest, ShowsAnOpenModelButDoesNotEngraveIt) {
   Mesh open = shapes::box({60, 50, 20});
   open.triangles.pop_back();
   const Json answer = load(open);
@@ -82,7 +83,7 @@ TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
   EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], false);
 }
 
-TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
+TEST_F(EngineTest, AClickOnTheModelHitsAndAClickBesideItMisses) {
   load(shapes::icosphere(30, 5));
   const Json hit = Json::parse(engine_->pick(200, 150));
   ASSERT_EQ(hit["hit"], true);
@@ -92,7 +93,7 @@ TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
   EXPECT_EQ(Json::parse(engine_->setCentre(std::nan(""), 0, 0)), Json({{"hit", false}}));
 }
 
-TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
+TEST_F(EngineTest, TheFreeSizeOnTopOfABoxMatchesTheClosedForm) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
@@ -107,7 +108,7 @@ TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
 }
 
-TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
+TEST_F(EngineTest, AScaleOfZeroUsesTheUnitOfTheFile) {
   const auto inches = zip_file::threeMf(
       zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1), "<item objectid=\"1\"/>", "unit=\"inch\""));
   EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 0))["model"]["scaleToMm"], 25.4);
@@ -115,7 +116,7 @@ TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
   EXPECT_EQ(Json::parse(engine_->loadModel(writeStl(shapes::box({9, 9, 9})), "a.stl", 0))["model"]["scaleToMm"], 1);
 }
 
-TEST_F(EngineTest, WhatIsMissingIsNamed) {
+TEST_F(EngineTest, NamesWhateverIsMissing) {
   expectError(engine_->placement(), "BadUsage", "no-model");
   expectError(engine_->startEngrave(), "BadUsage", "no-model");
   expectError(engine_->advance(), "BadUsage", "not-engraving");
@@ -127,7 +128,7 @@ TEST_F(EngineTest, WhatIsMissingIsNamed) {
   EXPECT_EQ(Json::parse(engine_->placement())["error"]["kind"], "BadInput");  // no text
 }
 
-TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
+TEST_F(EngineTest, EngravesStepByStepAndReportsTheResult) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
@@ -168,15 +169,26 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   EXPECT_TRUE(engine_->exportModel("stl").empty());
 }
 
-TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
+TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
   const auto prepare = [&] {
     int steps = 1;
     while (!Json::parse(engine_->prepareEngrave())["done"].get<bool>()) ++steps;
     return steps;
   };
-  const auto start = [&] { return Json::parse(engine_->startEngrave())["stage"]["code"].get<std::string>(); };
+  std::vector<std::string> stages;  // of the last engraving, in their order
+  const auto enter = [&](const Json& progress) {
+    const std::string stage = progress["stage"]["code"];
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+  };
+  const auto start = [&] {
+    stages.clear();
+    enter(Json::parse(engine_->startEngrave()));
+  };
   const auto finish = [&] {
-    while (!Json::parse(engine_->advance())["done"].get<bool>()) {
+    for (bool isDone = false; !isDone;) {
+      const Json progress = Json::parse(engine_->advance());
+      enter(progress);
+      isDone = progress["done"].get<bool>();
     }
     return engine_->exportModel("stl");
   };
@@ -186,28 +198,32 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   engine_->setCentre(0, 0, 10);
   EXPECT_EQ(prepare(), 1) << "not placed yet";
   engine_->placement();
-  EXPECT_EQ(start(), "measuring-surface");
+  start();
   EXPECT_EQ(prepare(), 1) << "one is running";
   const auto carved = finish();
   ASSERT_FALSE(carved.empty());
+  const std::vector<std::string> unprepared = stages;
+  ASSERT_EQ(unprepared.front(), "measuring-surface");
 
   EXPECT_GT(prepare(), 1);
   EXPECT_EQ(prepare(), 1) << "done already";
-  EXPECT_EQ(engine_->exportModel("stl"), carved) << "what was carved is still there";
-  EXPECT_NE(start(), "measuring-surface");
+  EXPECT_EQ(engine_->exportModel("stl"), carved) << "preparing must keep the result";
+  start();
   EXPECT_EQ(finish(), carved);
-  EXPECT_GT(Json::parse(engine_->report())["timingsMs"]["surface"].get<double>(), 0);
+  ASSERT_LT(stages.size(), unprepared.size()) << "the surface is measured already";
+  EXPECT_EQ(stages, std::vector(unprepared.end() - std::ssize(stages), unprepared.end()));
 
   EXPECT_GT(prepare(), 1);
   Json deeper = Json::parse(kSettings);
   deeper["contrast"] = 0.4;
   engine_->configure(deeper.dump());
   engine_->placement();
-  EXPECT_EQ(start(), "measuring-surface") << "what was prepared is another engraving";
+  start();
   EXPECT_NE(finish(), carved);
+  EXPECT_EQ(stages.front(), "measuring-surface") << "another depth was prepared";
 }
 
-TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
+TEST_F(EngineTest, CanStartAgainAfterACancel) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
@@ -218,12 +234,12 @@ TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
   EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
 }
 
-TEST_F(EngineTest, TextsThatAreNoUtf8DoNotBreakTheAnswer) {
+TEST_F(EngineTest, AnswersWithValidJsonForTextsThatAreNotUtf8) {
   const Json answer = Json::parse(engine_->loadModel({'x'}, "broken\xff.stl", 1));
   EXPECT_EQ(answer["ok"], false);
 }
 
-TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
+TEST_F(EngineTest, TheTopOfTheCodePointsAlongTheUpAxis) {
   load(shapes::box({60, 60, 20}));
   engine_->setUpAxis("y");
   engine_->configure(kSettings);
@@ -233,7 +249,7 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
 }
 
-TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
+TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
   EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
@@ -259,7 +275,7 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   expectError(engine_->chooseSpot(100), "BadUsage", "no-such-spot");
 }
 
-TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
+TEST_F(EngineTest, HasNoSpotsAfterACancelledSearch) {
   expectError(engine_->startSpotSearch(), "BadUsage", "no-model");
   ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
@@ -270,7 +286,7 @@ TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
   EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
 }
 
-TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
+TEST_F(EngineTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) {
   EXPECT_EQ(Json::parse(engine_->hover(200, 150))["hit"], false);  // no model
   load(shapes::icosphere(30, 5));
   engine_->configure(kSettings);
@@ -294,7 +310,7 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   expectError(engine_->startSettling(), "BadUsage", "no-code-placed");
 }
 
-TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
+TEST_F(EngineTest, ShowsTheDepthSearchWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
@@ -317,7 +333,7 @@ TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
   EXPECT_LT(darkest, 0.8);
 }
 
-TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
+TEST_F(EngineTest, ShowsLampsInTheDirectionTheyShineFrom) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
                                                                 {"azimuthDeg": 90, "elevationDeg": 20}]})");
@@ -337,7 +353,7 @@ TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
   EXPECT_EQ(Json::parse(engine_->viewState())["lamps"].size(), 0u);
 }
 
-TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
+TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
   load(shapes::box({60, 60, 20}));
   expectError(engine_->adjustCode(0, 20), "BadUsage", "no-code-placed");
   EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
@@ -366,7 +382,7 @@ TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the setting applies
 }
 
-TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {
+TEST_F(EngineTest, ShowsACodeThatDoesNotFit) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "https://example.org/qrelief-test", "size": 55})");
   engine_->setCentre(0, 0, 10);
@@ -374,7 +390,7 @@ TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
 }
 
-TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
+TEST_F(EngineTest, DrawsPicturesOfSpotsAndDepthsOfCarvings) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);

@@ -11,17 +11,17 @@ namespace {
 
 using nlohmann::json;
 
-TEST(Guarded, AnAnswerGoesThroughAsItIs) {
+TEST(Guarded, PassesAnAnswerOnUnchanged) {
   EXPECT_EQ(guarded([] { return std::string("answer"); }), "answer");
 }
 
-TEST(Guarded, MemoryThatRunsOutHasACodeOfItsOwn) {
+TEST(Guarded, ReportsExhaustedMemoryWithItsOwnCode) {
   const json answer = json::parse(guarded([]() -> std::string { throw std::bad_alloc(); }));
   EXPECT_EQ(answer["ok"], false);
   EXPECT_EQ(answer["error"]["code"], "out-of-memory");
 }
 
-TEST(Guarded, AnyOtherExceptionIsAFaultOfTheProgramAndSaysWhatItSaid) {
+TEST(Guarded, ReportsAnyOtherExceptionAsABugWithItsText) {
   const json answer = json::parse(guarded([]() -> std::string { throw std::runtime_error("no such edge"); }));
   EXPECT_EQ(answer["ok"], false);
   EXPECT_EQ(answer["error"]["code"], "internal-fault");

@@ -21,7 +21,7 @@ Json planned(PlannedBatch& batch, const std::string& list, const Json& wanted = 
   return Json::parse(batch.plan(bytesOf(list), asked.dump()));
 }
 
-TEST(PlannedBatch, HasTheRowsOfAListAndTheirCommonVersion) {
+TEST(PlannedBatch, ReadsTheRowsOfAListAndTheirCommonVersion) {
   PlannedBatch batch;
   const Json plan = planned(batch, "id,text,colour\na,one,red\nb,a text that just needs version 3,blue\n");
   ASSERT_EQ(plan["ok"], true) << plan;
@@ -38,6 +38,15 @@ TEST(PlannedBatch, HasTheRowsOfAListAndTheirCommonVersion) {
   EXPECT_EQ(rows[0]["file"], "b.stl");
 }
 
+TEST(PlannedBatch, WarnsOfColumnsWithRemovedSettings) {
+  PlannedBatch batch;
+  const Json plan = planned(batch, "id,text,floor\na,one,wavy\n");
+  ASSERT_EQ(plan["rows"], 1) << plan;
+  EXPECT_EQ(plan["unused"], Json::array());
+  ASSERT_EQ(plan["warnings"].size(), 1u);
+  EXPECT_EQ(plan["warnings"][0]["code"], "setting-removed");
+}
+
 TEST(PlannedBatch, NumbersRowsWithoutAList) {
   PlannedBatch batch;
   const Json plan =
@@ -49,7 +58,7 @@ TEST(PlannedBatch, NumbersRowsWithoutAList) {
   EXPECT_EQ(Json::parse(batch.row(12))["error"]["code"], "no-such-row");
 }
 
-TEST(PlannedBatch, RowsOfAPlateHaveItsName) {
+TEST(PlannedBatch, NamesThePlateOfARow) {
   PlannedBatch batch;
   const Json plan = planned(batch, "", {{"count", 5}, {"text", "part {n}"}, {"perPlate", 2}});
   ASSERT_EQ(plan["rows"], 5) << plan;
@@ -61,7 +70,7 @@ TEST(PlannedBatch, RowsOfAPlateHaveItsName) {
   EXPECT_EQ(Json::parse(batch.row(4))["row"]["file"], "plate-003.3mf");
 }
 
-TEST(PlannedBatch, GivesARowTheSettingsInWhichItDiffersFromAll) {
+TEST(PlannedBatch, GivesARowTheSettingsThatDifferFromTheCommonOnes) {
   PlannedBatch batch;
   ASSERT_EQ(planned(batch, "text,preset\none,\ntwo,robust\n", {{"settings", {{"text", ""}, {"sizeMm", 0}}}})["ok"],
             false);
@@ -72,7 +81,7 @@ TEST(PlannedBatch, GivesARowTheSettingsInWhichItDiffersFromAll) {
             Json({{"text", "two"}, {"version", 1}, {"preset", "robust"}}));
 }
 
-TEST(PlannedBatch, RefusesAListWithItsProblemsAndThenHasNoRows) {
+TEST(PlannedBatch, RefusesAFaultyListAndThenHasNoRows) {
   PlannedBatch batch;
   ASSERT_EQ(planned(batch, "id,text\na,one\n")["rows"], 1);
   const Json plan = planned(batch, "id,text\na,one\nb,one\n");
@@ -86,7 +95,7 @@ TEST(PlannedBatch, RefusesAListWithItsProblemsAndThenHasNoRows) {
   EXPECT_EQ(planned(batch, "id,text\n\"a,one\n")["error"]["code"], "list-quote-open");
 }
 
-TEST(PlannedBatch, HashesWhatTheCommandHashes) {
+TEST(PlannedBatch, HashesLikeTheCommand) {
   PlannedBatch batch;
   planned(batch, "id,text\na,one\n");
   const Json told = Json::parse(batch.toHash(0, R"({"centre": [1, 2.5, -3], "others": "z 1"})"));
@@ -97,7 +106,7 @@ TEST(PlannedBatch, HashesWhatTheCommandHashes) {
   EXPECT_EQ(told["text"], settingsToHash(row, "z 1"));
 }
 
-TEST(PlannedBatch, WritesTheManifestAsTheCommandDoes) {
+TEST(PlannedBatch, WritesTheManifestLikeTheCommand) {
   ManifestEntry entry;
   entry.number = 3;
   entry.id = "a \"quoted\" id";

@@ -43,7 +43,7 @@ class PrintedCodeTest : public GlTest {
   std::unique_ptr<Engine> engine_;
 };
 
-TEST_F(PrintedCodeTest, TheWorkerBesideTheEngineSeesWhatTheCommandSees) {
+TEST_F(PrintedCodeTest, SeesTheSamePrintAsTheCommand) {
   carve(25.2, "fdm-0.4/0.2");
   PrintedCode printed;
   EXPECT_TRUE(printed.readingPictures().empty());
@@ -63,7 +63,7 @@ TEST_F(PrintedCodeTest, TheWorkerBesideTheEngineSeesWhatTheCommandSees) {
   EXPECT_FALSE(printed.readingPictures().empty());
 }
 
-TEST_F(PrintedCodeTest, ItSaysWhichModulesThePrintHasLost) {
+TEST_F(PrintedCodeTest, ReportsTheModulesLostInPrint) {
   carve(25.2, "fdm-0.4/0.2");
   PrintedCode printed;
   const std::size_t lostOfLarge = print(printed)["misread"].size();
@@ -78,7 +78,7 @@ TEST_F(PrintedCodeTest, ItSaysWhichModulesThePrintHasLost) {
     }
 }
 
-TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
+TEST_F(PrintedCodeTest, AddsTheReadingsToTheReportOfTheirCarving) {
   carve(25.2, "fdm-0.4/0.2");
   EXPECT_TRUE(Json::parse(engine_->report())["verification"]["printed"].is_null());
   const int first = engine_->carving();
@@ -101,7 +101,7 @@ TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
   EXPECT_EQ(Json::parse(engine_->report())["verification"]["printed"]["reads"], 1);
 }
 
-TEST_F(PrintedCodeTest, ACarvingIsPrintableBeforeItIsDone) {
+TEST_F(PrintedCodeTest, OffersTheCarvingForPrintBeforeItIsDone) {
   engine_->configure(R"({"text": "QRELIEF", "version": 1, "size": 25.2})");
   EXPECT_TRUE(engine_->stlToPrint().empty());
   ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
@@ -122,7 +122,7 @@ TEST_F(PrintedCodeTest, ACarvingIsPrintableBeforeItIsDone) {
   EXPECT_FALSE(stl.empty());
 }
 
-TEST_F(PrintedCodeTest, AnotherWayOfPrintingIsTriedWithoutAnotherCarving) {
+TEST_F(PrintedCodeTest, TriesAnotherProcessWithoutCarvingAgain) {
   carve(25.2, "fdm-0.4/0.2");
   const std::string changed = R"({"process": "fdm-0.25/0.1", "buildUp": "code-upright"})";
   const Json order = Json::parse(engine_->printOrder(changed))["order"];
@@ -137,7 +137,7 @@ TEST_F(PrintedCodeTest, AnotherWayOfPrintingIsTriedWithoutAnotherCarving) {
   EXPECT_EQ(Json::parse(engine_->printOrder(R"({"process": "clay"})"))["ok"], false);
 }
 
-TEST_F(PrintedCodeTest, WithoutAProcessNothingIsToBePrinted) {
+TEST_F(PrintedCodeTest, PrintsNothingWithoutAProcess) {
   EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);  // nothing is carved yet
   carve(25.2, "none");
   EXPECT_FALSE(engine_->stlToPrint().empty());
@@ -147,7 +147,7 @@ TEST_F(PrintedCodeTest, WithoutAProcessNothingIsToBePrinted) {
   EXPECT_EQ(Json::parse(engine_->setPrintedReadings(R"(["QRELIEF"])", 0))["ok"], false);
 }
 
-TEST_F(PrintedCodeTest, AFileThatIsNoModelIsAnError) {
+TEST_F(PrintedCodeTest, RefusesAFileThatIsNotAModel) {
   PrintedCode printed;
   EXPECT_EQ(Json::parse(printed.start({1, 2, 3}, "{}"))["ok"], false);
   EXPECT_EQ(Json::parse(printed.advance())["ok"], false);

@@ -22,7 +22,7 @@ EngraveRequest requestFor(const std::string& text) {
 
 Json facts(const EngraveRequest& request) { return Json::parse(describeSymbol(request))["symbol"]; }
 
-TEST(SymbolFacts, AreThoseOfTheSymbolThatIsEngraved) {
+TEST(SymbolFacts, DescribeTheEngravedSymbol) {
   const EngraveRequest request = requestFor("https://example.org/a/longer/text/x");
   const auto symbol = encodeSymbol(request.text, request.symbol);
   ASSERT_TRUE(symbol.has_value());
@@ -41,7 +41,7 @@ TEST(SymbolFacts, AreThoseOfTheSymbolThatIsEngraved) {
   }
 }
 
-TEST(SymbolFacts, TheRoomIsWhatTheVersionStillHolds) {
+TEST(SymbolFacts, TheRoomIsTheRestOfTheVersionsCapacity) {
   // Texts of digits, capitals and bytes; versions on both sides of 9|10, where length fields grow; the last version.
   for (const std::string& text :
        {std::string("a"), std::string("12345678901234567890"), std::string("HTTPS://QR.ORG/x"), std::string(150, 'b'),
@@ -58,7 +58,7 @@ TEST(SymbolFacts, TheRoomIsWhatTheVersionStillHolds) {
   }
 }
 
-TEST(SymbolFacts, TheRoomIsThatOfTheStandardsTable) {
+TEST(SymbolFacts, TheRoomMatchesTheTableOfTheStandard) {
   // 14 bytes in 1-M, 26 in 2-M, 17 in 1-L, 2331 in 40-M [ISO/IEC 18004, table 7].
   EXPECT_EQ(facts(requestFor("abcde"))["room"], 14 - 5);
   EXPECT_EQ(facts(requestFor(std::string(15, 'a')))["room"], 26 - 15);
@@ -69,7 +69,7 @@ TEST(SymbolFacts, TheRoomIsThatOfTheStandardsTable) {
   EXPECT_EQ(facts(weak)["room"], 17 - 5);
 }
 
-TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
+TEST(SymbolFacts, TheSmallestModuleFollowsFromPatternAndNozzle) {
   const std::pair<ModulePattern, double> published[] = {{ModulePattern::Square, 0.9},
                                                         {ModulePattern::Diamond, 0.9},
                                                         {ModulePattern::ThickPlus, 0.6},
@@ -86,7 +86,7 @@ TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
     }
 }
 
-TEST(SymbolFacts, ANozzleThatIsNoSizeLeavesTheLeastModuleOut) {
+TEST(SymbolFacts, OmitsTheSmallestModuleForAnInvalidNozzle) {
   for (const double nozzle : {0.0, -1.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     EngraveRequest request = requestFor("x");
     request.printer.nozzleMm = nozzle;
@@ -94,7 +94,7 @@ TEST(SymbolFacts, ANozzleThatIsNoSizeLeavesTheLeastModuleOut) {
   }
 }
 
-TEST(SymbolFacts, ATextThatNoSymbolHoldsIsAnError) {
+TEST(SymbolFacts, RefusesATextThatFitsNoSymbol) {
   const Json tooLong = Json::parse(describeSymbol(requestFor(std::string(3000, 'a'))));
   EXPECT_EQ(tooLong["ok"], false);
   EXPECT_EQ(tooLong["error"]["kind"], "BadInput");

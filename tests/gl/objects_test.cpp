@@ -17,7 +17,7 @@ TEST_F(GlObjects, CapabilitiesNameTheRendererAndTextureSize) {
   EXPECT_GE(capabilities->maxTextureSize, 2048);
 }
 
-TEST_F(GlObjects, AFloatTextureComesBackBitForBit) {
+TEST_F(GlObjects, ReadsAFloatTextureBackBitForBit) {
   const std::vector<float> texels = {0.0f, 1.0f, -2.5f, 1e-20f, 250.123456f, 3.4e38f};
   const Texture texture(3, 2, Format::R32F, texels.data());
   const Texture* const colours[] = {&texture};
@@ -26,7 +26,7 @@ TEST_F(GlObjects, AFloatTextureComesBackBitForBit) {
   EXPECT_EQ(framebuffer->readRed(), texels);
 }
 
-TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
+TEST_F(GlObjects, NamesAShaderThatDoesNotCompile) {
   const auto program =
       Program::create("broken pass", shaders::fullscreen_vert, "#version 300 es\nvoid main() { nonsense }");
   ASSERT_FALSE(program.has_value());
@@ -34,7 +34,7 @@ TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
   EXPECT_NE(sentence(program.error().message).find("broken pass"), std::string::npos);
 }
 
-TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
+TEST_F(GlObjects, NamesShadersThatDoNotLink) {
   const char* fragment =
       "#version 300 es\nprecision highp float; in vec4 v_missing; layout(location=0) out vec4 o; void main() { o = "
       "v_missing; }";
@@ -48,7 +48,7 @@ constexpr const char* kTinted =
     "vec4 o; "
     "void main() { o = u_tint[1]; }";
 
-TEST_F(GlObjects, AUniformThatTheCompilerDropsIsIgnored) {
+TEST_F(GlObjects, IgnoresAUniformThatTheCompilerDropped) {
   const Texture texture(1, 1, Format::RGBA32F);
   const Texture* const colours[] = {&texture};
   const auto framebuffer = Framebuffer::create(colours, false);
@@ -66,7 +66,7 @@ TEST_F(GlObjects, AUniformThatTheCompilerDropsIsIgnored) {
 #ifndef NDEBUG
 using GlObjectsDeathTest = GlObjects;
 
-TEST_F(GlObjectsDeathTest, AUniformThatNoSourceDeclaresStopsTheProgramAndIsNamed) {
+TEST_F(GlObjectsDeathTest, AbortsOnAnUndeclaredUniformAndNamesIt) {
   const auto program = Program::create("tinted", shaders::fullscreen_vert, kTinted);
   ASSERT_TRUE(program.has_value());
   program->use();
@@ -75,7 +75,7 @@ TEST_F(GlObjectsDeathTest, AUniformThatNoSourceDeclaresStopsTheProgramAndIsNamed
 }
 #endif
 
-TEST_F(GlObjects, AMovedTextureLeavesNothingBehind) {
+TEST_F(GlObjects, AMovedFromTextureIsEmpty) {
   Texture a(2, 2, Format::R32F);
   const GLuint id = a.id();
   const Texture b = std::move(a);

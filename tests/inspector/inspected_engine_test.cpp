@@ -47,7 +47,7 @@ class InspectedEngineTest : public GlTest {
   InspectedEngine engine_{"", false, &makeFake};
 };
 
-TEST_F(InspectedEngineTest, BeforeTheInspectorIsOpenedNothingIsMadeAndNothingTaken) {
+TEST_F(InspectedEngineTest, DoesNothingBeforeTheInspectorIsOpened) {
   engine_.showInspector(true);
   engine_.inspectorGlyphs(16, {65, 1, 1, 0, 0, 1}, {255});
   EXPECT_FALSE(engine_.inspectorPointer(1, 1, 1, 0));
@@ -57,7 +57,7 @@ TEST_F(InspectedEngineTest, BeforeTheInspectorIsOpenedNothingIsMadeAndNothingTak
   EXPECT_EQ(told.made, 0);
 }
 
-TEST_F(InspectedEngineTest, AWindowThatIsOpenedLateLearnsThemeAndSize) {
+TEST_F(InspectedEngineTest, ALateWindowGetsThemeAndSize) {
   engine_.setTheme(true);
   engine_.resize(320, 200, 2);
   engine_.openInspector();
@@ -68,7 +68,7 @@ TEST_F(InspectedEngineTest, AWindowThatIsOpenedLateLearnsThemeAndSize) {
   EXPECT_THAT(told.sizes, testing::ElementsAre(std::pair(320.0, 200.0)));
 }
 
-TEST_F(InspectedEngineTest, OnlyAWindowThatIsShownIsDrawnAndTakesKeysAndPointer) {
+TEST_F(InspectedEngineTest, DrawsAndHandlesInputOnlyWhileTheWindowIsShown) {
   engine_.openInspector();
   engine_.inspectorKey("a", false, false);
   EXPECT_FALSE(engine_.inspectorPointer(1, 1, 1, 0));
@@ -87,7 +87,7 @@ TEST_F(InspectedEngineTest, OnlyAWindowThatIsShownIsDrawnAndTakesKeysAndPointer)
   EXPECT_EQ(engine_.inspectorState(), R"({"tab": 0})");
 }
 
-TEST_F(InspectedEngineTest, GlyphsComeAsSixNumbersEachAndARestIsLeft) {
+TEST_F(InspectedEngineTest, ReadsGlyphsOfSixNumbersAndIgnoresARest) {
   engine_.openInspector();
   engine_.inspectorGlyphs(18, {65, 7, 9, 0.5f, -1, 7.5f, 66, 8, 9, 0, -1, 8, 67}, {1, 2, 3});
   ASSERT_TRUE(told.glyphs.has_value());

@@ -51,7 +51,7 @@ class InspectorModelTest : public GlTest {
   static inline std::unique_ptr<Engine> engine_;
 };
 
-TEST_F(InspectorModelTest, KnowsNothingBeforeAnEngraving) {
+TEST_F(InspectorModelTest, IsEmptyBeforeAnEngraving) {
   const Engine fresh;
   InspectorModel model;
   model.follow(fresh);
@@ -63,7 +63,7 @@ TEST_F(InspectorModelTest, KnowsNothingBeforeAnEngraving) {
   EXPECT_FALSE(model.selected().has_value());
 }
 
-TEST_F(InspectorModelTest, FollowsTheLastPassUntilAnEarlierOneIsChosen) {
+TEST_F(InspectorModelTest, ShowsTheLastPassUntilAnEarlierOneIsChosen) {
   InspectorModel model;
   model.follow(*engine_);
   ASSERT_EQ(model.passes(), engine_->carvings().result()->searchIterations);
@@ -77,7 +77,7 @@ TEST_F(InspectorModelTest, FollowsTheLastPassUntilAnEarlierOneIsChosen) {
   EXPECT_EQ(model.pass(), model.passes() - 1);
 }
 
-TEST_F(InspectorModelTest, AChannelThatChangesByPassIsThatOfThePass) {
+TEST_F(InspectorModelTest, ShowsTheChannelOfTheChosenPass) {
   InspectorModel model;
   model.follow(*engine_);
   const ValueMap last = *model.channel(*engine_, MapChannel::Depth);
@@ -90,7 +90,7 @@ TEST_F(InspectorModelTest, AChannelThatChangesByPassIsThatOfThePass) {
   EXPECT_NE(rangeOf(first.values), rangeOf(last.values));
 }
 
-TEST_F(InspectorModelTest, TheGBufferOfABoxesTopIsTheClosedForm) {
+TEST_F(InspectorModelTest, TheGBufferOfTheTopOfABoxMatchesTheClosedForm) {
   InspectorModel model;
   model.follow(*engine_);
   const double eye = engine_->carvings().result()->placement.frame.eyeDistance, edge = engine_->carvings().codeEdgeMm();
@@ -149,7 +149,7 @@ TEST_F(InspectorModelTest, PassesAreTimed) {
   EXPECT_EQ(runs["back distance"], 1);
 }
 
-TEST_F(InspectorModelTest, OverridesCountForOneEngravingAndItsReportAndSolversCanBeCompared) {
+TEST_F(InspectorModelTest, OverridesApplyToOneEngravingAndItsReport) {
   InspectorModel model;
   model.follow(*engine_);
   ASSERT_TRUE(model.runs()[0].has_value());

@@ -50,7 +50,7 @@ class SearchViewTest : public testing::Test {
   SearchRecord record_;
 };
 
-TEST_F(SearchViewTest, TellsOfASubmoduleInThePapersQuantities) {
+TEST_F(SearchViewTest, DescribesASubmoduleInThePapersQuantities) {
   const SearchView view(symbol_, record_, kContrast);
   const auto facts = view.facts(2, firstCarved());
   ASSERT_TRUE(facts.has_value());
@@ -64,7 +64,7 @@ TEST_F(SearchViewTest, TellsOfASubmoduleInThePapersQuantities) {
   EXPECT_FLOAT_EQ(*view.facts(0, firstCarved())->depthMm, 0.2f);
 }
 
-TEST_F(SearchViewTest, TheQuietZoneHasALuminanceAndNothingElse) {
+TEST_F(SearchViewTest, TheQuietZoneHasOnlyALuminance) {
   const SearchView view(symbol_, record_, kContrast);
   const auto facts = view.facts(0, {-kQuiet, -1});
   ASSERT_TRUE(facts.has_value());
@@ -75,7 +75,7 @@ TEST_F(SearchViewTest, TheQuietZoneHasALuminanceAndNothingElse) {
   EXPECT_FALSE(view.facts(0, {0, mask_.size + kQuiet}).has_value());
 }
 
-TEST_F(SearchViewTest, WhatThePatternLeavesStandingOfADarkModuleIsDarkButNotCarved) {
+TEST_F(SearchViewTest, UncarvedSubmodulesOfADarkModuleAreDark) {
   const SearchView view(symbol_, record_, kContrast);
   int standing = 0;
   for (int row = 0; row < mask_.size; ++row) {
@@ -91,7 +91,7 @@ TEST_F(SearchViewTest, WhatThePatternLeavesStandingOfADarkModuleIsDarkButNotCarv
   EXPECT_GT(standing, 1000);
 }
 
-TEST_F(SearchViewTest, ThePassesAreSummedUp) {
+TEST_F(SearchViewTest, SummarisesThePasses) {
   const SearchView view(symbol_, record_, kContrast);
   const auto& passes = view.summaries();
   ASSERT_EQ(passes.size(), 3u);
@@ -110,7 +110,7 @@ TEST_F(SearchViewTest, ThePassesAreSummedUp) {
   EXPECT_EQ(passes[1].ms, 11);
 }
 
-TEST_F(SearchViewTest, CountsAsTheSearchItselfDoes) {
+TEST_F(SearchViewTest, CountsLikeTheSearch) {
   DepthSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.carved.size(), 3.0)}, {.contrast = kContrast});
   SearchRecord record = record_;
   record.passes.resize(1);
@@ -133,7 +133,7 @@ TEST_F(SearchViewTest, CountsAsTheSearchItselfDoes) {
   EXPECT_NEAR(view.summaries()[0].greatestExcess, search.worstExcess(), 1e-6);
 }
 
-TEST_F(SearchViewTest, TheMapsShowEverySubmoduleInItsPlace) {
+TEST_F(SearchViewTest, TheMapsShowEverySubmoduleAtItsPosition) {
   const SearchView view(symbol_, record_, kContrast);
   const auto inMap = [&](SubmodulePlace p) {
     return static_cast<std::size_t>((p.row + kQuiet) * edge_ + p.column + kQuiet);
@@ -156,7 +156,7 @@ TEST_F(SearchViewTest, TheMapsShowEverySubmoduleInItsPlace) {
   EXPECT_FALSE(view.placeAt({1.0, 0.5}).has_value());
 }
 
-TEST_F(SearchViewTest, TheLightSubmodulesAreAllThatNoDarkModuleHas) {
+TEST_F(SearchViewTest, TheLightSubmodulesAreThoseOutsideDarkModules) {
   const SearchView view(symbol_, record_, kContrast);
   const auto dark = std::count(symbol_.dark.begin(), symbol_.dark.end(), 1);
   EXPECT_EQ(static_cast<std::ptrdiff_t>(view.lightLuminance().size()), edge_ * edge_ - 25 * dark);

@@ -26,7 +26,7 @@ TEST(SettingLabels, AreTheKeysWithoutATranslation) {
   EXPECT_EQ(choiceLabelsOf(tunable("solver")), (std::vector<std::string>{"fast", "paper-steps"}));
 }
 
-TEST(SettingLabels, OverridesAreSaidInTheWordsOfThePage) {
+TEST(SettingLabels, DescribesOverridesInTheWordsOfThePage) {
   setTranslation({{"setting:minWallMm", "Restwand"},
                   {"choice:solver:paper-steps", "Schritte der Arbeit"},
                   {"setting:solver", "Verfahren"},

@@ -12,7 +12,7 @@ class TranslationTest : public testing::Test {
   void TearDown() override { setTranslation({}); }
 };
 
-TEST_F(TranslationTest, WhatHasNoneStaysEnglish) {
+TEST_F(TranslationTest, UntranslatedTextsStayEnglish) {
   EXPECT_STREQ(translated("depth"), "Tiefe");
   EXPECT_STREQ(translated("sky"), "sky");
   const char* const both[] = {"sky", "depth"};
@@ -22,12 +22,12 @@ TEST_F(TranslationTest, WhatHasNoneStaysEnglish) {
   EXPECT_STREQ(texts[1], "Tiefe");
 }
 
-TEST_F(TranslationTest, ValuesComeInTheirPlaces) {
+TEST_F(TranslationTest, InsertsValues) {
   EXPECT_EQ(phrase("row {}, column {}", 3, 4), "Zeile 3, Spalte 4");
   EXPECT_EQ(phrase("{} values", 5), "5 values");
 }
 
-TEST_F(TranslationTest, NoneIsEnglishAgain) {
+TEST_F(TranslationTest, WithoutATranslationTextsAreEnglish) {
   setTranslation({});
   EXPECT_STREQ(translated("depth"), "depth");
 }

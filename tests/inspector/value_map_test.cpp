@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-TEST(ValueMap, APlaceHasTheValueOfItsCellAndOutsideThereIsNone) {
+TEST(ValueMap, ReturnsTheValueOfTheCellAndNothingOutside) {
   const ValueMap map{3, 2, {0, 1, 2, 3, 4, 5}, {}};
   EXPECT_EQ(map.indexAt({0, 0}), 0u);
   EXPECT_EQ(map.indexAt({0.34, 0.49}), 1u);
@@ -23,39 +23,39 @@ TEST(ValueMap, APlaceHasTheValueOfItsCellAndOutsideThereIsNone) {
   EXPECT_FALSE(ValueMap{}.indexAt({0.5, 0.5}).has_value());
 }
 
-TEST(ValueRange, IsThatOfTheNumbersAlone) {
+TEST(ValueRange, CoversOnlyFiniteNumbers) {
   const std::vector<float> values = {3, kNothing, -1, 7, std::numeric_limits<float>::infinity()};
   EXPECT_EQ(rangeOf(values), (ValueRange{-1, 7}));
   const std::vector<float> none = {kNothing};
   EXPECT_FALSE(rangeOf(none).has_value());
 }
 
-TEST(ValueRange, ACutLeavesThatShareOutAtEitherEnd) {
+TEST(ValueRange, ACutDropsThatFractionAtEachEnd) {
   std::vector<float> values(101);
   std::iota(values.rbegin(), values.rend(), 0.0f);
   EXPECT_EQ(rangeOf(values, 0.1), (ValueRange{10, 90}));
 }
 
-TEST(Histogram, CountsEachNumberOnceAndWhatLiesBeyondAtTheEnds) {
+TEST(Histogram, CountsEachNumberOnceAndClampsToTheEndBars) {
   const std::vector<float> values = {0, 0.24f, 0.25f, 0.5f, 1, 2, -1, kNothing};
   EXPECT_THAT(histogramOf(values, {0, 1}, 4), testing::ElementsAre(3, 1, 1, 2));
 }
 
-TEST(Histogram, OfEqualValuesIsOneBar) {
+TEST(Histogram, PutsEqualValuesIntoOneBar) {
   const std::vector<float> values(5, 0.3f);
   EXPECT_THAT(histogramOf(values, {0.3f, 0.3f}, 3), testing::ElementsAre(5, 0, 0));
 }
 
 double lightnessOf(const Rgb8& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
-TEST(ColourScale, GrowsLighterFromOneEndToTheOtherSoThatItIsReadWithoutHues) {
+TEST(ColourScale, GetsSteadilyLighterSoThatItNeedsNoHues) {
   for (const ColourScale scale : {ColourScale::Viridis, ColourScale::Cividis, ColourScale::Grey})
     for (int i = 1; i <= 100; ++i)
       EXPECT_GT(lightnessOf(colourAt(scale, i / 100.0)), lightnessOf(colourAt(scale, (i - 1) / 100.0)))
           << static_cast<int>(scale) << " at " << i;
 }
 
-TEST(ColourScale, OfBothSignsIsPalestInTheMiddle) {
+TEST(ColourScale, IsPalestInTheMiddleForBothSigns) {
   for (int i = 1; i <= 50; ++i) {
     const double step = i / 100.0;
     EXPECT_LT(lightnessOf(colourAt(ColourScale::BlueRed, 0.5 - step)),
@@ -65,7 +65,7 @@ TEST(ColourScale, OfBothSignsIsPalestInTheMiddle) {
   }
 }
 
-TEST(ColourScale, EndsInItsOwnColoursAndStaysThereBeyond) {
+TEST(ColourScale, ClampsToItsEndColours) {
   EXPECT_EQ(colourAt(ColourScale::Viridis, 0), (Rgb8{68, 1, 84}));
   EXPECT_EQ(colourAt(ColourScale::Viridis, 1), (Rgb8{253, 231, 37}));
   EXPECT_EQ(colourAt(ColourScale::Grey, -3), (Rgb8{0, 0, 0}));
@@ -79,7 +79,7 @@ TEST(MapPicture, ColoursNumbersByTheirRangeAndLeavesTheRestClear) {
               testing::ElementsAre(0, 0, 0, 255, 128, 128, 128, 255, 0, 0, 0, 0, 255, 255, 255, 255));
 }
 
-TEST(MapPicture, ShowsDirectionsAsRedGreenAndBlueIfItIsAskedTo) {
+TEST(MapPicture, ShowsDirectionsAsRedGreenAndBlueOnRequest) {
   const ValueMap map{2, 1, {90, 0}, {{1, 0, 0}, {0, 0, 1}}};
   EXPECT_THAT(colouredRgba(map, {ColourScale::Grey, {0, 90}, true}),
               testing::ElementsAre(255, 128, 128, 255, 128, 128, 255, 255));

@@ -51,7 +51,7 @@ TEST(ParseNumber, AcceptsTheUsualSpellings) {
   EXPECT_EQ(*parseNumber("00012"), 12);
 }
 
-TEST(ParseNumber, RefusesWhatIsNoNumber) {
+TEST(ParseNumber, RefusesTextsThatAreNotNumbers) {
   for (const char* text :
        {"", "-", "+", ".", "e5", "1e", "1e+", "1,5", "1.2.3", "0x10", "1.5f", " 1", "1 ", "--1", "nano"})
     EXPECT_FALSE(parseNumber(text)) << text;
@@ -75,7 +75,7 @@ TEST(ParseNumber, DoesNotDependOnTheLocale) {
   EXPECT_EQ(value, 0.12345678901234567);
 }
 
-TEST(ParseInteger, ReadsTheRangeOf64BitsAndNothingElse) {
+TEST(ParseInteger, ReadsExactlyThe64BitRange) {
   EXPECT_EQ(*parseInteger("+12"), 12);
   EXPECT_EQ(*parseInteger("-9223372036854775808"), INT64_MIN);
   for (const char* text : {"", "-", "+", "+-1", "1.0", "9223372036854775808", "1a", " 1"})

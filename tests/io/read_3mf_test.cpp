@@ -70,7 +70,7 @@ TEST(ThreeMfReader, AppliesTransformsRowByRow) {
   EXPECT_EQ(volumeOf(soup), 6);
 }
 
-TEST(ThreeMfReader, TurnsMirroredInstancesRound) {
+TEST(ThreeMfReader, FlipsMirroredInstances) {
   const PolygonSoup soup = placedBox("<item objectid=\"1\" transform=\"-2 0 0 0 1 0 0 0 1 0 0 0\"/>");
   EXPECT_EQ(boxOf(soup).min, Vec3(-2, 0, 0));
   EXPECT_EQ(volumeOf(soup), 12);
@@ -89,7 +89,7 @@ TEST(ThreeMfReader, KnowsEveryUnit) {
   EXPECT_THAT(errorOf(modelPart("", "", "unit=\"mile\"")), HasSubstr("the unit \"mile\" is unknown"));
 }
 
-TEST(ThreeMfReader, MakesAPartOfEveryItem) {
+TEST(ThreeMfReader, MakesEveryItemAPart) {
   const auto soup = read3mf(threeMf(modelPart(boxObject(1, 1, 1, 1, "name=\"cube &amp; co\"") + boxObject(2, 2, 2, 2),
                                               "<item objectid=\"1\"/><item objectid=\"2\" partnumber=\"P2\" "
                                               "transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/><item objectid=\"1\" "
@@ -104,7 +104,7 @@ TEST(ThreeMfReader, MakesAPartOfEveryItem) {
   EXPECT_EQ(volumeOf(*soup), 1 + 8 + 1);
 }
 
-TEST(ThreeMfReader, PutsNestedComponentsTogether) {
+TEST(ThreeMfReader, AssemblesNestedComponents) {
   // The scene is two pairs of boxes. The boxes of a pair are 10 apart; the second pair is mirrored in x and 100 higher.
   // The whole is scaled by two.
   const std::string resources = boxObject(1, 1, 2, 3) +
@@ -147,7 +147,7 @@ TEST(ThreeMfReader, ConvertsAPartOfAnotherUnit) {
   EXPECT_EQ(boxOf(*soup).max, Vec3(15, 20, 30));
 }
 
-TEST(ThreeMfReader, LetsNoPathLeaveTheArchive) {
+TEST(ThreeMfReader, RefusesPathsThatLeaveTheArchive) {
   for (const char* path :
        {"/../../etc/passwd", "file:///etc/passwd", "/3D/..\\\\b.model", "/..", "/%2e%2e/../b.model"}) {
     const std::string root = modelPart("", fmt::format("<item objectid=\"1\" p:path=\"{}\"/>", path), kProduction);
@@ -157,7 +157,7 @@ TEST(ThreeMfReader, LetsNoPathLeaveTheArchive) {
   EXPECT_TRUE(read3mf(threeMf(inside, {{"3D/b.model", modelPart(boxObject(1, 1, 1, 1), "")}}), {}));
 }
 
-TEST(ThreeMfReader, PassesOverItemsThatAreNoModels) {
+TEST(ThreeMfReader, IgnoresItemsThatAreNotModels) {
   const std::string resources = boxObject(1, 1, 2, 3) + boxObject(2, 9, 9, 9, "type=\"support\"");
   const auto soup = read3mf(threeMf(modelPart(resources, "<item objectid=\"1\"/><item objectid=\"2\"/>")), {});
   ASSERT_TRUE(soup);
@@ -174,7 +174,7 @@ TEST(ThreeMfReader, RefusesABuildWithoutItems) {
               HasSubstr("build is empty: it has 1 object, but does not place it"));
 }
 
-TEST(ThreeMfReader, TellsAnAbsentBuildFromAnEmptyOne) {
+TEST(ThreeMfReader, DistinguishesAMissingBuildFromAnEmptyOne) {
   std::string model = modelPart(boxObject(1, 1, 2, 3) + boxObject(2, 1, 2, 3), "");
   EXPECT_THAT(errorOf(model), HasSubstr("build is empty: it has 2 objects, but places none"));
   const std::size_t begin = model.find("<build"), end = model.find("</build>");
@@ -184,7 +184,7 @@ TEST(ThreeMfReader, TellsAnAbsentBuildFromAnEmptyOne) {
             "The 3MF file has no element \"build\", which places objects on the plate; it has 2 objects");
 }
 
-TEST(ThreeMfReader, NamesTheFirstIndexThatHasNoVertexAndItsLine) {
+TEST(ThreeMfReader, NamesTheFirstIndexOutOfRangeAndItsLine) {
   const std::string object =
       "<object id=\"5\">\n<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices><triangles>\n"
       "<triangle v1=\"0\" v2=\"0\" v3=\"0\"/>\n<triangle v1=\"0\" v2=\"0\" v3=\"8\"/>\n"
@@ -222,7 +222,7 @@ TEST(ThreeMfReader, RefusesAPackageWithoutTheModelItNames) {
   EXPECT_THAT(messageOf({rels("<Relationship Target=\"\" " + type + "/>")}), HasSubstr("has no target"));
 }
 
-TEST(ThreeMfReader, RefusesWhatIsNoModel) {
+TEST(ThreeMfReader, RefusesAFileThatIsNotAModel) {
   EXPECT_THAT(errorOf("<html/>"), HasSubstr("\"3D/3dmodel.model\" of the 3MF file, line 1: the outermost element"));
   EXPECT_THAT(errorOf("<model xmlns=\"urn:other\"/>"), HasSubstr("not a 3MF model"));
   EXPECT_THAT(errorOf("<!DOCTYPE model><model/>"), HasSubstr("DTD"));
@@ -247,14 +247,14 @@ std::string slicedBox(const std::string& attributes, const std::string& required
                    "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" " + required);
 }
 
-TEST(ThreeMfReader, RefusesAMeshThatStandsInForSlices) {
+TEST(ThreeMfReader, RefusesAMeshThatReplacesSlices) {
   EXPECT_THAT(errorOf(slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"")),
               HasSubstr("object 7 in \"3D/3dmodel.model\" is a stack of slices"));
   EXPECT_THAT(errorOf(slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"", "requiredextensions=\"s\"")),
               HasSubstr("stack of slices"));
 }
 
-TEST(ThreeMfReader, RefusesAComponentThatStandsInForSlices) {
+TEST(ThreeMfReader, RefusesAComponentThatReplacesSlices) {
   std::string model = slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"");
   const std::string outer = "<object id=\"8\"><components><component objectid=\"7\"/></components></object>";
   model.insert(model.find("</resources>"), outer);
@@ -271,7 +271,7 @@ TEST(ThreeMfReader, ReadsAFullMeshBesideSlices) {
     }
 }
 
-TEST(ThreeMfReader, NamesLineAndObjectOfWhatIsMalformed) {
+TEST(ThreeMfReader, NamesLineAndObjectOfMalformedContent) {
   const auto object = [](const std::string& content) {
     return errorOf(modelPart("<object id=\"5\">\n" + content + "</object>", "<item objectid=\"5\"/>"));
   };
@@ -336,7 +336,7 @@ TEST(ThreeMfReader, LimitsHowDeepComponentsNest) {
   EXPECT_THAT(errorOf(tower(5000, 1, boxObject(1, 1, 1, 1))), HasSubstr("more than 32 deep"));
 }
 
-TEST(ThreeMfReader, LimitsWhatComponentsMultiplyTo) {
+TEST(ThreeMfReader, LimitsTheTrianglesThatComponentsMultiplyTo) {
   // 10 levels of 100 give 10^18 boxes; the reader refuses them before it makes any.
   EXPECT_THAT(errorOf(tower(10, 100, boxObject(1, 1, 1, 1))), HasSubstr("more than 100000 objects"));
   EXPECT_THAT(errorOf(tower(10, 100, "<object id=\"1\"><mesh><vertices/><triangles/></mesh></object>")),
@@ -355,13 +355,13 @@ TEST(ThreeMfReader, LimitsTrianglesVerticesAndEntries) {
   EXPECT_THAT(errorOf(modelPart(boxObject(1, 1, 1, 1), items)), HasSubstr("more than 100000 objects, components"));
 }
 
-TEST(ThreeMfReader, LimitsWhatTheArchiveExpandsTo) {
+TEST(ThreeMfReader, LimitsTheExpandedSizeOfTheArchive) {
   const auto bytes = threeMf(modelPart(boxObject(1, 1, 1, 1), "<item objectid=\"1\"/>"));
   EXPECT_TRUE(read3mf(bytes, {.maxExpandedBytes = bytes.size()}));
   EXPECT_THAT(sentence(read3mf(bytes, {.maxExpandedBytes = 1000}).error().message), HasSubstr("would expand"));
 }
 
-TEST(ThreeMfReader, SurvivesEveryByteOfTheModelChanged) {
+TEST(ThreeMfReader, SurvivesAChangeOfEveryByteOfTheModel) {
   const std::string model = modelPart(boxObject(1, 1, 2, 3) +
                                           "<object id=\"2\"><components><component objectid=\"1\" "
                                           "transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></components></object>",

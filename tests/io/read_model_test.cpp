@@ -80,7 +80,7 @@ TEST(ReadModel, GivesTheSameSolidFromEveryFormat) {
   }
 }
 
-TEST(ReadModel, TellsTheFormatByContentWhereTheNameSaysNothing) {
+TEST(ReadModel, DetectsTheFormatByContentIfTheNameHasNoKnownExtension) {
   for (const Sample& sample : samples(shapes::tetrahedron(10))) {
     const auto soup = readModel(sample.bytes, "model");
     ASSERT_TRUE(soup) << sample.name << ": " << soup.error().message;
@@ -88,11 +88,11 @@ TEST(ReadModel, TellsTheFormatByContentWhereTheNameSaysNothing) {
   }
 }
 
-TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
+TEST(ReadModel, ReadsTheContentWithAWarningIfTheNameIsWrong) {
   const auto soup = readModel(bytesOf("# exported\n" + model_files::obj(shapes::tetrahedron(10))), "model.stl");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->format, "OBJ");
-  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term("named", "STL"), with::term("found", "OBJ")));
+  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term<"named">("STL"), with::term<"found">("OBJ")));
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
 }
 
@@ -121,14 +121,14 @@ TEST(ReadModel, NamesTheEncodingOfTextInUtf16) {
         const auto soup = readModel(wide(text, bigEndian, marked), name);
         ASSERT_FALSE(soup) << name;
         EXPECT_EQ(soup.error().message,
-                  message("text-encoding", with::term("encoding", bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
+                  message("text-encoding", with::term<"encoding">(bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
       }
   const auto soup = readModel(wide("v 0 0 0\n", false, true), "a.obj");
   EXPECT_THAT(sentence(soup.error().message), HasSubstr("text in UTF-16 LE"));
   EXPECT_THAT(hint(soup.error().message), HasSubstr("UTF-8"));
 }
 
-TEST(ReadModel, TakesNoBinaryFileForUtf16) {
+TEST(ReadModel, DoesNotMistakeBinaryFilesForUtf16) {
   Bytes stl = writeStl(shapes::tetrahedron(10));
   stl[0] = 0xff, stl[1] = 0xfe;
   EXPECT_EQ(readModel(stl, "a.stl")->triangles.size(), 4u);
@@ -145,14 +145,14 @@ TEST(ReadModel, RefusesAFileOverTheLimit) {
               HasSubstr("284 bytes"));
 }
 
-TEST(ReadModel, NamesFormatsItCannotRead) {
+TEST(ReadModel, NamesUnsupportedFormats) {
   EXPECT_THAT(sentence(readModel(bytesOf("glTF...."), "a.glb").error().message), HasSubstr("glTF"));
   const auto unknown = readModel(bytesOf("what is this"), "a.txt");
   EXPECT_THAT(sentence(unknown.error().message), HasSubstr("a known format"));
   EXPECT_THAT(hint(unknown.error().message), HasSubstr("PLY"));
 }
 
-TEST(ReadModel, RefusesTextThatIsNoModelUnderEveryName) {
+TEST(ReadModel, RefusesTextThatIsNotAModelUnderAnyName) {
   for (const char* name : {"a.stl", "a.obj", "a.ply", "a.off"})
     EXPECT_FALSE(readModel(bytesOf("<html><body>404 Not Found</body></html>\n"), name)) << name;
 }
@@ -166,7 +166,7 @@ TEST(ReadModel, SurvivesEveryTruncation) {
     }
 }
 
-TEST(ReadModel, SurvivesEveryByteChanged) {
+TEST(ReadModel, SurvivesAChangeOfEveryByte) {
   const std::array<std::function<std::uint8_t(std::uint8_t)>, 8> changes = {
       [](std::uint8_t) { return 0x00; },       [](std::uint8_t) { return 0xff; },
       [](std::uint8_t b) { return b ^ 0x01; }, [](std::uint8_t b) { return b ^ 0x80; },

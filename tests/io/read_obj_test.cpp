@@ -35,7 +35,7 @@ TEST(ObjReader, ReadsVerticesAndTriangles) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(Vec3f(soup->positions[v]), mesh.positions[v]);
 }
 
-TEST(ObjReader, KeepsTheFirstVertexBehindAByteOrderMark) {
+TEST(ObjReader, ReadsTheFirstVertexAfterAByteOrderMark) {
   const auto soup = read("\xEF\xBB\xBF" + kSquare + "f 1 2 3\n");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->positions.size(), 4u);
@@ -48,7 +48,7 @@ TEST(ObjReader, CountsNegativeIndicesFromTheVerticesReadSoFar) {
   EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
-TEST(ObjReader, ReadsEveryFormOfACornerAndEveryLineEnd) {
+TEST(ObjReader, ReadsEveryFormOfACornerAndEveryLineEnding) {
   for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
     std::string text = "mtllib a.mtl\no thing\n" + kSquare +
                        "vt 0 0\nvn 0 0 1\ng a b\nusemtl none\ns 1\nf 1/1 2/1 3/1\nf 1//1\t3//1 4//1 # comment\n"
@@ -67,9 +67,9 @@ TEST(ObjReader, JoinsContinuedLines) {
   EXPECT_EQ(soup->triangles.size(), 2u);
 }
 
-TEST(ObjReader, AcceptsFacesThatStandBeforeTheirVertices) { EXPECT_TRUE(read("f 1 2 3\n" + kSquare)); }
+TEST(ObjReader, AcceptsFacesBeforeTheirVertices) { EXPECT_TRUE(read("f 1 2 3\n" + kSquare)); }
 
-TEST(ObjReader, CutsConcavePolygonsInside) {
+TEST(ObjReader, TriangulatesConcavePolygons) {
   const auto soup = read("v 0 0 0\nv 4 -1 0\nv 1 0 0\nv 4 1 0\nf 1 2 3 4\n");
   ASSERT_TRUE(soup);
   EXPECT_TRUE(soup->warnings.empty());
@@ -89,7 +89,7 @@ TEST(ObjReader, ReadsAPolygonOfMoreThan255Corners) {
   EXPECT_EQ(soup->triangles.size(), 298u);
 }
 
-TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
+TEST(ObjReader, NamesTheLineOfAnIndexOutOfRange) {
   EXPECT_EQ(errorOf(kSquare + "# comment\nf 1 2 3\nf 1 2 5\n"),
             "Line 7 of the OBJ file: a face refers to vertex 5, but the file has only 4");
   EXPECT_EQ(errorOf(kSquare + "f 1 2 0\n"), "Line 5 of the OBJ file: a face refers to vertex 0; OBJ counts from 1");
@@ -102,7 +102,7 @@ TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
   EXPECT_THAT(errorOf(kSquare + "f 1 2 -9223372036854775808\n"), HasSubstr("Line 5"));
 }
 
-TEST(ObjReader, NamesTheFirstIndexThatHasNoVertexThoughLaterOnesAreWorse) {
+TEST(ObjReader, NamesTheFirstIndexOutOfRangeEvenIfLaterOnesAreLarger) {
   EXPECT_EQ(errorOf("f 1 2 9\n" + kSquare + "f 0 1 2\nf 1 2 -7\nf 1 2 x\n"),
             "Line 1 of the OBJ file: a face refers to vertex 9, but the file has only 4");
 }
@@ -128,17 +128,17 @@ TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
   EXPECT_FALSE(readObj(bytesOf(kSquare + "f 1 2 3 4\n"), ReadLimits{.maxTriangles = 1}));
 }
 
-TEST(ObjReader, WarnsOfPolygonsThatCrossThemselves) {
+TEST(ObjReader, WarnsAboutSelfCrossingPolygons) {
   const auto soup = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
   ASSERT_TRUE(soup);
-  EXPECT_EQ(soup->warnings.at(0), message("polygons-not-simple", with::count("count", 1), with::count("face", 1),
-                                          with::place("at", Vec3(0, 0, 0))));
+  EXPECT_EQ(soup->warnings.at(0), message("polygons-not-simple", with::count<"count">(1), with::count<"face">(1),
+                                          with::place<"at">(Vec3(0, 0, 0))));
   EXPECT_EQ(sentence(soup->warnings.at(0)),
             "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles "
             "anyway");
 }
 
-TEST(ObjReader, NamesTheFirstOfThePolygonsThatCrossThemselves) {
+TEST(ObjReader, NamesTheFirstSelfCrossingPolygon) {
   const std::string crossing = "v 7 1 5\nv 9 3 5\nv 9 1 5\nv 7 4 5\nv 6 2 5\n";
   const auto soup = read(kSquare + crossing + "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 3\nf 5 6 7 8 9\n");
   ASSERT_TRUE(soup) << soup.error().message;

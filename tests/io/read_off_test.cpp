@@ -28,7 +28,7 @@ TEST(OffReader, ReadsVerticesAndTriangles) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(Vec3f(soup->positions[v]), mesh.positions[v]);
 }
 
-TEST(OffReader, PassesOverCommentsColoursAndNormals) {
+TEST(OffReader, IgnoresCommentsColoursAndNormals) {
   const auto soup =
       readOff(bytesOf("COFF # coloured\n# a square\n4 1 4\n0 0 0  255 0 0 255\n1 0 0 0 0 0\n1 1 0\n0 1 0\n"
                       "4 0 1 2 3  0.5 0.5 0.5\n"),
@@ -42,7 +42,7 @@ TEST(OffReader, ReadsCountsOnTheFirstLine) {
   EXPECT_TRUE(readOff(bytesOf("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}));
 }
 
-TEST(OffReader, NamesTheLineOfAnIndexThatHasNoVertex) {
+TEST(OffReader, NamesTheLineOfAnIndexOutOfRange) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
             "Line 6 of the OFF file: face 1 of 1: it refers to vertex 3 (counted from 0), but there are only 3");
   EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), HasSubstr("vertex -1"));
@@ -54,7 +54,7 @@ TEST(OffReader, RefusesCountsThatTheFileCannotHold) {
   EXPECT_THAT(errorOf("OFF\n-3 1 0\n"), HasSubstr("number of vertices"));
 }
 
-TEST(OffReader, NamesTheLineWhereTheFileBreaksOff) {
+TEST(OffReader, NamesTheLineWhereTheFileEnds) {
   EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1"), HasSubstr("Line 6 of the OFF file: face 1 of 1"));
 }
 
@@ -69,7 +69,7 @@ TEST(OffReader, RefusesCoordinatesThatAreNotFinite) {
 
 TEST(OffReader, RefusesAFileWithoutFaces) { EXPECT_THAT(errorOf("OFF\n1 0 0\n0 0 0\n"), HasSubstr("no face")); }
 
-TEST(OffReader, WarnsOfFacesWithFewerThanThreeCorners) {
+TEST(OffReader, WarnsAboutFacesWithFewerThanThreeCorners) {
   const auto soup = readOff(bytesOf("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"), {});
   ASSERT_TRUE(soup);
   EXPECT_EQ(sentence(soup->warnings.at(0)),
@@ -87,7 +87,7 @@ TEST(OffReader, RefusesMoreCornersThanTheFileHasBytes) {
             "Line 6 of the OFF file: face 1 of 1: it announces 4294967295 corners, but only 4 bytes follow");
 }
 
-TEST(OffReader, NamesWhatIsNoVertex) {
+TEST(OffReader, NamesALineThatIsNotAVertex) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n"),
             "Line 6 of the OFF file: face 1 of 1: \"1.5\" is not a vertex");
 }

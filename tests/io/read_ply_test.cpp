@@ -31,7 +31,7 @@ const std::string kVertices = "element vertex 3\nproperty float x\nproperty floa
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string kThreePoints = "0 0 0\n1 0 0\n0 1 0\n";
 
-TEST(PlyReader, ReadsTextAndBothByteOrdersAlike) {
+TEST(PlyReader, ReadsTextAndBothByteOrders) {
   const Mesh mesh = shapes::icosphere(3, 1);
   for (const PlyKind kind : {PlyKind::Ascii, PlyKind::LittleEndian, PlyKind::BigEndian}) {
     const auto soup = readPly(model_files::ply(mesh, kind), {});
@@ -42,7 +42,7 @@ TEST(PlyReader, ReadsTextAndBothByteOrdersAlike) {
   }
 }
 
-TEST(PlyReader, PassesOverOtherElementsAndPropertiesAndLists) {
+TEST(PlyReader, IgnoresOtherElementsPropertiesAndLists) {
   const auto soup = readPly(
       bytesOf(
           header("comment made by hand\nobj_info 1\nelement extra 2\nproperty list int float junk\nelement vertex 4\n"
@@ -56,7 +56,7 @@ TEST(PlyReader, PassesOverOtherElementsAndPropertiesAndLists) {
   EXPECT_EQ(soup->positions[2], Vec3(2, 2, 0));
 }
 
-TEST(PlyReader, ReadsBinaryDataThatBeginsWithALineFeedAfterACrHeader) {
+TEST(PlyReader, ReadsBinaryDataThatStartsWithALineFeedAfterACrHeader) {
   std::string text = header(kVertices + kFaces, "binary_little_endian");
   for (char& c : text)
     if (c == '\n') c = '\r';
@@ -72,7 +72,7 @@ TEST(PlyReader, ReadsBinaryDataThatBeginsWithALineFeedAfterACrHeader) {
   EXPECT_NEAR(soup->positions[0].x, 1.0000012, 1e-7);
 }
 
-TEST(PlyReader, RefusesStripsAndSaysWhy) {
+TEST(PlyReader, RefusesTriangleStripsWithTheReason) {
   EXPECT_THAT(errorOf(bytesOf(header(kVertices + "element tristrips 1\nproperty list int int vertex_indices\n") +
                               kThreePoints + "3 0 1 2\n")),
               HasSubstr("tristrips"));
@@ -107,7 +107,7 @@ TEST(PlyReader, RefusesAListLongerThanTheFile) {
             "8589934590 bytes, but only 7 bytes are left");
 }
 
-TEST(PlyReader, RefusesAListThatIsPassedOverAndLongerThanTheFile) {
+TEST(PlyReader, RefusesAnIgnoredListLongerThanTheFile) {
   Bytes bytes = bytesOf(header(kVertices + "property list uint double junk\n" + kFaces, "binary_little_endian"));
   bytes.resize(bytes.size() + 12, 0);
   for (const int b : {0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0}) bytes.push_back(static_cast<std::uint8_t>(b));
@@ -116,14 +116,14 @@ TEST(PlyReader, RefusesAListThatIsPassedOverAndLongerThanTheFile) {
   EXPECT_THAT(errorOf(bytes), HasSubstr("a list announces 4294967295 values"));
 }
 
-TEST(PlyReader, NamesTheFirstIndexThatHasNoVertexThoughLaterOnesAreWorse) {
+TEST(PlyReader, NamesTheFirstIndexOutOfRangeEvenIfLaterOnesAreLarger) {
   const std::string faces = "element face 3\nproperty list uchar int vertex_indices\n";
   EXPECT_EQ(
       errorOf(bytesOf(header(kVertices + faces) + kThreePoints + "3 0 1 2\n3 0 1 3\n3 0 -1 2\n")),
       "Element \"face\" 2 of 3 of the PLY file, line 14: it refers to vertex 3 (counted from 0), but there are only 3");
 }
 
-TEST(PlyReader, KnowsTheVerticesThatStandBehindTheFaces) {
+TEST(PlyReader, ReadsVerticesThatFollowTheFaces) {
   EXPECT_TRUE(readPly(bytesOf(header(kFaces + kVertices) + "3 0 1 2\n" + kThreePoints), {}));
   EXPECT_THAT(errorOf(bytesOf(header(kFaces + kVertices) + "3 0 1 3\n" + kThreePoints)), HasSubstr("vertex 3"));
 }
@@ -143,7 +143,7 @@ TEST(PlyReader, RefusesCoordinatesThatAreNotFinite) {
   EXPECT_THAT(errorOf(bytesOf(header(kVertices + kFaces) + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")), HasSubstr("Vertex 2"));
 }
 
-TEST(PlyReader, NamesWhatIsWrongInTheHeader) {
+TEST(PlyReader, NamesErrorsInTheHeader) {
   EXPECT_THAT(errorOf(bytesOf("ply\nformat ascii 1.0\n")), HasSubstr("end_header"));
   EXPECT_THAT(errorOf(bytesOf("ply\nend_header\n")), HasSubstr("format"));
   EXPECT_THAT(errorOf(bytesOf("ply\nformat ternary 1.0\nend_header\n")), HasSubstr("\"ternary\""));

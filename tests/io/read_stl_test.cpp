@@ -44,7 +44,7 @@ TEST(StlReader, ReadsBinaryFacetsBitForBit) {
   expectSameFacets(*soup, shapes::tetrahedron(2));
 }
 
-TEST(StlReader, ReadsAsciiWithEveryKindOfLineEnd) {
+TEST(StlReader, ReadsAsciiWithEveryLineEnding) {
   for (const char* lineEnd : {"\n", "\r\n", "\r", " "}) {
     // With blanks for line ends, the solid's name would swallow the file, so the name gets a line of its own.
     std::string text = model_files::asciiStl(shapes::tetrahedron(2), lineEnd);
@@ -56,7 +56,7 @@ TEST(StlReader, ReadsAsciiWithEveryKindOfLineEnd) {
   }
 }
 
-TEST(StlReader, TellsBinaryBySizeThoughTheHeaderSaysSolid) {
+TEST(StlReader, DetectsBinaryBySizeEvenIfTheHeaderSaysSolid) {
   Bytes bytes = binaryTetrahedron();
   std::memcpy(bytes.data(), "solid facet", 11);
   const auto soup = readStl(bytes, {});
@@ -72,7 +72,7 @@ TEST(StlReader, ReadsUpperCaseAndSeveralSolids) {
   EXPECT_EQ(soup->triangles.size(), 8u);
 }
 
-TEST(StlReader, PassesOverNormalsThatAreNoNumbers) {
+TEST(StlReader, IgnoresNormalsThatAreNotNumbers) {
   std::string text = model_files::asciiStl(shapes::tetrahedron(2));
   text.replace(text.find("normal 0 0 0"), 12, "normal nan - ?");
   EXPECT_TRUE(readStl(bytesOf(text), {}));
@@ -96,7 +96,7 @@ TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
   }
 }
 
-TEST(StlReader, RefusesZeroFacetsAndSaysWhatFollows) {
+TEST(StlReader, RefusesZeroFacetsAndReportsTrailingBytes) {
   Bytes bytes = binaryTetrahedron();
   setCount(bytes, 0);
   EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, but 200 bytes follow, room for 4 facets");
@@ -104,7 +104,7 @@ TEST(StlReader, RefusesZeroFacetsAndSaysWhatFollows) {
   EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, and none follows");
 }
 
-TEST(StlReader, SaysOfRandomBytesThatTheyAreNoStl) {
+TEST(StlReader, ReportsThatRandomBytesAreNotStl) {
   Random random(3);
   for (const std::size_t size : {100u, 1000u, 100'000u}) {
     Bytes bytes(size);
@@ -113,13 +113,13 @@ TEST(StlReader, SaysOfRandomBytesThatTheyAreNoStl) {
     const auto soup = readStl(bytes, {});
     ASSERT_FALSE(soup);
     EXPECT_EQ(soup.error().message,
-              message("stl-neither", with::count("announced", 0xe1234567),
-                      with::count("expected", 84 + 50 * 0xe1234567ull), with::count("bytes", size)));
+              message("stl-neither", with::count<"announced">(0xe1234567),
+                      with::count<"expected">(84 + 50 * 0xe1234567ull), with::count<"bytes">(size)));
   }
   EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is not an STL file"));
 }
 
-TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
+TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   std::string text = model_files::asciiStl(shapes::tetrahedron(2));
   const std::size_t first = text.find("endfacet");
   text.insert(text.find("endfacet", first + 1) + 8, " attribute 7");
@@ -130,7 +130,7 @@ TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   expectSameFacets(*soup, shapes::tetrahedron(2));
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(soup->warnings[0], message("stl-words-after-endfacet", with::count("count", 1), with::count("line", line)));
+  EXPECT_EQ(soup->warnings[0], message("stl-words-after-endfacet", with::count<"count">(1), with::count<"line">(line)));
   text.insert(text.rfind("endfacet") + 8, " attribute 7");
   soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << soup.error().message;
@@ -139,7 +139,7 @@ TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
             "Words after \"endfacet\" were ignored in 2 lines, first in line " + std::to_string(line));
 }
 
-TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
+TEST(StlReader, WarnsAboutBytesAfterTheLastFacet) {
   Bytes bytes = binaryTetrahedron();
   bytes.resize(bytes.size() + 7);
   const auto soup = readStl(bytes, {});
@@ -164,7 +164,7 @@ TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
             "Line 4 of the ASCII STL file: \"1,5\" instead of a number");
 }
 
-TEST(StlReader, NamesTheLineWhereAnAsciiFileBreaksOff) {
+TEST(StlReader, NamesTheLineWhereAnAsciiFileEnds) {
   EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1")),
             "The ASCII STL file ends in line 5, inside facet 1, where a number should follow");
 }

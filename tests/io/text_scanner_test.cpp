@@ -20,7 +20,7 @@ TEST(TextScanner, CountsLinesThatEndInLfCrLfOrCr) {
   EXPECT_EQ(lines, (std::vector<std::size_t>{1, 2, 3, 4, 6}));
 }
 
-TEST(TextScanner, StaysOnTheLineWhenAskedTo) {
+TEST(TextScanner, StaysOnTheLineOnRequest) {
   TextScanner scanner("  a\tb \nc");
   EXPECT_EQ(scanner.wordOnLine(), "a");
   EXPECT_EQ(scanner.wordOnLine(), "b");
@@ -31,7 +31,7 @@ TEST(TextScanner, StaysOnTheLineWhenAskedTo) {
   EXPECT_TRUE(scanner.atEnd());
 }
 
-TEST(TextScanner, TakesTheRestOfALineWithoutItsEnd) {
+TEST(TextScanner, ReturnsTheRestOfALineWithoutItsLineEnding) {
   TextScanner scanner("a b c\r\nd");
   scanner.wordOnLine();
   EXPECT_EQ(scanner.restOfLine(), " b c");
@@ -39,7 +39,7 @@ TEST(TextScanner, TakesTheRestOfALineWithoutItsEnd) {
   EXPECT_EQ(scanner.restOfLine(), "d");
 }
 
-TEST(TextScanner, PassesOverComments) {
+TEST(TextScanner, SkipsComments) {
   TextScanner scanner("# one\n1 2 # two\n# three", '#');
   EXPECT_EQ(scanner.word(), "1");
   EXPECT_EQ(scanner.word(), "2");

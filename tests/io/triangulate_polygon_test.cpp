@@ -47,23 +47,23 @@ TEST(TriangulatePolygon, FansAConvexPolygon) {
   expectCovers(polygon, kUp, 3);
 }
 
-TEST(TriangulatePolygon, KeepsTheDirectionOfRotationInAnyPlane) {
+TEST(TriangulatePolygon, KeepsTheWindingInAnyPlane) {
   const std::vector<Vec3> onX = {{5, 0, 0}, {5, 0, 2}, {5, 3, 2}, {5, 3, 0}};
   expectCovers(onX, Vec3(-1, 0, 0), 6);
 }
 
-TEST(TriangulatePolygon, CutsAQuadrilateralAlongItsShorterDiagonal) {
+TEST(TriangulatePolygon, SplitsAQuadrilateralAlongItsShorterDiagonal) {
   const PolygonTriangles cut = triangulatePolygon(std::vector<Vec3>{{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
   ASSERT_EQ(cut.triangles.size(), 2u);
   EXPECT_EQ(cut.triangles[0], (std::array<std::uint32_t, 3>{1, 2, 3}));
   EXPECT_EQ(cut.triangles[1], (std::array<std::uint32_t, 3>{1, 3, 0}));
 }
 
-TEST(TriangulatePolygon, CutsAConcaveQuadrilateralInside) {
+TEST(TriangulatePolygon, SplitsAConcaveQuadrilateralInside) {
   expectCovers({{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}}, kUp, 1);
 }
 
-TEST(TriangulatePolygon, CutsAConcaveLetter) {
+TEST(TriangulatePolygon, TriangulatesAConcaveLetter) {
   expectCovers({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 2, 0}, {3, 2, 0}, {3, 3, 0}, {0, 3, 0}}, kUp, 7);
 }
 
@@ -72,14 +72,14 @@ TEST(TriangulatePolygon, LeavesNoTriangleWithoutAreaAtStraightCorners) {
   expectCovers({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, kUp, 1);
 }
 
-TEST(TriangulatePolygon, CutsARingThatIsJoinedByADoubledEdge) {
+TEST(TriangulatePolygon, TriangulatesARingJoinedByADoubledEdge) {
   // A 4 x 4 square has a 2 x 2 hole; the outline enters and leaves it along the edge from (0, 0) to (1, 1).
   expectCovers(
       {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}},
       kUp, 12);
 }
 
-TEST(TriangulatePolygon, CutsAStarWithManyReflexCorners) {
+TEST(TriangulatePolygon, TriangulatesAStarWithManyReflexCorners) {
   std::vector<Vec3> polygon;
   for (int i = 0; i < 400; ++i) {
     const double angle = 2 * std::numbers::pi * i / 400;
@@ -88,14 +88,14 @@ TEST(TriangulatePolygon, CutsAStarWithManyReflexCorners) {
   expectCovers(polygon, kUp, 400 * 0.5 * 0.5 * std::sin(2 * std::numbers::pi / 400));
 }
 
-TEST(TriangulatePolygon, SaysWhenAPolygonCrossesItself) {
+TEST(TriangulatePolygon, ReportsASelfCrossingPolygon) {
   const PolygonTriangles cut =
       triangulatePolygon(std::vector<Vec3>{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 3, 0}, {-1, 1, 0}});
   EXPECT_FALSE(cut.simple);
   EXPECT_EQ(cut.triangles.size(), 3u);
 }
 
-TEST(TriangulatePolygon, SaysWhenAPolygonHasNoArea) {
+TEST(TriangulatePolygon, ReportsAPolygonWithoutArea) {
   EXPECT_FALSE(triangulatePolygon(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).simple);
 }
 
@@ -136,7 +136,7 @@ std::size_t testsPerCorner(const std::vector<Vec3>& polygon) {
   return cut.tests / polygon.size();
 }
 
-TEST(TriangulatePolygon, TakesAFewTestsACornerHoweverManyThereAre) {
+TEST(TriangulatePolygon, TakesFewTestsPerCornerForAnyNumberOfCorners) {
   for (const int corners : {4000, 64'000}) {
     EXPECT_LE(testsPerCorner(starOf(corners, 0.5)), 40u) << corners;
     EXPECT_LE(testsPerCorner(sawOf(corners)), 100u) << corners;
@@ -152,7 +152,7 @@ TEST(TriangulatePolygon, FansALargeConvexPolygon) {
   for (const auto& t : cut.triangles) ASSERT_EQ(t[0], 0u);
 }
 
-TEST(TriangulatePolygon, CutsVeryAcuteSpikes) {
+TEST(TriangulatePolygon, TriangulatesVeryAcuteSpikes) {
   // The tips turn by nearly half a turn, whose sine is small as well.
   std::vector<Vec3> polygon;
   for (int i = 0; i < 20; ++i) {

@@ -39,7 +39,7 @@ std::vector<ModelObject> inlaidPlate() {
           {"beside", {{"", shapes::translated(shapes::box({3, 3, 3}), {40, 0, 0}), {}}}}};
 }
 
-TEST(Write3mf, PutsBodiesOfOneObjectTogetherAsComponents) {
+TEST(Write3mf, WritesTheBodiesOfOneObjectAsComponents) {
   const std::string model = partOf(*write3mf(inlaidPlate(), {}), "3D/3dmodel.model");
   EXPECT_THAT(model, HasSubstr("<object id=\"2\" name=\"body\" type=\"model\" pid=\"1\" pindex=\"0\">"));
   EXPECT_THAT(model, HasSubstr("<object id=\"3\" name=\"QR inlay\" type=\"model\" pid=\"1\" pindex=\"1\">"));
@@ -50,7 +50,7 @@ TEST(Write3mf, PutsBodiesOfOneObjectTogetherAsComponents) {
   EXPECT_THAT(model, HasSubstr("unit=\"millimeter\""));
 }
 
-TEST(Write3mf, SaysWhereObjectsStandAndWhatTheyAre) {
+TEST(Write3mf, WritesPlacesAndTypesOfObjects) {
   const std::vector<ModelObject> objects = {
       {"A", {{"", shapes::box({1, 1, 1}), {}}}, "https://example.org/?a=1&b=<2>", {0.1, 20, -3}},
       {"B", {{"", shapes::box({1, 1, 1}), {}}}}};
@@ -63,7 +63,7 @@ TEST(Write3mf, SaysWhereObjectsStandAndWhatTheyAre) {
                 "  </item>\n  <item objectid=\"3\"/>\n"));
 }
 
-TEST(Write3mf, SaysTheColoursInTheWayOfEverySlicer) {
+TEST(Write3mf, WritesColoursForEverySlicer) {
   const Bytes bytes = *write3mf(inlaidPlate(), {});
   const std::string model = partOf(bytes, "3D/3dmodel.model");
   EXPECT_THAT(model, HasSubstr("xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\""));
@@ -84,7 +84,7 @@ TEST(Write3mf, SaysTheColoursInTheWayOfEverySlicer) {
                                "  <volume firstid=\"0\" lastid=\"11\">"));
 }
 
-TEST(Write3mf, WritesNoColoursWhereThereAreNone) {
+TEST(Write3mf, WritesNoColoursIfThereAreNone) {
   const std::vector<ModelObject> objects = {{"plain", {{"", shapes::box({1, 2, 3}), {}}}}};
   const Bytes bytes = *write3mf(objects, {});
   const std::string model = partOf(bytes, "3D/3dmodel.model");
@@ -94,7 +94,7 @@ TEST(Write3mf, WritesNoColoursWhereThereAreNone) {
   EXPECT_EQ(partOf(bytes, "Metadata/Slic3r_PE_model.config"), "");
 }
 
-TEST(Write3mf, GivesObjectsTheirNamesBack) {
+TEST(Write3mf, KeepsTheNamesOfObjects) {
   const auto soup = readModel(*write3mf(inlaidPlate(), {}), "a.3mf");
   ASSERT_TRUE(soup) << soup.error().message;
   ASSERT_EQ(soup->parts.size(), 2u);
@@ -124,7 +124,7 @@ TEST(Write3mf, NamesObjectsThatHaveNoName) {
   EXPECT_EQ(readModel(*write3mf(two, {.title = "knight"}), "a.3mf")->parts.at(1).name, "Object 2");
 }
 
-TEST(Write3mf, GivesTheSameBytesEveryTime) { EXPECT_EQ(*write3mf(inlaidPlate(), {}), *write3mf(inlaidPlate(), {})); }
+TEST(Write3mf, IsDeterministic) { EXPECT_EQ(*write3mf(inlaidPlate(), {}), *write3mf(inlaidPlate(), {})); }
 
 }  // namespace
 }  // namespace qrelief

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 std::vector<ModelObject> objectOf(const Mesh& mesh) { return {{"shape", {{"", mesh, {}}}}}; }
 
-TEST(WriteChecked, GivesWhatWriteModelGives) {
+TEST(WriteChecked, WritesTheSameAsWriteModel) {
   const auto objects = objectOf(shapes::icosphere(7, 2));
   for (const ModelFormat format : {ModelFormat::Stl, ModelFormat::Obj, ModelFormat::Ply, ModelFormat::ThreeMf}) {
     const auto bytes = writeChecked(objects, format);
@@ -24,7 +24,7 @@ TEST(WriteChecked, GivesWhatWriteModelGives) {
   }
 }
 
-TEST(WriteChecked, HandsOnWhatCannotBeWritten) {
+TEST(WriteChecked, ReportsErrorsOfWriting) {
   EXPECT_EQ(writeChecked(objectOf(shapes::box({1, 1, 1})), ModelFormat::Off).error().kind, ErrorKind::BadUsage);
 }
 

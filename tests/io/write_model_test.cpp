@@ -37,7 +37,7 @@ void expectSameTriangles(const PolygonSoup& soup, const Mesh& mesh, const Kind& 
           << kind.name << kind.ascii << ", triangle " << t;
 }
 
-TEST(WriteModel, GivesEveryFloatBackBitForBit) {
+TEST(WriteModel, KeepsEveryFloatBitForBit) {
   // Random floats cover every magnitude; the hard ones are added.
   Random random(7);
   Mesh mesh;
@@ -64,7 +64,7 @@ TEST(WriteModel, GivesEveryFloatBackBitForBit) {
   }
 }
 
-TEST(WriteModel, GivesTheSameSolidBackInEveryFormat) {
+TEST(WriteModel, KeepsTheSolidInEveryFormat) {
   const Mesh mesh = shapes::bumpySphere(40, 3, 5, 4);
   for (const Kind& kind : kKinds) {
     const auto soup = readModel(*writeModel(mesh, kind.format, {.ascii = kind.ascii}), kind.name);
@@ -90,7 +90,7 @@ TEST(WriteModel, WritesObjectsOneAfterTheOther) {
   }
 }
 
-TEST(WriteModel, TakesNoTitleForContent) {
+TEST(WriteModel, DoesNotReadATitleAsContent) {
   for (const Kind& kind : kKinds)
     for (const char* title : {"facet\nvertex 1 2 3", "solid\\", "end_header\nx", "v 1 2 3", "<a>&\"\xff\x01"}) {
       const auto bytes = writeModel(shapes::box({1, 2, 3}), kind.format, {.title = title, .ascii = kind.ascii});
@@ -101,7 +101,7 @@ TEST(WriteModel, TakesNoTitleForContent) {
     }
 }
 
-TEST(WriteModel, RefusesFormatsItCannotWrite) {
+TEST(WriteModel, RefusesUnsupportedFormats) {
   for (const ModelFormat format : {ModelFormat::Off, ModelFormat::Gltf, ModelFormat::Unknown}) {
     const auto bytes = writeModel(shapes::box({1, 2, 3}), format);
     ASSERT_FALSE(bytes);
@@ -110,7 +110,7 @@ TEST(WriteModel, RefusesFormatsItCannotWrite) {
   }
 }
 
-TEST(WriteModel, RefusesTextWhereThereIsNoChoice) {
+TEST(WriteModel, RefusesAsciiForFormatsWithoutThatChoice) {
   for (const ModelFormat format : {ModelFormat::Obj, ModelFormat::Ply, ModelFormat::ThreeMf})
     EXPECT_EQ(writeModel(shapes::box({1, 2, 3}), format, {.ascii = true}).error().kind, ErrorKind::BadUsage);
 }
@@ -127,14 +127,14 @@ TEST(WriteModel, RefusesSeveralBodiesOutsideOf3mf) {
   EXPECT_TRUE(writeModel(objects, ModelFormat::ThreeMf));
 }
 
-TEST(WriteModel, WritesAnAsciiStlThatBeginsAndEndsWithItsName) {
+TEST(WriteModel, WritesAnAsciiStlThatStartsAndEndsWithItsName) {
   const auto bytes = writeModel(shapes::tetrahedron(1), ModelFormat::Stl, {.title = "a name", .ascii = true});
   const std::string text(bytes->begin(), bytes->end());
   EXPECT_TRUE(text.starts_with("solid a name\nfacet normal "));
   EXPECT_TRUE(text.ends_with("endfacet\nendsolid a name\n"));
 }
 
-TEST(ObjectsOf, KeepsOneMeshAsItIs) {
+TEST(ObjectsOf, KeepsASingleMeshUnchanged) {
   const Mesh box = shapes::box({1, 2, 3});
   const std::vector<std::string> names = {"box"};
   const auto objects = objectsOf(box, {}, names);
@@ -143,7 +143,7 @@ TEST(ObjectsOf, KeepsOneMeshAsItIs) {
   EXPECT_EQ(objects[0].bodies.at(0).mesh.triangles, box.triangles);
 }
 
-TEST(ObjectsOf, TakesPartsApartAndLeavesEmptyOnesOut) {
+TEST(ObjectsOf, SplitsPartsAndOmitsEmptyOnes) {
   const Mesh box = shapes::box({1, 2, 3});
   const Mesh ball = shapes::icosphere(5, 1);
   const Mesh both = shapes::together(box, ball);
@@ -160,7 +160,7 @@ TEST(ObjectsOf, TakesPartsApartAndLeavesEmptyOnesOut) {
   EXPECT_EQ(objects[1].bodies.at(0).mesh.triangles, box.triangles);
 }
 
-TEST(ObjectsOf, GivesBothPartsThePositionsTheyShare) {
+TEST(ObjectsOf, GivesSharedPositionsToBothParts) {
   const Mesh box = shapes::box({1, 2, 3});
   std::vector<std::uint32_t> partOf(12, 0);
   std::fill(partOf.begin() + 6, partOf.end(), 1);

@@ -21,18 +21,18 @@ TEST(WriteStl, WritesPositionsBitForBit) {
       EXPECT_EQ(Vec3f(soup->positions[3 * t + k]), mesh.positions[mesh.triangles[t][k]]);
 }
 
-TEST(WriteStl, HasTheSizeThatTheFormatAsksFor) {
+TEST(WriteStl, HasTheSizeThatTheFormatRequires) {
   EXPECT_EQ(writeStl(shapes::box({1, 2, 3})).size(), 84u + 50u * 12u);
   EXPECT_EQ(writeStl(Mesh{}).size(), 84u);
 }
 
-TEST(WriteStl, PutsTheTitleIntoTheHeaderCutTo80Bytes) {
+TEST(WriteStl, WritesTheTitleIntoTheHeaderCutTo80Bytes) {
   const auto bytes = writeStl(shapes::box({1, 1, 1}), std::string(100, 'x'));
   EXPECT_EQ(bytes[79], 'x');
   EXPECT_EQ(bytes[80], 12);  // the count follows
 }
 
-TEST(WriteStl, NeverBeginsWithSolid) {
+TEST(WriteStl, NeverStartsWithSolid) {
   const auto bytes = writeStl(shapes::box({1, 1, 1}), "solid gold");
   EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 17), "binary solid gold");
 }

@@ -54,7 +54,7 @@ std::string errorOf(const std::string& text) {
   return status ? "" : sentence(status.error().message);
 }
 
-TEST(XmlReader, TellsElementsAndAttributesWithTheirNamespaces) {
+TEST(XmlReader, ReportsElementsAndAttributesWithTheirNamespaces) {
   Recorder recorder;
   ASSERT_TRUE(read("<r xmlns='urn:d' xmlns:p='urn:p' a='1' p:a='2'>text<p:e/>&lt;<f a='&amp;'/></r>", recorder));
   EXPECT_THAT(recorder.events, ElementsAre("space =urn:d", "space p=urn:p", "<urn:d|r 1 2", "<urn:p|e - -", ">",
@@ -66,7 +66,7 @@ TEST(XmlReader, RefusesADocumentTypeDefinition) {
   EXPECT_THAT(errorOf("<!DOCTYPE r SYSTEM 'r.dtd'><r/>"), HasSubstr("DTD"));
 }
 
-TEST(XmlReader, NamesPartAndLineOfWhatIsNotWellFormed) {
+TEST(XmlReader, NamesPartAndLineOfMalformedXml) {
   EXPECT_THAT(errorOf("<r>\n\n<a></b></r>"), HasSubstr("Part \"part.xml\" of the 3MF file, line 3: mismatched tag"));
   EXPECT_THAT(errorOf("<r>"), HasSubstr("no element found"));
   EXPECT_THAT(errorOf(""), HasSubstr("no element found"));
@@ -74,7 +74,7 @@ TEST(XmlReader, NamesPartAndLineOfWhatIsNotWellFormed) {
   EXPECT_THAT(errorOf("<r>\xff</r>"), HasSubstr("not well-formed"));
 }
 
-TEST(XmlReader, EndsWithTheHandlersErrorAndItsLine) {
+TEST(XmlReader, StopsWithTheHandlersErrorAndItsLine) {
   Recorder recorder;
   recorder.refuse = "b";
   const Status status = read("<r>\n<b/><c/></r>", recorder);
@@ -84,7 +84,7 @@ TEST(XmlReader, EndsWithTheHandlersErrorAndItsLine) {
   EXPECT_THAT(recorder.events, ElementsAre("<|r - -", "<|b - -"));
 }
 
-TEST(XmlReader, LetsExceptionsThrough) {
+TEST(XmlReader, PropagatesExceptions) {
   Recorder recorder;
   recorder.throwAt = "b";
   EXPECT_THROW((void)read("<r><b/></r>", recorder), std::runtime_error);
@@ -101,14 +101,14 @@ TEST(XmlReader, RefusesElementsNestedTooDeep) {
   EXPECT_THAT(errorOf(nested(101)), HasSubstr("more than 100 elements are nested"));
 }
 
-TEST(XmlReader, RefusesATagOrCommentThatDoesNotEnd) {
+TEST(XmlReader, RefusesAnUnclosedTagOrComment) {
   std::string noise;
   for (std::uint64_t i = 0; i < 300'000; ++i) noise += std::to_string(i * 7919 % 100'003);
   EXPECT_THAT(errorOf("<r a='" + noise + "'/>"), HasSubstr("longer than 1048576 bytes"));
   EXPECT_THAT(errorOf("<r><!--" + noise + "--></r>"), HasSubstr("longer than 1048576 bytes"));
 }
 
-TEST(XmlReader, PassesOverTextOfAnyLength) {
+TEST(XmlReader, SkipsTextOfAnyLength) {
   EXPECT_EQ(errorOf("<r>" + std::string(5 << 20, 'x') + "</r>"), "");
   EXPECT_EQ(errorOf("<r>" + std::string(5 << 20, ' ') + "</r>"), "");
   EXPECT_EQ(errorOf("<r/>" + std::string(5 << 20, '\n')), "");

@@ -47,14 +47,14 @@ std::string longText() {
   return text;
 }
 
-TEST(ZipArchive, GivesStoredFilesBack) {
+TEST(ZipArchive, ReadsStoredFiles) {
   const Bytes bytes = zip_file::zip({{"a.txt", "first"}, {"b/c.txt", ""}, {"d", longText()}});
   EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first");
   EXPECT_EQ(contentOf(bytes, "b/c.txt").value(), "");
   EXPECT_EQ(contentOf(bytes, "d").value(), longText());
 }
 
-TEST(ZipArchive, GivesBackWhatTheWriterDeflated) {
+TEST(ZipArchive, ReadsDeflatedFiles) {
   ZipWriter writer;
   writer.begin("empty");
   writer.begin("long");
@@ -97,7 +97,7 @@ TEST(ZipArchive, RefusesMalformedZip64) {
   EXPECT_THAT(errorOf(bytes), HasSubstr("ZIP64 record is out of place"));
 }
 
-TEST(ZipArchive, RefusesAFileThatIsCutOff) {
+TEST(ZipArchive, RefusesATruncatedFile) {
   Bytes bytes = zip_file::zip({{"a.txt", "first"}});
   bytes.pop_back();
   EXPECT_THAT(errorOf(bytes), HasSubstr("cut off"));
@@ -135,11 +135,11 @@ TEST(ZipArchive, RefusesFilesThatOverlap) {
   EXPECT_THAT(errorOf(zip_file::zip({{"b.txt", "first"}, again})), HasSubstr("overlap"));
 }
 
-TEST(ZipArchive, RefusesTwoFilesOfOneName) {
+TEST(ZipArchive, RefusesTwoFilesWithTheSameName) {
   EXPECT_THAT(errorOf(zip_file::zip({{"a.txt", "x"}, {"A.TXT", "y"}})), HasSubstr("two files of the name"));
 }
 
-TEST(ZipArchive, RefusesAFileThatIsNotWhereTheDirectorySays) {
+TEST(ZipArchive, RefusesAFileThatIsNotAtItsOffset) {
   File file{"a.txt", "first"};
   file.localHeader = 1;
   EXPECT_THAT(errorOf(zip_file::zip({file})), HasSubstr("not where the directory says"));
@@ -150,13 +150,13 @@ TEST(ZipArchive, RefusesAFileThatIsNotWhereTheDirectorySays) {
   EXPECT_THAT(errorOf(zip_file::zip({file})), HasSubstr("reaches into the directory"));
 }
 
-TEST(ZipArchive, RefusesAnotherNameInTheFilesOwnHeader) {
+TEST(ZipArchive, RefusesAnotherNameInTheLocalHeader) {
   File file{"a.txt", "first"};
   file.localName = "b.txt";
   EXPECT_THAT(errorOf(zip_file::zip({file})), HasSubstr("a different name"));
 }
 
-TEST(ZipArchive, RefusesOtherNumbersInTheFilesOwnHeader) {
+TEST(ZipArchive, RefusesOtherNumbersInTheLocalHeader) {
   for (const int at : {8, 14, 18, 22}) {  // method, check sum, both sizes
     Bytes bytes = zip_file::zip({{"a.txt", "first"}});
     ++bytes[static_cast<std::size_t>(at)];
@@ -167,7 +167,7 @@ TEST(ZipArchive, RefusesOtherNumbersInTheFilesOwnHeader) {
   EXPECT_EQ(contentOf(follow, "a.txt").value(), "first");
 }
 
-TEST(ZipStream, RefusesWhatDoesNotMatchItsCheckSum) {
+TEST(ZipStream, RefusesAWrongChecksum) {
   File file{"a.txt", "first"};
   file.crc = 1;
   EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a.txt").error().message), HasSubstr("checksum"));
@@ -231,7 +231,7 @@ TEST(ZipStream, RefusesAFileThatExpandsTooManyTimes) {
               HasSubstr("200-fold"));
 }
 
-TEST(ZipArchive, SurvivesEveryTruncationAndEveryByteChanged) {
+TEST(ZipArchive, SurvivesEveryTruncationAndChangedByte) {
   ZipWriter writer;
   writer.begin("a/b.txt");
   writer.append("some text that repeats, repeats, repeats");
@@ -269,7 +269,7 @@ TEST(ZipArchive, SurvivesEveryTruncationAndEveryByteChanged) {
       }
 }
 
-TEST(ZipWriter, GivesTheSameBytesEveryTime) {
+TEST(ZipWriter, IsDeterministic) {
   const auto write = [] {
     ZipWriter writer;
     writer.begin("a");

@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-TEST(FarHorizon, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
+TEST(FarHorizon, AWallBesideTheMapDimsTheCellsThatFaceIt) {
   // A wall of height h at distance x, infinitely long, next to an open plane: V = (1 + x / √(x² + h²)) / 2.
   const double eye = 20000, wallHeight = 10, distance = 12;
   HeightMap around = planeMap(512, 200.0 / 512, eye);

@@ -66,7 +66,7 @@ TEST(HeightLight, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
       ASSERT_NEAR(r.sky, 1, 0.002) << "tilt " << tilt;
 }
 
-TEST(HeightLight, ATrenchFloorSeesWhatTheClosedFormSays) {
+TEST(HeightLight, ATrenchFloorMatchesTheClosedForm) {
   // At x in an infinite trench between walls at ±w/2, V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2. Its
   // integral over x is a difference of √(u² + d²).
   const double patch = 0.25, width = 8 * patch, depth = 1;
@@ -82,7 +82,7 @@ TEST(HeightLight, ATrenchFloorSeesWhatTheClosedFormSays) {
         << column;
 }
 
-TEST(HeightLight, ACircularPitFloorSeesWhatTheClosedFormSays) {
+TEST(HeightLight, ACircularPitFloorMatchesTheClosedForm) {
   // The middle of a pit of radius r and depth d has V = r² / (r² + d²). The pit of patches has the circle's area.
   const double patch = 0.1, radius = 1.5, depth = 1.0;
   int carved = 0;
@@ -118,7 +118,7 @@ TEST(HeightLight, TheCheapSettingAgreesWithTheFineOne) {
   EXPECT_LT(sum / static_cast<double>(received[0].size()), 0.004);
 }
 
-TEST(HeightLight, APlaneIsAsBrightUnderLampsAsTheUnitSays) {
+TEST(HeightLight, APlaneUnderLampsHasUnitBrightness) {
   const std::vector<DirectionalLight> lamps = {{.azimuthDeg = 30, .elevationDeg = 20, .strength = 3},
                                                {.elevationDeg = 90}};
   for (const Received& r : measured(HeightLight(plane(kSize, 0.25)), {.lamps = lamps})) {
@@ -127,7 +127,7 @@ TEST(HeightLight, APlaneIsAsBrightUnderLampsAsTheUnitSays) {
   }
 }
 
-TEST(HeightLight, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
+TEST(HeightLight, ALampAcrossATrenchLightsTheFloorOutsideTheRimsShadow) {
   const double patch = 0.25, width = 8 * patch, depth = 0.5, elevation = 40;
   const double sine = std::sin(toRadians(elevation)), shadow = depth / std::tan(toRadians(elevation));
   for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
@@ -143,7 +143,7 @@ TEST(HeightLight, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
   }
 }
 
-TEST(HeightLight, ALampInPerspectiveShinesOnATiltedPlaneByItsCosine) {
+TEST(HeightLight, ALampLightsATiltedPlaneByItsCosine) {
   const double tilt = 0.4;
   const DirectionalLight lamp{.azimuthDeg = 160, .elevationDeg = 50};
   const Vec3 normal(-std::sin(tilt), 0, std::cos(tilt));
@@ -151,7 +151,7 @@ TEST(HeightLight, ALampInPerspectiveShinesOnATiltedPlaneByItsCosine) {
     ASSERT_NEAR(r.lamps, glm::dot(normal, towards(lamp)), 1e-3);
 }
 
-TEST(HeightLight, APocketIsAsBrightAsPathTracingSays) {
+TEST(HeightLight, APocketIsAsBrightAsByPathTracing) {
   // The rims lie on the mesh's grid, exactly where the map has them; the walls lean inwards by one grid width.
   const double grid = 0.04, half = 1, depth = 0.6, patch = half / 4;
   const Mesh carved = shapes::plate({40, 40}, 20, 1000, 1000, [&](double x, double y) {
@@ -187,7 +187,7 @@ TEST(HeightLight, APocketIsAsBrightAsPathTracingSays) {
   }
 }
 
-TEST(HeightLight, PatchesThatAreAskedForGetWhatTheyGetAmongAllAndOthersKeepTheirs) {
+TEST(HeightLight, MeasuresRequestedPatchesAsAmongAllAndKeepsTheOthers) {
   const double patch = 0.25;
   const int size = 75;
   HeightLight light(plane(size, patch));
@@ -202,7 +202,7 @@ TEST(HeightLight, PatchesThatAreAskedForGetWhatTheyGetAmongAllAndOthersKeepTheir
   for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(some[i], wanted[i] ? all[i] : kept) << i;
 }
 
-TEST(HeightLight, SurfaceThatIsMissingHidesNothingAndStaysOpen) {
+TEST(HeightLight, MissingSurfaceHidesNothing) {
   HeightMap map = plane(kSize, 0.25);
   for (int i = 0; i < kSize; ++i) map.height[static_cast<std::size_t>(i * kSize + i)] = HeightMap::kNothing;
   for (const Received& r : measured(HeightLight(map), {})) ASSERT_NEAR(r.sky, 1, 1e-4);

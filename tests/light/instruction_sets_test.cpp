@@ -25,7 +25,7 @@ HeightMap ground(bool isContinuous) {
   return map;
 }
 
-TEST(InstructionSets, GiveTheSameLightToTheLastBit) {
+TEST(InstructionSets, GiveTheSameLightBitForBit) {
   for (const bool isContinuous : {false, true}) {
     const HeightLight surface(ground(isContinuous));
     const LightOptions options{.sampling = {2, 10}, .reachMm = 20, .everyPatchMm = 1.2, .lamps = {{30, 40, 1}}};

@@ -28,12 +28,12 @@ TEST(MakeFrame, TurnsUpAsNearToTheHintAsThePlaneAllows) {
   expectNear(makeFrame({0, 0, 0}, {1, 0, 0}, {7, 0, 2}, 250).up, {0, 0, 1});
 }
 
-TEST(MakeFrame, TakesYWhereTheHintIsParallelToTheNormal) {
+TEST(MakeFrame, UsesYIfTheHintIsParallelToTheNormal) {
   expectNear(makeFrame({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, 250).up, {0, 1, 0});
   expectNear(makeFrame({0, 0, 0}, {0, 0, -2}, {0, 0, 1}, 250).up, {0, 1, 0});
 }
 
-TEST(MakeFrame, TakesXWhereHintAndYAreParallelToTheNormal) {
+TEST(MakeFrame, UsesXIfHintAndYAreParallelToTheNormal) {
   expectNear(makeFrame({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, 250).up, {1, 0, 0});
 }
 

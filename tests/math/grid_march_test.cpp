@@ -7,7 +7,7 @@ namespace qrelief {
 namespace {
 
 // Just behind each border that the ray crosses, it lies in the cell it entered.
-TEST(GridMarch, EntersTheCellsThatTheRayPassesInTheirOrder) {
+TEST(GridMarch, VisitsTheCellsAlongTheRayInOrder) {
   for (int k = 0; k < 48; ++k) {
     const double angle = 2 * 3.14159265358979 * (k + 0.5) / 48;
     const Vec2 along(std::cos(angle), std::sin(angle)), place(0.2, 0.7);
@@ -23,7 +23,7 @@ TEST(GridMarch, EntersTheCellsThatTheRayPassesInTheirOrder) {
   }
 }
 
-TEST(GridMarch, TellsTheDistanceToTheBorderCrossed) {
+TEST(GridMarch, ReturnsTheDistanceToTheCrossedBorder) {
   GridMarch march({0, 0}, {0.5, 0.5}, {0.6, 0.8});
   EXPECT_DOUBLE_EQ(march.step(), 0.5 / 0.8);
   EXPECT_EQ(march.cell(), glm::ivec2(0, 1));

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> overlapping(const BoxTree& tree, const FloatBox& box)
   return found;
 }
 
-TEST(BoxTree, FindsWhatBruteForceFindsAmongItsTriangles) {
+TEST(BoxTree, FindsTheSameTrianglesAsBruteForce) {
   const Mesh mesh = shapes::bumpySphere(10, 2, 3, 3);
   const std::vector<std::uint32_t> triangles = everySecond(mesh);
   const BoxTree tree(mesh, triangles);
@@ -52,7 +52,7 @@ TEST(BoxTree, HoldsEachTriangleInOneLeaf) {
   EXPECT_EQ(held, triangles);
 }
 
-TEST(BoxTree, FindsLeavesInOrderFromTheOneAskedFor) {
+TEST(BoxTree, FindsLeavesInOrderFromTheGivenOne) {
   const Mesh mesh = shapes::icosphere(10, 3);
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -72,7 +72,7 @@ TEST(BoxTree, CountsTouchingBoxes) {
   EXPECT_FALSE(a.overlaps({{1.0000001f, 0, 0}, {2, 1, 1}}));
 }
 
-TEST(BoxTree, CopesWithAllBoxesInOnePlace) {
+TEST(BoxTree, HandlesAllBoxesInOnePlace) {
   Mesh mesh = shapes::tetrahedron(1);
   mesh.triangles.assign(100, Triangle(mesh.triangles[0]));
   std::vector<std::uint32_t> all(100);

@@ -48,7 +48,7 @@ TEST(Bvh, HoldsEachBoxInOneLeaf) {
   EXPECT_EQ(order, all);
 }
 
-TEST(Bvh, NodesEncloseWhatLiesBelowThem) {
+TEST(Bvh, NodesEncloseTheirChildren) {
   const std::vector<Bvh::Box> boxes = randomBoxes(1000);
   const Bvh tree(boxes);
   for (std::uint32_t i = 0; i < tree.nodes().size(); ++i) {
@@ -60,7 +60,7 @@ TEST(Bvh, NodesEncloseWhatLiesBelowThem) {
   }
 }
 
-TEST(Bvh, VisitsTheLeavesOfWhateverCountsInEitherOrder) {
+TEST(Bvh, VisitsAcceptedLeavesInEitherOrder) {
   const std::vector<Bvh::Box> boxes = randomBoxes(2000);
   const Bvh tree(boxes);
   Random random(5);
@@ -74,7 +74,7 @@ TEST(Bvh, VisitsTheLeavesOfWhateverCountsInEitherOrder) {
   }
 }
 
-TEST(Bvh, CopesWithBoxesInOnePlaceAndWithNone) {
+TEST(Bvh, HandlesBoxesInOnePlaceAndNoBoxes) {
   const std::vector<Bvh::Box> same(50, Bvh::Box{Vec3f(1), Vec3f(2)});
   EXPECT_EQ(found(Bvh(same), same, Vec3f(1.5f), true).size(), 50u);
   EXPECT_TRUE(Bvh({}).nodes().empty());

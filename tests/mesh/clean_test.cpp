@@ -19,7 +19,7 @@ bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-TEST(CleanTriangles, LeavesACleanMeshAsItIs) {
+TEST(CleanTriangles, KeepsACleanMeshUnchanged) {
   Mesh mesh = shapes::icosphere(5, 2);
   const Mesh before = mesh;
   const Cleaning report = cleanTriangles(mesh);
@@ -48,7 +48,7 @@ Mesh boxWithSliver() {
   return mesh;
 }
 
-TEST(CleanTriangles, MendsACollinearTriangleThatAClosedSurfaceNeeds) {
+TEST(CleanTriangles, RepairsACollinearTriangleThatAClosedSurfaceNeeds) {
   Mesh mesh = boxWithSliver();
   ASSERT_TRUE(isClosed(mesh));
   const Cleaning report = cleanTriangles(mesh);
@@ -60,7 +60,7 @@ TEST(CleanTriangles, MendsACollinearTriangleThatAClosedSurfaceNeeds) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) EXPECT_NE(triangleNormal(mesh, t), Vec3(0));
 }
 
-TEST(CleanTriangles, MendsAChainOfCollinearTriangles) {
+TEST(CleanTriangles, RepairsAChainOfCollinearTriangles) {
   Mesh mesh = shapes::box({16, 2, 2});
   std::erase(mesh.triangles, Triangle{4, 5, 7});
   // Vertices along the edge 4-5, fanned to 7 on the front face and to 4 by triangles without area.
@@ -81,7 +81,7 @@ TEST(CleanTriangles, MendsAChainOfCollinearTriangles) {
   EXPECT_NEAR(signedVolume(mesh), 64, 1e-12);
 }
 
-TEST(CleanTriangles, DropsACollinearTriangleThatIsLaidOverAClosedSurface) {
+TEST(CleanTriangles, DropsACollinearTriangleOnAClosedSurface) {
   Mesh mesh = shapes::box({2, 2, 2});
   const std::vector<Triangle> before = mesh.triangles;
   mesh.positions.push_back({0, -1, 1});
@@ -92,7 +92,7 @@ TEST(CleanTriangles, DropsACollinearTriangleThatIsLaidOverAClosedSurface) {
   EXPECT_EQ(report.mended, 0u);
 }
 
-TEST(CleanTriangles, DropsAThinFlapThatHangsOnAClosedSurface) {
+TEST(CleanTriangles, DropsAThinFlapOnAClosedSurface) {
   Mesh mesh = shapes::box({200, 200, 200});
   const std::vector<Triangle> before = mesh.triangles;
   mesh.positions.push_back({0, -100.0005f, 100});
@@ -101,7 +101,7 @@ TEST(CleanTriangles, DropsAThinFlapThatHangsOnAClosedSurface) {
   EXPECT_EQ(mesh.triangles, before);
 }
 
-TEST(CleanTriangles, EndsWhereSliversInOneLineFlipEachOther) {
+TEST(CleanTriangles, TerminatesIfCollinearSliversFlipEachOther) {
   // Found by fuzzing: all vertices except one are collinear.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, -7.9375f, 0}, {0, 0.8125f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0}};
@@ -121,7 +121,7 @@ TEST(CleanTriangles, KeepsAWideFlap) {
   EXPECT_EQ(mesh.triangles.size(), 13u);
 }
 
-TEST(CleanTriangles, KeepsOneOfRepeatedTrianglesHoweverTheyAreTurned) {
+TEST(CleanTriangles, KeepsOneOfDuplicateTrianglesInAnyOrientation) {
   Mesh mesh = shapes::icosphere(5, 1);
   const std::vector<Triangle> before = mesh.triangles;
   const auto [a, b, c] = mesh.triangles[7];

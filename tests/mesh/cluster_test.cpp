@@ -36,7 +36,7 @@ TEST(ClusterVertices, KeepsTheTwoSidesOfAThinWallApart) {
   }
 }
 
-TEST(ClusterVertices, DropsFacetsThatComeToLieBackToBack) {
+TEST(ClusterVertices, DropsFacetsThatEndUpBackToBack) {
   // A flat fin on a large facet: its tip and its two sides collapse onto its base edge.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {50, -0.1f, 0.1f}, {50, -0.1f, 0.2f}};
@@ -47,7 +47,7 @@ TEST(ClusterVertices, DropsFacetsThatComeToLieBackToBack) {
   EXPECT_EQ(coarse.mesh.triangles.size(), 1u);
 }
 
-TEST(ClusterVertices, LeavesAMeshAsItIsWhoseVerticesHaveCellsOfTheirOwn) {
+TEST(ClusterVertices, KeepsAMeshUnchangedIfEveryVertexHasItsOwnCell) {
   const Mesh sphere = shapes::icosphere(10, 2);
   const ClusteredMesh same = clustered(sphere, 1e-6);
   EXPECT_EQ(same.mesh.triangles.size(), sphere.triangles.size());

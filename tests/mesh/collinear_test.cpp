@@ -15,7 +15,7 @@ TEST(Collinear, IsExactForTheSmallestStepOfAFloat) {
   EXPECT_FALSE(collinear(a, b, {c.x, c.y, std::nextafter(c.z, 2.0f)}));
 }
 
-TEST(Collinear, SeesAMicrometreAtAKilometre) {
+TEST(Collinear, DetectsAMicrometreAtAKilometre) {
   const Vec3f a(1e6f, 0, 0);
   const Vec3f b(1e6f + 1, 0, 0);
   EXPECT_TRUE(collinear(a, b, {0, 0, 0}));

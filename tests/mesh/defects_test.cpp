@@ -44,7 +44,7 @@ TEST(FindDefects, CountsEdgesOfMoreThanTwoTriangles) {
   EXPECT_EQ(defects.openEdges, 0u);
 }
 
-TEST(FindDefects, CountsVerticesWhereTwoFansMeet) {
+TEST(FindDefects, CountsVerticesSharedByTwoFans) {
   // Two tetrahedra touch in vertex 0.
   Mesh mesh = shapes::tetrahedron(2);
   const Mesh other = shapes::translated(mesh, 2.0 * Vec3(mesh.positions[0]));

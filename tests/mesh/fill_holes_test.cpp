@@ -66,7 +66,7 @@ TEST(FillHoles, ClosesACurvedHoleWithoutCrossingAnything) {
   EXPECT_TRUE(findSelfIntersections(mesh)->empty());
 }
 
-TEST(FillHoles, ClosesTwoHolesThatMeetInAVertex) {
+TEST(FillHoles, ClosesTwoHolesThatShareAVertex) {
   Mesh mesh = shapes::icosphere(10, 2);
   const std::uint32_t shared = 20;
   std::vector<std::uint32_t> around;
@@ -97,7 +97,7 @@ TEST(FillHoles, DoesNotDoubleALooseTriangle) {
   EXPECT_EQ(mesh.triangles.size(), 1u);
 }
 
-TEST(FillHoles, TakesBackAPatchThatWouldCrossTheSurface) {
+TEST(FillHoles, DiscardsAPatchThatWouldCrossTheSurface) {
   // A rod passes through the open top of a block.
   const Mesh block = cutAbove(shapes::plate({20, 20}, 5, 6, 6), -1);
   Mesh mesh = shapes::together(block, shapes::box({1, 1, 8}));
@@ -108,7 +108,7 @@ TEST(FillHoles, TakesBackAPatchThatWouldCrossTheSurface) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(FillHoles, PassesOverAVertexOfVeryManyLooseTriangles) {
+TEST(FillHoles, SkipsAVertexOfVeryManyLooseTriangles) {
   Mesh mesh;
   mesh.positions.push_back({0, 0, 0});
   for (std::uint32_t i = 0; i < 300'000; ++i) {
@@ -121,7 +121,7 @@ TEST(FillHoles, PassesOverAVertexOfVeryManyLooseTriangles) {
   EXPECT_EQ(filling->filled + filling->blocked + filling->tooLarge, 0u);
 }
 
-TEST(FillHoles, LeavesAClosedMeshAsItIs) {
+TEST(FillHoles, KeepsAClosedMeshUnchanged) {
   Mesh mesh = shapes::box({1, 1, 1});
   EXPECT_EQ(fill(mesh, 10).filled, 0u);
   EXPECT_EQ(mesh.triangles.size(), 12u);

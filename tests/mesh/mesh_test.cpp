@@ -21,7 +21,7 @@ TEST(SignedVolume, IsNegativeInsideOut) {
   EXPECT_NEAR(signedVolume(shapes::insideOut(shapes::box({2, 3, 4}))), -24, 1e-12);
 }
 
-TEST(SignedVolume, DoesNotSufferFarFromTheOrigin) {
+TEST(SignedVolume, IsAccurateFarFromTheOrigin) {
   EXPECT_NEAR(signedVolume(shapes::translated(shapes::box({2, 4, 8}), {1e6, -1e6, 1e6})), 64, 1e-9);
 }
 
@@ -49,7 +49,7 @@ TEST(VertexNormals, OfASphereAreRadial) {
     EXPECT_GT(glm::dot(Vec3(normals[v]), glm::normalize(Vec3(mesh.positions[v]))), 0.9999);
 }
 
-TEST(VertexNormals, OfABoxAreItsDiagonalsHoweverItIsCut) {
+TEST(VertexNormals, OfABoxAreItsDiagonalsForAnyTriangulation) {
   // With angle weights each face contributes 90 degrees at a corner, whether it has one triangle there or two.
   const Mesh mesh = shapes::box({2, 2, 2});
   const std::vector<Vec3f> normals = vertexNormals(mesh);

@@ -27,7 +27,7 @@ void turnSome(Mesh& mesh, std::size_t step) {
   for (std::size_t t = 0; t < mesh.triangles.size(); t += step) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
 }
 
-TEST(MakeConsistent, LeavesAConsistentMeshAsItIs) {
+TEST(MakeConsistent, KeepsAConsistentMeshUnchanged) {
   const Mesh mesh = shapes::torus(10, 3, 12, 9);
   const Oriented result = orient(mesh);
   EXPECT_EQ(result.mesh.triangles, mesh.triangles);
@@ -35,7 +35,7 @@ TEST(MakeConsistent, LeavesAConsistentMeshAsItIs) {
   EXPECT_FALSE(result.consistency.oneSided);
 }
 
-TEST(MakeConsistent, TurnsTheSmallerPartAndKeepsTheAdjacencyTrue) {
+TEST(MakeConsistent, FlipsTheSmallerPartAndKeepsTheAdjacencyValid) {
   Mesh mesh = shapes::icosphere(5, 2);
   const double volume = signedVolume(mesh);
   turnSome(mesh, 3);
@@ -54,7 +54,7 @@ TEST(MakeConsistent, NumbersShellsByTheirFirstTriangle) {
   EXPECT_EQ(result.consistency.shells.of.back(), 1u);
 }
 
-TEST(MakeConsistent, SaysWhereASurfaceHasOneSide) {
+TEST(MakeConsistent, ReportsWhereASurfaceIsOneSided) {
   // A Möbius strip of five triangles over five vertices [Möbius 1886].
   std::vector<Triangle> strip;
   for (std::uint32_t i = 0; i < 5; ++i) strip.push_back({i, (i + 1) % 5, (i + 2) % 5});
@@ -62,7 +62,7 @@ TEST(MakeConsistent, SaysWhereASurfaceHasOneSide) {
   EXPECT_TRUE(makeConsistent(strip, adjacency).oneSided);
 }
 
-TEST(OrientOutwards, TurnsAnInsideOutShell) {
+TEST(OrientOutwards, FlipsAnInsideOutShell) {
   const Mesh mesh = shapes::icosphere(5, 2);
   const Oriented result = orient(shapes::insideOut(mesh));
   EXPECT_EQ(result.outwardness.insideOut, 1u);
@@ -70,7 +70,7 @@ TEST(OrientOutwards, TurnsAnInsideOutShell) {
   EXPECT_EQ(result.adjacency, buildAdjacency(result.mesh.triangles));
 }
 
-TEST(OrientOutwards, LeavesACavityAsItIs) {
+TEST(OrientOutwards, KeepsACavityUnchanged) {
   const Mesh hollow = shapes::together(shapes::box({4, 4, 4}), shapes::insideOut(shapes::box({2, 2, 2})));
   const Oriented result = orient(hollow);
   EXPECT_EQ(result.mesh.triangles, hollow.triangles);
@@ -78,7 +78,7 @@ TEST(OrientOutwards, LeavesACavityAsItIs) {
   EXPECT_EQ(result.outwardness.insideOut, 0u);
 }
 
-TEST(OrientOutwards, TurnsAHollowBodyThatIsInsideOutAsAWhole) {
+TEST(OrientOutwards, FlipsAnInsideOutHollowBodyAsAWhole) {
   const Mesh hollow = shapes::together(shapes::box({4, 4, 4}), shapes::insideOut(shapes::box({2, 2, 2})));
   const Oriented result = orient(shapes::insideOut(hollow));
   EXPECT_NEAR(signedVolume(result.mesh), 64 - 8, 1e-12);
@@ -86,14 +86,14 @@ TEST(OrientOutwards, TurnsAHollowBodyThatIsInsideOutAsAWhole) {
   EXPECT_EQ(result.outwardness.cavities, 1u);
 }
 
-TEST(OrientOutwards, TurnsAnInsideOutShellAroundACavityThatIsRight) {
+TEST(OrientOutwards, FlipsAnInsideOutShellAroundACorrectCavity) {
   const Oriented result =
       orient(shapes::together(shapes::insideOut(shapes::box({4, 4, 4})), shapes::insideOut(shapes::box({2, 2, 2}))));
   EXPECT_NEAR(signedVolume(result.mesh), 64 - 8, 1e-12);
   EXPECT_EQ(result.outwardness.insideOut, 1u);
 }
 
-TEST(OrientOutwards, KeepsASolidInsideASolidAndSaysSo) {
+TEST(OrientOutwards, KeepsASolidInsideASolidAndReportsIt) {
   const Mesh nested = shapes::together(shapes::box({4, 4, 4}), shapes::box({2, 2, 2}));
   const Oriented result = orient(nested);
   EXPECT_EQ(result.mesh.triangles, nested.triangles);
@@ -108,7 +108,7 @@ TEST(OrientOutwards, MakesAMixedInnerShellACavity) {
   EXPECT_NEAR(signedVolume(result.mesh), 64 - signedVolume(shapes::icosphere(1, 1)), 1e-9);
 }
 
-TEST(OrientOutwards, LeavesOpenShellsAlone) {
+TEST(OrientOutwards, KeepsOpenShellsUnchanged) {
   Mesh open = shapes::insideOut(shapes::box({1, 1, 1}));
   open.triangles.pop_back();
   EXPECT_EQ(orient(open).mesh.triangles, open.triangles);

@@ -117,7 +117,7 @@ TEST(PrepareModel, BlocksASurfaceThatIsNotWeldable) {
   expectFinding(*prepareModel(soup, {}), "open-edges", Severity::Blocking, 36);
 }
 
-TEST(PrepareModel, WeldsLooseTrianglesThatNearlyTouchAndSaysHowFarItMovedThem) {
+TEST(PrepareModel, WeldsNearlyTouchingTrianglesAndReportsTheirMovement) {
   const Mesh box = shapes::box({10, 10, 10});  // the automatic tolerance, 1/100000 of the diagonal, is 0.00017 mm
   PolygonSoup soup = loose(box);
   for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-6 * static_cast<double>(i);
@@ -131,7 +131,7 @@ TEST(PrepareModel, WeldsLooseTrianglesThatNearlyTouchAndSaysHowFarItMovedThem) {
   EXPECT_FALSE(prepareModel(soup, {.repair = {.weldToleranceMm = 0}})->engravable());
 }
 
-TEST(PrepareModel, FillsASmallHoleAndSaysWhere) {
+TEST(PrepareModel, FillsASmallHoleAndReportsItsPlace) {
   Mesh mesh = shapes::icosphere(10, 3);
   mesh.triangles.erase(mesh.triangles.begin() + 5);
   const PreparedModel model = prepared(mesh);
@@ -141,7 +141,7 @@ TEST(PrepareModel, FillsASmallHoleAndSaysWhere) {
   EXPECT_NEAR(signedVolume(model.mesh), signedVolume(shapes::icosphere(10, 3)), 1e-9);
 }
 
-TEST(PrepareModel, RefusesALargeOpeningAndSaysHowLarge) {
+TEST(PrepareModel, RefusesALargeOpeningAndReportsItsSize) {
   Mesh mesh = shapes::box({10, 10, 10});
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.positions[v].z > 0; });
@@ -155,7 +155,7 @@ TEST(PrepareModel, RefusesALargeOpeningAndSaysHowLarge) {
   EXPECT_NEAR(signedVolume(filled->mesh), 1000, 1e-9);
 }
 
-TEST(PrepareModel, BlocksWhatARepairThatIsSwitchedOffWouldHaveMended) {
+TEST(PrepareModel, BlocksFaultsWhoseRepairIsSwitchedOff) {
   Mesh stray = shapes::box({10, 10, 10});
   stray.triangles.push_back(stray.triangles[0]);
   stray.triangles.push_back({0, 0, 1});
@@ -170,14 +170,14 @@ TEST(PrepareModel, BlocksWhatARepairThatIsSwitchedOffWouldHaveMended) {
                 "inside-out", Severity::Blocking, 1);
 }
 
-TEST(PrepareModel, LeavesCrossingsAloneIfToldSo) {
+TEST(PrepareModel, KeepsCrossingsOnRequest) {
   const Mesh mesh = shapes::tangledSphere();
   const auto model = prepareModel(shapes::soupOf(mesh), {.repair = {.untangle = false}});
   expectFinding(*model, "self-intersections", Severity::Warning, 5);
   EXPECT_EQ(model->mesh.positions, mesh.positions);
 }
 
-TEST(PrepareModel, SaysThatThereAreTooManyShellsToFindCavities) {
+TEST(PrepareModel, ReportsTooManyShellsToFindCavities) {
   Mesh mesh;
   for (std::uint32_t i = 0; i < 4001; ++i) {
     const Vec3f at(static_cast<float>(i % 100), static_cast<float>(i / 100), 0);
@@ -190,7 +190,7 @@ TEST(PrepareModel, SaysThatThereAreTooManyShellsToFindCavities) {
   expectFinding(prepared(mesh), "nesting-not-found", Severity::Note, 4001);
 }
 
-TEST(PrepareModel, SaysThatNotAllOpenEdgesWereCompared) {
+TEST(PrepareModel, ReportsThatNotAllOpenEdgesWereCompared) {
   Mesh mesh = shapes::box({10, 10, 10});
   for (std::uint32_t i = 0; i < 12'000; ++i) {
     const auto v = static_cast<std::uint32_t>(mesh.positions.size());
@@ -205,7 +205,7 @@ TEST(PrepareModel, SaysThatNotAllOpenEdgesWereCompared) {
   EXPECT_NE(hint(finding->message), "");
 }
 
-TEST(PrepareModel, KeepsWhichPartATriangleBelongsTo) {
+TEST(PrepareModel, KeepsThePartOfEachTriangle) {
   Mesh both = shapes::together(shapes::box({10, 10, 10}), shapes::translated(shapes::icosphere(5, 1), {20, 0, 0}));
   both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the triangle numbers shift
   both.triangles.pop_back();                                 // a hole, to be filled
@@ -229,7 +229,7 @@ TEST(PrepareModel, NamesPartsThatTouchAlongAnEdge) {
   EXPECT_THAT(wordsOf(*model, "non-manifold-edges"), HasSubstr("; parts 1 (\"left\") and 2 (\"right\") touch there"));
 }
 
-TEST(PrepareModel, RefusesAToleranceThatMakesNoSense) {
+TEST(PrepareModel, RefusesAnInvalidTolerance) {
   for (const double mm : {-1.0, static_cast<double>(NAN)})
     EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.repair = {.weldToleranceMm = mm}}).error().kind,
               ErrorKind::BadUsage);
@@ -252,7 +252,7 @@ TEST(PrepareModel, BlocksAOneSidedSurface) {
   expectFinding(prepared(mesh), "one-sided", Severity::Blocking, 1);
 }
 
-TEST(PrepareModel, WarnsOfDegenerateTriangles) {
+TEST(PrepareModel, WarnsAboutDegenerateTriangles) {
   Mesh mesh = shapes::box({10, 10, 10});
   mesh.triangles.push_back({0, 0, 1});
   const PreparedModel model = prepared(mesh);
@@ -260,14 +260,14 @@ TEST(PrepareModel, WarnsOfDegenerateTriangles) {
   EXPECT_THAT(wordsOf(model, "degenerate-triangles"), HasSubstr("1 triangle has no area, at (-5, -5, -5); left out"));
 }
 
-TEST(PrepareModel, WarnsOfDuplicateTriangles) {
+TEST(PrepareModel, WarnsAboutDuplicateTriangles) {
   Mesh mesh = shapes::box({10, 10, 10});
   mesh.triangles.push_back(mesh.triangles[0]);
   mesh.triangles.push_back(mesh.triangles[1]);
   expectFinding(prepared(mesh), "duplicate-triangles", Severity::Warning, 2);
 }
 
-TEST(PrepareModel, WarnsOfTrianglesTurnedRound) {
+TEST(PrepareModel, WarnsAboutFlippedTriangles) {
   Mesh mesh = shapes::box({10, 10, 10});
   std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
   const PreparedModel model = prepared(mesh);
@@ -275,7 +275,7 @@ TEST(PrepareModel, WarnsOfTrianglesTurnedRound) {
   EXPECT_NEAR(signedVolume(model.mesh), 1000, 1e-9);
 }
 
-TEST(PrepareModel, WarnsOfAShellThatWasInsideOut) {
+TEST(PrepareModel, WarnsAboutAShellThatWasInsideOut) {
   const PreparedModel model = prepared(shapes::insideOut(shapes::box({10, 10, 10})));
   expectFinding(model, "inside-out", Severity::Warning, 1);
   EXPECT_NEAR(signedVolume(model.mesh), 1000, 1e-9);
@@ -289,18 +289,18 @@ TEST(PrepareModel, NotesACavityAndTheNumberOfShells) {
   EXPECT_NEAR(signedVolume(model.mesh), 64000 - 8000, 1e-9);
 }
 
-TEST(PrepareModel, WarnsOfASolidInsideASolid) {
+TEST(PrepareModel, WarnsAboutASolidInsideASolid) {
   expectFinding(prepared(shapes::together(shapes::box({40, 40, 40}), shapes::box({20, 20, 20}))), "nested-solids",
                 Severity::Warning, 1);
 }
 
-TEST(PrepareModel, WarnsOfPartsThatTouchInAPoint) {
+TEST(PrepareModel, WarnsAboutPartsThatTouchAtAPoint) {
   const Mesh box = shapes::box({10, 10, 10});
   expectFinding(prepared(shapes::together(box, shapes::translated(box, {10, 10, 10}))), "non-manifold-vertices",
                 Severity::Warning, 1);
 }
 
-TEST(PrepareModel, MendsTinySelfIntersectionsAndSaysSo) {
+TEST(PrepareModel, RepairsTinySelfIntersectionsAndReportsIt) {
   const PreparedModel model = prepared(shapes::tangledSphere(), 2);
   expectFinding(model, "self-intersections-mended", Severity::Warning, 5);
   EXPECT_THAT(wordsOf(model, "self-intersections-mended"), HasSubstr("corners moved: 1, by 0."));
@@ -308,7 +308,7 @@ TEST(PrepareModel, MendsTinySelfIntersectionsAndSaysSo) {
   EXPECT_EQ(model.normals, vertexNormals(model.mesh));
 }
 
-TEST(PrepareModel, WarnsOfPartsThatOverlapAndLeavesThemAsTheyAre) {
+TEST(PrepareModel, WarnsAboutOverlappingPartsAndKeepsThem) {
   const Mesh sphere = shapes::icosphere(10, 4);
   const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {7, 1, 2}));
   const PreparedModel model = prepared(mesh);
@@ -329,7 +329,7 @@ TEST(PrepareModel, LooksForSelfIntersectionsOnlyInClosedModels) {
   EXPECT_EQ(model->mesh.positions, mesh.positions);
 }
 
-TEST(PrepareModel, NotesVerticesThatNoFaceUses) {
+TEST(PrepareModel, NotesUnusedVertices) {
   Mesh mesh = shapes::box({10, 10, 10});
   mesh.positions.insert(mesh.positions.begin(), {1e9f, 0, 0});  // unused vertices do not count towards the size
   for (Triangle& t : mesh.triangles)
@@ -339,7 +339,7 @@ TEST(PrepareModel, NotesVerticesThatNoFaceUses) {
   EXPECT_EQ(model.mesh.positions.size(), 8u);
 }
 
-TEST(PrepareModel, WarnsOfATinyModelAndNamesTheUnits) {
+TEST(PrepareModel, WarnsAboutATinyModelAndSuggestsUnits) {
   const PreparedModel model = prepared(shapes::box({0.2, 0.1, 0.15}));
   expectFinding(model, "tiny", Severity::Warning, 1);
   EXPECT_EQ(wordsOf(model, "tiny"), "The model is tiny: 0.2 × 0.1 × 0.15 mm");
@@ -350,17 +350,17 @@ TEST(PrepareModel, WarnsOfATinyModelAndNamesTheUnits) {
   EXPECT_FALSE(find(prepared(shapes::box({0.2, 0.1, 0.15}), 1000), "tiny"));
 }
 
-TEST(PrepareModel, WarnsOfAHugeModel) {
+TEST(PrepareModel, WarnsAboutAHugeModel) {
   expectFinding(prepared(shapes::box({2001, 10, 10})), "huge", Severity::Warning, 1);
   EXPECT_FALSE(find(prepared(shapes::box({2000, 10, 10})), "huge"));
 }
 
-TEST(PrepareModel, WarnsWhereFloatsAreCoarse) {
+TEST(PrepareModel, WarnsIfFloatsAreTooCoarse) {
   expectFinding(prepared(shapes::translated(shapes::box({128, 128, 128}), {65536, 0, 0})), "far-away",
                 Severity::Warning, 1);
 }
 
-TEST(PrepareModel, PutsWhatBlocksFirst) {
+TEST(PrepareModel, ListsBlockingFindingsFirst) {
   Mesh mesh = shapes::box({1, 1, 1});
   mesh.triangles.pop_back();
   mesh.triangles.push_back({0, 0, 1});
@@ -403,23 +403,23 @@ TEST(PrepareModel, RefusesModelsWithoutArea) {
   EXPECT_THAT(sentence(refusalOf(line)), HasSubstr("no extent"));
 }
 
-TEST(PrepareModel, SaysOfASheetWithoutThicknessThatItsFacesCancelOut) {
+TEST(PrepareModel, ReportsThatTheFacesOfASheetWithoutThicknessCancelOut) {
   Mesh sheet;  // 80 × 80 mm, two triangles a side
   sheet.positions = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   const Message refusal = refusalOf(sheet);
-  EXPECT_EQ(refusal, message("model-no-thickness", with::count("count", 4)));
+  EXPECT_EQ(refusal, message("model-no-thickness", with::count<"count">(4)));
   EXPECT_EQ(sentence(refusal),
             "The model is a sheet without thickness: its 4 triangles lie in pairs back to back on the same corners, "
             "cancel each other out and enclose no volume");
   EXPECT_THAT(hint(refusal), HasSubstr("Give it a thickness"));
 }
 
-TEST(PrepareModel, SaysOfAreasThatRoundingTakesThatItDid) {
+TEST(PrepareModel, ReportsAreasLostToRounding) {
   PolygonSoup soup;  // near (8192, 8192, 0) 32-bit floats are 1/1024 apart
   soup.positions = {{8192, 8192, 0}, {8192.0001, 8192, 0}, {8192, 8192.0001, 0}};
   soup.triangles = {{0, 1, 2}};
-  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count("count", 1)));
+  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count<"count">(1)));
 }
 
 TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {

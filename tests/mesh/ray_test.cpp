@@ -18,7 +18,7 @@ TEST(FirstHit, FindsTheNearerSideOfABoxAndMeasuresInMillimetres) {
   EXPECT_EQ(triangleNormal(mesh, hit->triangle), Vec3(1, 0, 0));
 }
 
-TEST(FirstHit, MeetsTrianglesFromBehind) {
+TEST(FirstHit, HitsTrianglesFromBehind) {
   const auto hit = firstHit(shapes::box({2, 4, 6}), {0, 0.1, 0.2}, {0, 0, 1});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->distance, 2.8, 1e-12);
@@ -46,7 +46,7 @@ TEST(FirstHit, NeverSlipsThroughASharedEdgeOrVertex) {
     }
 }
 
-TEST(FirstHit, GivesTheLowerTriangleInATie) {
+TEST(FirstHit, ReturnsTheLowerTriangleInATie) {
   Mesh mesh = shapes::box({2, 2, 2});
   mesh.triangles.insert(mesh.triangles.end(), mesh.triangles.begin(), mesh.triangles.begin() + 12);
   EXPECT_LT(firstHit(mesh, {0.2, 0.3, 9}, {0, 0, -1})->triangle, 12u);
@@ -70,7 +70,7 @@ TEST(ClosestPoint, OfASphereLiesTowardsTheQuery) {
   }
 }
 
-TEST(ClosestPoint, GivesTheLowerTriangleInATie) {
+TEST(ClosestPoint, ReturnsTheLowerTriangleInATie) {
   const Mesh mesh = shapes::box({2, 2, 2});
   const auto closest = closestPoint(mesh, {3, 3, 3});
   std::uint32_t lowest = 0;
@@ -81,7 +81,7 @@ TEST(ClosestPoint, GivesTheLowerTriangleInATie) {
 
 TEST(ClosestPoint, OfAnEmptyMeshIsEmpty) { EXPECT_FALSE(closestPoint(Mesh{}, {0, 0, 0})); }
 
-TEST(SurfaceNormalAt, IsTheFacetsWithinAFaceAndOnItsDiagonal) {
+TEST(SurfaceNormalAt, IsTheFacetNormalWithinAFaceAndOnItsDiagonal) {
   const Mesh mesh = shapes::box({20, 20, 20});
   for (const Vec3 query : {Vec3(3, -2, 10), Vec3(0, 0, 10), Vec3(4, 4, 10), Vec3(4, -4, 10)})
     EXPECT_LT(glm::distance(surfaceNormalAt(mesh, *closestPoint(mesh, query)), Vec3(0, 0, 1)), 1e-12);
@@ -93,7 +93,7 @@ TEST(SurfaceNormalAt, IsTheMeanOfBothFacesOnAnEdge) {
   EXPECT_LT(glm::distance(surfaceNormalAt(mesh, *closestPoint(mesh, {10, 3, 10})), expected), 1e-12);
 }
 
-TEST(SurfaceNormalAt, IsTheMeanOfTheThreeFacesAtACornerHoweverTheyAreCut) {
+TEST(SurfaceNormalAt, IsTheMeanOfTheThreeFacesAtACornerForAnyTriangulation) {
   const Mesh mesh = shapes::box({20, 20, 20});
   for (const Vec3 corner : {Vec3(10, 10, 10), Vec3(-10, 10, 10), Vec3(10, -10, -10)}) {
     const Vec3 normal = surfaceNormalAt(mesh, *closestPoint(mesh, corner));
@@ -101,7 +101,7 @@ TEST(SurfaceNormalAt, IsTheMeanOfTheThreeFacesAtACornerHoweverTheyAreCut) {
   }
 }
 
-TEST(SurfaceNormalAt, IsTheFacetsOwnWhereAllCancel) {
+TEST(SurfaceNormalAt, IsTheFacetNormalIfAllCancelOut) {
   // Two boxes touch in a face, so the normals on it are opposite.
   const Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {0, 0, 2}));
   const auto point = closestPoint(mesh, {0.2, 0.1, 1});

@@ -13,7 +13,7 @@ Vec3 randomVector(Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-TEST(RayTree, FindsWhatAskingEveryTriangleFinds) {
+TEST(RayTree, FindsTheSameHitsAsBruteForce) {
   Random random(7);
   for (const Mesh& mesh : {shapes::box({20, 10, 5}), shapes::bumpySphere(10, 2, 3, 3), shapes::cylinder(5, 20, 64),
                            shapes::together(shapes::torus(10, 3, 24, 12), shapes::icosphere(2, 2))}) {
@@ -34,7 +34,7 @@ TEST(RayTree, FindsWhatAskingEveryTriangleFinds) {
   }
 }
 
-TEST(RayTree, SeesSidesThatTheRayRunsAlong) {
+TEST(RayTree, HitsSidesParallelToTheRay) {
   const Mesh box = shapes::box({2, 2, 2});
   const RayTree tree(box);
   const auto hit = tree.firstHit({0.25, 0.5, 5}, {0, 0, -1});
@@ -42,7 +42,7 @@ TEST(RayTree, SeesSidesThatTheRayRunsAlong) {
   EXPECT_DOUBLE_EQ(hit->distance, 4);
 }
 
-TEST(RayTree, PassesOverWhatLiesNearerThanAskedFor) {
+TEST(RayTree, IgnoresHitsNearerThanTheMinimum) {
   const Mesh box = shapes::box({2, 2, 2});
   const RayTree tree(box);
   const auto hit = tree.firstHit({0.25, 0.5, 5}, {0, 0, -2}, 2.5);
@@ -50,7 +50,7 @@ TEST(RayTree, PassesOverWhatLiesNearerThanAskedFor) {
   EXPECT_DOUBLE_EQ(hit->distance, 6);
 }
 
-TEST(RayTree, OfNoTrianglesMeetsNothing) {
+TEST(RayTree, OfNoTrianglesHitsNothing) {
   const Mesh none;
   EXPECT_FALSE(RayTree(none).firstHit({0, 0, 0}, {0, 0, 1}).has_value());
 }

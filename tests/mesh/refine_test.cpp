@@ -25,7 +25,7 @@ bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-TEST(RefineEdges, CutsABoxIntoShortEdgesWithoutTJunctionsAndKeepsItsVolume) {
+TEST(RefineEdges, SplitsABoxIntoShortEdgesWithoutTJunctionsAndKeepsItsVolume) {
   const Mesh box = shapes::box({40, 20, 10});
   const Mesh fine = refineEdges(box, 3, 100000);
   EXPECT_LE(longestEdge(fine), 3);
@@ -34,7 +34,7 @@ TEST(RefineEdges, CutsABoxIntoShortEdgesWithoutTJunctionsAndKeepsItsVolume) {
   EXPECT_TRUE(std::equal(box.positions.begin(), box.positions.end(), fine.positions.begin()));
 }
 
-TEST(RefineEdges, CutsSliversAlongTheirLengthOnly) {
+TEST(RefineEdges, SplitsSliversAlongTheirLengthOnly) {
   const Mesh cylinder = shapes::cylinder(30, 120, 96);  // strips of 2 × 120 mm
   const Mesh fine = refineEdges(cylinder, 8, 100000);
   EXPECT_LE(longestEdge(fine), 8);
@@ -44,13 +44,13 @@ TEST(RefineEdges, CutsSliversAlongTheirLengthOnly) {
   EXPECT_EQ(std::count_if(fine.positions.begin(), fine.positions.end(), onRim), 2 * 96);
 }
 
-TEST(RefineEdges, LeavesAMeshAloneWhoseEdgesAreShortEnough) {
+TEST(RefineEdges, KeepsAMeshWithShortEdgesUnchanged) {
   const Mesh sphere = shapes::icosphere(10, 3);
   const Mesh same = refineEdges(sphere, 5, 100000);
   EXPECT_EQ(same.triangles, sphere.triangles);
 }
 
-TEST(RefineEdges, StopsBeforeThereAreTooManyTriangles) {
+TEST(RefineEdges, StopsBeforeTheMaximumNumberOfTriangles) {
   const Mesh some = refineEdges(shapes::box({40, 20, 10}), 0.01, 1000);
   EXPECT_LE(some.triangles.size(), 1000u);
   EXPECT_GT(some.triangles.size(), 12u);

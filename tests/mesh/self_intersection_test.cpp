@@ -36,7 +36,7 @@ TEST(FindSelfIntersections, FindsCrossingTriangles) {
       kOnePair);
 }
 
-TEST(FindSelfIntersections, CountsATouchByAVertexThatIsNotShared) {
+TEST(FindSelfIntersections, CountsATouchAtAnUnsharedVertex) {
   EXPECT_EQ(
       pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, 1}, {2, 2, 1}}, {0, 1, 2}, {3, 4, 5})),
       kOnePair);
@@ -60,11 +60,11 @@ TEST(FindSelfIntersections, FindsTrianglesThatShareAVertexAndCrossBeyondIt) {
       pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -1, 0}, {-1, 0, 3}}, {0, 1, 2}, {0, 3, 4})).empty());
 }
 
-TEST(FindSelfIntersections, FindsATriangleGivenTwice) {
+TEST(FindSelfIntersections, FindsADuplicateTriangle) {
   EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {0, 1, 2}, {1, 0, 2})), kOnePair);
 }
 
-TEST(FindSelfIntersections, PassesOverTrianglesWithoutArea) {
+TEST(FindSelfIntersections, IgnoresTrianglesWithoutArea) {
   EXPECT_TRUE(
       pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 3}}, {0, 1, 2}, {3, 4, 5}))
           .empty());
@@ -90,7 +90,7 @@ TEST(FindSelfIntersections, FindsTheSamePairsFromTheSuspectsAlone) {
   EXPECT_TRUE(findSelfIntersections(mesh, bystanders)->empty());
 }
 
-TEST(FindSelfIntersections, FindsInALargeMeshWhatItFindsInItsParts) {
+TEST(FindSelfIntersections, FindsTheSameInALargeMeshAsInItsParts) {
   // The mesh is large enough to be split over several cores.
   const Mesh sphere = shapes::icosphere(10, 5);
   const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {18, 1, 2}));
@@ -123,7 +123,7 @@ Mesh bicone(std::uint32_t n) {
   return mesh;
 }
 
-TEST(FindSelfIntersections, GivesUpWhereAllTrianglesLieAtOneVertex) {
+TEST(FindSelfIntersections, GivesUpIfAllTrianglesShareOneVertex) {
   const auto found = findSelfIntersections(bicone(2000), {}, 1000, 1'000'000);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
@@ -133,7 +133,7 @@ TEST(FindSelfIntersections, GivesUpWhereAllTrianglesLieAtOneVertex) {
   EXPECT_FALSE(findSelfIntersections(bicone(2000), suspects, 1000, 100'000));
 }
 
-TEST(FindSelfIntersections, LooksAtAllPairsOfAFineCone) {
+TEST(FindSelfIntersections, ChecksAllPairsOfAFineCone) {
   const auto found = findSelfIntersections(bicone(2000));
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->empty());

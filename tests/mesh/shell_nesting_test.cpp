@@ -17,7 +17,7 @@ Lists nesting(const Mesh& mesh) {
   return enclosingShells(mesh, shells, std::vector<char>(shells.count, 1)).enclosing;
 }
 
-TEST(EnclosingShells, ListsEveryShellAround) {
+TEST(EnclosingShells, ListsEveryEnclosingShell) {
   const Mesh dolls =
       shapes::together(shapes::together(shapes::box({2, 2, 2}), shapes::box({6, 6, 6})), shapes::box({4, 4, 4}));
   EXPECT_EQ(nesting(dolls), (Lists{{1, 2}, {}, {1}}));
@@ -35,12 +35,12 @@ TEST(EnclosingShells, GivesUpOnTooManyPairsOfPointsAndTriangles) {
   EXPECT_EQ(nesting.enclosing, Lists(11));
 }
 
-TEST(EnclosingShells, IsNotDeceivedByABoxInTheHoleOfATorus) {
+TEST(EnclosingShells, DoesNotNestABoxInTheHoleOfATorus) {
   const Mesh mesh = shapes::together(shapes::torus(10, 3, 40, 20), shapes::box({2, 2, 2}));
   EXPECT_EQ(nesting(mesh), (Lists{{}, {}}));
 }
 
-TEST(EnclosingShells, FindsABallInTheTubeOfATorus) {
+TEST(EnclosingShells, NestsABallInTheTubeOfATorus) {
   const Mesh mesh =
       shapes::together(shapes::torus(10, 3, 40, 20), shapes::translated(shapes::icosphere(1, 1), {0, 10, 0}));
   EXPECT_EQ(nesting(mesh), (Lists{{}, {0}}));

@@ -41,7 +41,7 @@ TEST(SplitAtTJunctions, SplitsAnEdgeWithVeryManyVertices) {
   EXPECT_EQ(openEdges(mesh), 0u);
 }
 
-TEST(SplitAtTJunctions, GivesUpOnAHeapOfLooseTriangles) {
+TEST(SplitAtTJunctions, GivesUpOnVeryManyLooseTriangles) {
   Mesh mesh;
   for (std::uint32_t i = 0; i < 12'000; ++i) {
     const auto at = static_cast<float>(i) * 1e-3f;
@@ -51,7 +51,7 @@ TEST(SplitAtTJunctions, GivesUpOnAHeapOfLooseTriangles) {
   EXPECT_TRUE(splitAtTJunctions(mesh, 1).cutShort);
 }
 
-TEST(SplitAtTJunctions, SplitsTheTriangleAtOneVertexOrSeveral) {
+TEST(SplitAtTJunctions, SplitsATriangleAtOneOrSeveralVertices) {
   for (const int count : {1, 2, 5}) {
     Mesh mesh = boxWithJunctions(count, 0);
     const std::size_t before = mesh.triangles.size();
@@ -76,7 +76,7 @@ TEST(SplitAtTJunctions, ClosesAGapWithinTheToleranceOnly) {
   EXPECT_EQ(openEdges(mesh), 0u);
 }
 
-TEST(SplitAtTJunctions, DoesNothingThatLeavesAsManyOpenEdges) {
+TEST(SplitAtTJunctions, DoesNotSplitWithoutClosingAnOpenEdge) {
   // The corner of a loose triangle lies on the edge of another triangle.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, -1, 0}, {2, -1, 0}};
@@ -87,7 +87,7 @@ TEST(SplitAtTJunctions, DoesNothingThatLeavesAsManyOpenEdges) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(SplitAtTJunctions, LeavesAClosedMeshAsItIs) {
+TEST(SplitAtTJunctions, KeepsAClosedMeshUnchanged) {
   Mesh mesh = shapes::icosphere(5, 2);
   const Mesh before = mesh;
   EXPECT_EQ(splitAtTJunctions(mesh, 1).vertices, 0u);

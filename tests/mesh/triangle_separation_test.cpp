@@ -25,7 +25,7 @@ Corners placed(const Corners& corners, double scale) {
   return result;
 }
 
-TEST(CertainlyApart, NeverSaysSoOfTrianglesWithACommonPoint) {
+TEST(CertainlyApart, NeverSeparatesTrianglesWithACommonPoint) {
   Random random(1);
   for (int i = 0; i < 200'000; ++i) {
     const Vec3 common = wholePoint(random);  // both triangles' centroid
@@ -39,7 +39,7 @@ TEST(CertainlyApart, NeverSaysSoOfTrianglesWithACommonPoint) {
   }
 }
 
-TEST(CertainlyApart, NeverSaysSoOfTrianglesThatTouchInAPoint) {
+TEST(CertainlyApart, NeverSeparatesTrianglesThatTouchAtAPoint) {
   Random random(2);
   for (int i = 0; i < 200'000; ++i) {
     const Corners a{wholePoint(random), wholePoint(random), wholePoint(random)};
@@ -48,7 +48,7 @@ TEST(CertainlyApart, NeverSaysSoOfTrianglesThatTouchInAPoint) {
   }
 }
 
-TEST(CertainlyApartButForCorner, NeverSaysSoOfTrianglesThatMeetBeyondIt) {
+TEST(CertainlyApartButForCorner, NeverSeparatesNeighboursThatMeetElsewhereToo) {
   Random random(3);
   for (int i = 0; i < 200'000; ++i) {
     const Vec3 corner = wholePoint(random);
@@ -61,7 +61,7 @@ TEST(CertainlyApartButForCorner, NeverSaysSoOfTrianglesThatMeetBeyondIt) {
   }
 }
 
-TEST(CertainlyApartButForEdge, NeverSaysSoOfTrianglesFoldedTogether) {
+TEST(CertainlyApartButForEdge, NeverSeparatesFoldedTriangles) {
   Random random(4);
   for (int i = 0; i < 200'000; ++i) {
     const Vec3 p = wholePoint(random);
@@ -74,7 +74,7 @@ TEST(CertainlyApartButForEdge, NeverSaysSoOfTrianglesFoldedTogether) {
   }
 }
 
-TEST(CertainlyApart, SeesAGapAboveBesideAndBetweenEdges) {
+TEST(CertainlyApart, DetectsAGapAboveBesideAndBetweenEdges) {
   const Corners a{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
   EXPECT_TRUE(certainlySeparate(a, {Vec3(0, 0, 0.001), Vec3(4, 0, 0.001), Vec3(0, 4, 0.001)}));
   EXPECT_TRUE(certainlySeparate(a, {Vec3(4, 4, 0), Vec3(2.001, 2, 0), Vec3(2.001, 6, 0)}));
@@ -82,7 +82,7 @@ TEST(CertainlyApart, SeesAGapAboveBesideAndBetweenEdges) {
 }
 
 /// Exact predicates must remain the exception, or the search becomes slow.
-TEST(CertainlyApart, SettlesNearlyAllNeighboursInASurface) {
+TEST(CertainlyApart, SeparatesNearlyAllNeighboursOfASurface) {
   for (const Mesh& mesh : {shapes::bumpySphere(10, 2, 4, 3), shapes::torus(10, 3, 40, 20)}) {
     std::size_t pairs = 0;
     std::size_t settled = 0;

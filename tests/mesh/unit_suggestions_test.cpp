@@ -8,13 +8,13 @@
 namespace qrelief {
 namespace {
 
-TEST(UnitSuggestions, NameMetresForAModelOfTwentyCentimetresInThem) {
+TEST(UnitSuggestions, NameMetresForAModelOfTwentyCentimetresInMetres) {
   const auto found = suggestUnits({0.2, 0.1, 0.15}, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0], (UnitSuggestion{"m", 1000, {200, 100, 150}}));
 }
 
-TEST(UnitSuggestions, NameInchesAndCentimetresWhereBothArePlausible) {
+TEST(UnitSuggestions, NameInchesAndCentimetresIfBothArePlausible) {
   const auto found = suggestUnits({5, 2.5, 1.5}, 1);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].unit, "in");
@@ -24,7 +24,7 @@ TEST(UnitSuggestions, NameInchesAndCentimetresWhereBothArePlausible) {
             "for any other scale");
 }
 
-TEST(UnitSuggestions, LeaveOutTheUnitThatTheModelIsReadIn) {
+TEST(UnitSuggestions, OmitTheUnitInUse) {
   const auto found = suggestUnits({7, 7, 7}, 10);  // 0.7 cm
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].unit, "in");
@@ -35,7 +35,7 @@ TEST(UnitSuggestions, AreNeverMoreThanTwo) {
     for (double size = 1e-4; size < 10; size *= 1.1) EXPECT_LE(suggestUnits({size, size, size}, scale).size(), 2u);
 }
 
-TEST(UnitSuggestions, OfferAnyUnitWhereNoneIsPlausible) {
+TEST(UnitSuggestions, SuggestNoUnitIfNoneIsPlausible) {
   const auto found = suggestUnits({1e-3, 1e-3, 1e-3}, 1);
   EXPECT_TRUE(found.empty());
   EXPECT_EQ(unitAdvice(found).code, "unit-may-be-wrong");

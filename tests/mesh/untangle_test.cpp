@@ -30,7 +30,7 @@ void expectUntouched(Mesh mesh, std::size_t pairs) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(Untangle, PartsATangleByMovingOneVertexAndNoOther) {
+TEST(Untangle, SeparatesATangleByMovingOneVertexOnly) {
   Mesh mesh = shapes::tangledSphere();
   const Mesh before = mesh;
   const auto result = untangle(mesh);
@@ -49,7 +49,7 @@ TEST(Untangle, PartsATangleByMovingOneVertexAndNoOther) {
   }
 }
 
-TEST(Untangle, PartsSeveralTanglesEachOnItsOwn) {
+TEST(Untangle, SeparatesSeveralTanglesIndependently) {
   const Mesh one = shapes::tangledSphere();
   Mesh alone = one;
   ASSERT_TRUE(untangle(alone)->mended);
@@ -72,9 +72,9 @@ TEST(Untangle, DoesNotDependOnTheScale) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(larger.positions[v], mesh.positions[v] * 1024.0f);
 }
 
-TEST(Untangle, LeavesACleanMeshAlone) { expectUntouched(shapes::bumpySphere(50, 3, 4, 3), 0); }
+TEST(Untangle, KeepsACleanMeshUnchanged) { expectUntouched(shapes::bumpySphere(50, 3, 4, 3), 0); }
 
-TEST(Untangle, LeavesManyCrossingsAlone) {
+TEST(Untangle, KeepsManyCrossingsUnchanged) {
   const Mesh sphere = shapes::icosphere(10, 4);
   const Mesh overlapping = shapes::together(sphere, shapes::translated(sphere, {7, 1, 2}));
   const std::size_t pairs = crossingsOf(overlapping);
@@ -82,18 +82,18 @@ TEST(Untangle, LeavesManyCrossingsAlone) {
   expectUntouched(overlapping, pairs);
 }
 
-TEST(Untangle, LeavesPartsThatOverlapAloneHoweverFewTheirPairs) {
+TEST(Untangle, KeepsOverlappingPartsEvenWithFewCrossingPairs) {
   const std::size_t pairs = crossingsOf(crossingBoxes());
   ASSERT_LE(pairs, 100u);
   expectUntouched(crossingBoxes(), pairs);
 }
 
-TEST(Untangle, MovesNothingIfOneTangleOfSeveralCannotBeParted) {
+TEST(Untangle, MovesNothingIfOneOfSeveralTanglesCannotBeSeparated) {
   expectUntouched(shapes::together(shapes::tangledSphere(), shapes::translated(crossingBoxes(), {0, 0, 20})),
                   5 + crossingsOf(crossingBoxes()));
 }
 
-TEST(Untangle, SaysThatItStoppedCounting) {
+TEST(Untangle, ReportsThatItStoppedCounting) {
   const Mesh plate = shapes::plate({30, 30}, 4, 24, 24);
   Mesh twice = shapes::together(plate, shapes::translated(plate, {0.125, 0.125, 0}));
   const auto result = untangle(twice);

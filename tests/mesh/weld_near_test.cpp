@@ -45,7 +45,7 @@ TEST(WeldNear, ClosesLooseTrianglesWithinTheTolerance) {
   EXPECT_TRUE(isClosed(mesh));
 }
 
-TEST(WeldNear, LeavesWhatIsFartherApartAlone) {
+TEST(WeldNear, KeepsVerticesThatAreFartherApart) {
   Mesh mesh = looseAndShaken(shapes::icosphere(20, 2), 0.001);
   const Mesh before = mesh;
   EXPECT_EQ(weldNear(mesh, 1e-7).moved, 0u);
@@ -65,7 +65,7 @@ TEST(WeldNear, NeverCollapsesATriangle) {
   for (const Triangle& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
 
-TEST(WeldNear, GivesUpOnAHeapOfLooseTriangles) {
+TEST(WeldNear, GivesUpOnVeryManyLooseTriangles) {
   // Each of the 36,000 corners lies within the tolerance of all others.
   Mesh mesh;
   for (std::uint32_t i = 0; i < 12'000; ++i) {

@@ -14,13 +14,13 @@ TEST(WeldEqual, NumbersPositionsByFirstAppearance) {
   EXPECT_EQ(welding.indexOf, (std::vector<std::uint32_t>{0, 1, 0, 2, 1}));
 }
 
-TEST(WeldEqual, TakesMinusZeroForZero) {
+TEST(WeldEqual, TreatsMinusZeroAsZero) {
   const Welding welding = weldEqual(std::vector<Vec3f>{{-0.0f, 1, 0}, {0, 1, -0.0f}});
   ASSERT_EQ(welding.positions.size(), 1u);
   EXPECT_FALSE(std::signbit(welding.positions[0].x));
 }
 
-TEST(WeldEqual, KeepsNeighbouringFloatsApart) {
+TEST(WeldEqual, DistinguishesNeighbouringFloats) {
   const std::vector<Vec3f> points{{1, 0, 0}, {std::nextafter(1.0f, 2.0f), 0, 0}};
   EXPECT_EQ(weldEqual(points).positions.size(), 2u);
 }
@@ -34,9 +34,9 @@ TEST(WeldEqual, FindsEveryPointOfALargeGridAgain) {
   for (std::uint32_t i = 0; i < points.size(); ++i) EXPECT_EQ(welding.indexOf[i], i % 40'000);
 }
 
-TEST(WeldEqual, AcceptsNoPoints) { EXPECT_TRUE(weldEqual({}).positions.empty()); }
+TEST(WeldEqual, AcceptsAnEmptyList) { EXPECT_TRUE(weldEqual({}).positions.empty()); }
 
-TEST(DropUnused, KeepsTheOrderOfWhatIsUsed) {
+TEST(DropUnused, KeepsTheOrderOfUsedVertices) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
   mesh.triangles = {{4, 1, 3}};

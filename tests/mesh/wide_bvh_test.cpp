@@ -59,7 +59,7 @@ TEST(WideBvh, VisitsEveryBoxWithAPointOfTheRayOnce) {
   }
 }
 
-TEST(WideBvh, PassesOverMostOfWhatARayMisses) {
+TEST(WideBvh, SkipsMostBoxesThatARayMisses) {
   const std::vector<Bvh::Box> boxes = randomBoxes(1500, 0);
   const Bvh tree(boxes);
   const std::vector<int> times = visits(tree, WideBvh(tree), {-1, 25, 25}, {1, 0, 0}, 0, kEndless);
@@ -80,7 +80,7 @@ TEST(WideBvh, LooksOnlyBetweenTheBounds) {
   }
 }
 
-TEST(WideBvh, CopesWithBoxesInOnePlaceAndWithNone) {
+TEST(WideBvh, HandlesBoxesInOnePlaceAndNoBoxes) {
   const std::vector<Bvh::Box> same(50, Bvh::Box{Vec3f(1), Vec3f(2)});
   const Bvh tree(same);
   EXPECT_EQ(visits(tree, WideBvh(tree), {0, 1.5, 1.5}, {1, 0, 0}, 0, kEndless), std::vector<int>(50, 1));

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,17 +28,22 @@ MessageValue valueOf(const char* name, const Json& json) {
   using Kind = MessageValue::Kind;
   const std::string kind = json.begin().key();
   const Json& value = json.begin().value();
-  if (kind == "cause") return with::cause(name, messageOf(value));
+  if (kind == "cause") return with::caused(name, messageOf(value));
   if (kind == "choice")
-    return with::choice(name, value.at("key").get<std::string>(), value.at("value").get<std::string>());
-  if (kind == "quoted") return with::quoted(name, value.get<std::string>());
-  if (kind == "term") return with::term(name, value.get<std::string>());
-  if (kind == "setting") return with::setting(name, value.get<std::string>());
-  if (kind == "count") return with::count(name, value.get<std::int64_t>());
-  if (kind == "number") return with::number(name, value.get<double>());
-  if (kind == "lengthMm") return with::lengthMm(name, value.get<double>());
-  if (kind == "angleDeg") return with::angleDeg(name, value.get<double>());
-  if (kind == "fraction") return with::fraction(name, value.get<double>());
+    return with::chosen(name, value.at("key").get<std::string>(), value.at("value").get<std::string>());
+  if (value.is_string())
+    return with::textual(name,
+                         kind == "quoted" ? Kind::Quoted
+                         : kind == "term" ? Kind::Term
+                                          : Kind::Setting,
+                         value.get<std::string>());
+  static const std::map<std::string, Kind> kNumeric = {{"count", Kind::Count},
+                                                       {"number", Kind::Number},
+                                                       {"lengthMm", Kind::LengthMm},
+                                                       {"angleDeg", Kind::AngleDeg},
+                                                       {"fraction", Kind::Fraction}};
+  if (const auto numeric = kNumeric.find(kind); numeric != kNumeric.end())
+    return with::numeric(name, numeric->second, value.get<double>());
   const auto list = value.get<std::vector<double>>();
   return {name, kind == "place" ? Kind::Place : kind == "extentMm" ? Kind::ExtentMm : Kind::Indices, list, {}};
 }
@@ -56,7 +62,7 @@ std::string withPlainQuotes(std::string text) {
   return text;
 }
 
-TEST(Sentences, AreThoseOfTheSharedCases) {
+TEST(Sentences, MatchTheSharedCases) {
   const Json shared = cases();
   ASSERT_GT(shared.at("cases").size(), 20U);
   for (const Json& one : shared.at("cases")) {
@@ -68,11 +74,11 @@ TEST(Sentences, AreThoseOfTheSharedCases) {
   }
 }
 
-TEST(Sentences, NameTheFlagsOfTheCommandAndSayWhatFitsIt) {
+TEST(Sentences, NameFlagsAndPreferTheCommandsWords) {
   const Json words = Json::parse(R"({"thin": {"en": "Raise {@minWallMm}", "de": "{@minWallMm}"},
       "busy": {"en": "Press Engrave", "command": "Run it again", "de": "Neu"}})");
-  EXPECT_EQ(sentence(message("thin"), words), "Raise --min-wall");
-  EXPECT_EQ(sentence(message("busy"), words), "Run it again");
+  EXPECT_EQ(sentence(Message("thin", {}), words), "Raise --min-wall");
+  EXPECT_EQ(sentence(Message("busy", {}), words), "Run it again");
 }
 
 }  // namespace

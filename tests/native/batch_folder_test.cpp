@@ -60,7 +60,7 @@ class BatchFolderTest : public testing::Test {
   fs::path path_;
 };
 
-TEST_F(BatchFolderTest, VisitsTheRowsOfAllSharesInOrderAsTheLastLineHasThem) {
+TEST_F(BatchFolderTest, VisitsTheLastStateOfAllRowsInOrder) {
   for (const std::size_t share : {1u, 0u}) {
     BatchFolder own = folder({share, 2});
     for (const std::size_t number : {share + 3, share + 1}) {
@@ -71,7 +71,7 @@ TEST_F(BatchFolderTest, VisitsTheRowsOfAllSharesInOrderAsTheLastLineHasThem) {
   EXPECT_THAT(rowsOf(folder()), ElementsAre("1done", "2done", "3done", "4done"));
 }
 
-TEST_F(BatchFolderTest, TakesWhatIsDoneBeforeWhatIsNot) {
+TEST_F(BatchFolderTest, PrefersADoneRowToAnUnfinishedOne) {
   ASSERT_TRUE(folder({0, 2}).append(entry(1, RowStatus::Done, "done")));
   ASSERT_TRUE(folder({0, 3}).append(entry(1, RowStatus::Failed, "failed")));
   EXPECT_THAT(rowsOf(folder()), ElementsAre("1done"));
@@ -80,7 +80,7 @@ TEST_F(BatchFolderTest, TakesWhatIsDoneBeforeWhatIsNot) {
   EXPECT_THAT(folder().doubles(), ElementsAre(1u));
 }
 
-TEST_F(BatchFolderTest, KnowsARowByItsHashesAndItsFile) {
+TEST_F(BatchFolderTest, RecognisesADoneRowByItsHashesAndFile) {
   BatchFolder own = folder();
   const ManifestEntry done = entry(1);
   EXPECT_EQ(own.known(done).state, State::New);
@@ -97,7 +97,7 @@ TEST_F(BatchFolderTest, KnowsARowByItsHashesAndItsFile) {
   EXPECT_EQ(own.known(entry(2)).state, State::Failed);
 }
 
-TEST_F(BatchFolderTest, KnowsWhatSharesOfAnotherNumberHaveDone) {
+TEST_F(BatchFolderTest, RecognisesRowsDoneWithAnotherNumberOfShares) {
   const ManifestEntry done = entry(1);
   writeOutput(done);
   ASSERT_TRUE(folder({0, 2}).append(done));
@@ -106,7 +106,7 @@ TEST_F(BatchFolderTest, KnowsWhatSharesOfAnotherNumberHaveDone) {
   EXPECT_EQ(folder({1, 2}).known(done).state, State::New) << "is none of its rows";
 }
 
-TEST_F(BatchFolderTest, DropsTheLineThatAnEndedProcessHasLeft) {
+TEST_F(BatchFolderTest, DropsATruncatedLastLine) {
   ASSERT_TRUE(folder().append(entry(1)));
   const std::string whole = contentOf("manifest.jsonl"), next = manifestLine(entry(2));
   for (std::size_t i = 0; i <= next.size(); ++i) {
@@ -121,7 +121,7 @@ TEST_F(BatchFolderTest, DropsTheLineThatAnEndedProcessHasLeft) {
   EXPECT_EQ(fs::file_size(path_ / "manifest.jsonl"), 0u);
 }
 
-TEST_F(BatchFolderTest, NamesTheLineThatIsNoneOfAManifest) {
+TEST_F(BatchFolderTest, NamesALineThatIsNotOfAManifest) {
   ASSERT_TRUE(folder().append(entry(1)));
   std::ofstream(path_ / "manifest.jsonl", std::ios::app) << "{}\n";
   const auto opened = BatchFolder::open(path_, {});
@@ -139,7 +139,7 @@ TEST_F(BatchFolderTest, WritesTheManifestOfAllShares) {
   EXPECT_EQ(contentOf("manifest.csv"), manifestCsvHeader() + manifestCsvLine(entry(1)) + manifestCsvLine(entry(2)));
 }
 
-TEST_F(BatchFolderTest, IsOfOneProcessAShare) {
+TEST_F(BatchFolderTest, AllowsOneProcessPerShare) {
   const BatchFolder own = folder({0, 2});
   const auto second = BatchFolder::open(path_, {0, 2});
   ASSERT_FALSE(second);

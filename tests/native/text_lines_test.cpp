@@ -27,7 +27,7 @@ std::string textOf(const Result<std::vector<std::uint8_t>>& bytes) {
   return bytes ? std::string(bytes->begin(), bytes->end()) : bytes.error().message.code;
 }
 
-TEST(ReadText, ReadsAllOfAText) {
+TEST(ReadText, ReadsAWholeText) {
   for (const std::string text : {"", "a", "ab\ncd\r\nef\rgh", "\n\n"}) {
     std::istringstream stream(text);
     EXPECT_EQ(textOf(readText(stream, 2)), text);
@@ -37,7 +37,7 @@ TEST(ReadText, ReadsAllOfAText) {
   EXPECT_EQ(textOf(readText(stream, 2)), large);
 }
 
-TEST(ReadText, RefusesALineThatIsTooLongAndNamesIt) {
+TEST(ReadText, RefusesATooLongLineByNumber) {
   std::istringstream stream("ab\r\ncd\n\refg");
   const auto read = readText(stream, 2);
   ASSERT_FALSE(read);
@@ -45,14 +45,14 @@ TEST(ReadText, RefusesALineThatIsTooLongAndNamesIt) {
   EXPECT_EQ(read.error().message.values[0].numbers[0], 4);
 }
 
-TEST(ReadText, ReadsNoMoreOfALineThanIsAccepted) {
+TEST(ReadText, ReadsNoMoreOfALineThanTheLimit) {
   Endless endless;
   std::istream stream(&endless);
   EXPECT_EQ(textOf(readText(stream, 100'000)), "list-line-too-long");
   EXPECT_LT(endless.taken, 200'000u);
 }
 
-TEST(LineReader, GoesOnAfterALineThatIsTooLong) {
+TEST(LineReader, ContinuesAfterATooLongLine) {
   std::istringstream stream("ab\n\nabcdef\nfg\nabc");
   LineReader lines(stream, 2);
   EXPECT_EQ(lines.next()->value(), "ab");
@@ -63,7 +63,7 @@ TEST(LineReader, GoesOnAfterALineThatIsTooLong) {
   EXPECT_FALSE(lines.next());
 }
 
-TEST(LineReader, RefusesALineAsSoonAsItIsTooLong) {
+TEST(LineReader, RefusesALineOnceItIsTooLong) {
   Endless endless;
   std::istream stream(&endless);
   LineReader lines(stream, 100'000);

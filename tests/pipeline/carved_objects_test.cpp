@@ -35,7 +35,7 @@ EngraveResult twoBoxes() {
   return result;
 }
 
-TEST(CarvedObjects, EveryPartIsAnObjectOfItsNameWithoutAColour) {
+TEST(CarvedObjects, EveryPartIsANamedObjectWithoutColour) {
   const std::vector<ModelObject> objects = carvedObjects(twoBoxes(), kNames, true);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "left");
@@ -68,7 +68,7 @@ TEST(CarvedObjects, TheInlayIsTheSecondBodyOfTheCarvedObjectInAnotherColour) {
   }
 }
 
-TEST(CarvedObjects, AnInlayThatIsNotWantedIsLeftOut) {
+TEST(CarvedObjects, OmitsAnUnrequestedInlay) {
   EngraveResult result = twoBoxes();
   result.inlay = shapes::box({1, 1, 1});
   for (const ModelObject& object : carvedObjects(result, kNames, false)) {
@@ -77,7 +77,7 @@ TEST(CarvedObjects, AnInlayThatIsNotWantedIsLeftOut) {
   }
 }
 
-TEST(CarvedObjects, AModelOfOnePartIsOneObjectAsItIs) {
+TEST(CarvedObjects, AModelOfOnePartIsOneUnchangedObject) {
   EngraveResult result;
   result.mesh = shapes::icosphere(10, 2);
   result.inlay = shapes::box({1, 1, 1});

@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-TEST(CarvedParts, KeptFacetsStayInTheirPartAndNewOnesGoToTheCarvedOne) {
+TEST(CarvedParts, KeptFacetsStayInTheirPartAndNewOnesJoinTheCarvedPart) {
   const Mesh box = shapes::box({2, 2, 2});
   const Mesh before = shapes::together(box, shapes::translated(box, {10, 0, 0}));
   std::vector<std::uint32_t> partOf(12, 0);
@@ -28,7 +28,7 @@ TEST(CarvedParts, KeptFacetsStayInTheirPartAndNewOnesGoToTheCarvedOne) {
   EXPECT_EQ(partsAfterCarving(before, partOf, after, 21, 0), expected);
 }
 
-TEST(CarvedParts, OnePartNeedsNoAnswer) {
+TEST(CarvedParts, IsEmptyForASinglePart) {
   const Mesh box = shapes::box({2, 2, 2});
   EXPECT_TRUE(partsAfterCarving(box, {}, box, 12, 0).empty());
 }

@@ -24,7 +24,7 @@ class DefaultPatternsTest : public testing::Test {
   Symbol symbol_;
 };
 
-TEST_F(DefaultPatternsTest, FindersAreWholeWithFiveSixthsOfTheContrast) {
+TEST_F(DefaultPatternsTest, FinderPatternsAreWholeWithFiveSixthsOfTheContrast) {
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
   EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
   EXPECT_EQ(carved.finderPattern, FinderPattern::None);
@@ -32,20 +32,20 @@ TEST_F(DefaultPatternsTest, FindersAreWholeWithFiveSixthsOfTheContrast) {
   EXPECT_EQ(carved.maxDepthMm, kMaxDepthModules * kModuleMm);
 }
 
-TEST_F(DefaultPatternsTest, ModulesNarrowerThanTwoPointSixNozzlesTakeNineTenths) {
+TEST_F(DefaultPatternsTest, ModulesNarrowerThanTwoPointSixNozzlesUseNineTenths) {
   EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.27, 1e-12);
   request_.printer.nozzleMm = 0.25;
   EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.25, 1e-12);
 }
 
-TEST_F(DefaultPatternsTest, ThinWallsTakePatternedFindersAndThePresetsContrast) {
+TEST_F(DefaultPatternsTest, ThinWallsUsePatternedFindersAndThePresetsContrast) {
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm, true);
   EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
   EXPECT_EQ(carved.finderPattern, FinderPattern::ThickPlusSharp);
   EXPECT_EQ(carved.contrast, std::nullopt);
 }
 
-TEST_F(DefaultPatternsTest, WallsAreThinWhereATenthOfTheFindersIsLimitedToLessThanOneAndAHalfModules) {
+TEST_F(DefaultPatternsTest, WallsAreThinIfATenthOfTheFindersIsLimitedBelowOneAndAHalfModules) {
   const auto edge = static_cast<std::size_t>(kSubmodulesPerModule * symbol_.size);
   std::vector<double> limits(edge * edge, 1.5 * kModuleMm);
   EXPECT_FALSE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
@@ -56,7 +56,7 @@ TEST_F(DefaultPatternsTest, WallsAreThinWhereATenthOfTheFindersIsLimitedToLessTh
   EXPECT_TRUE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
 }
 
-TEST_F(DefaultPatternsTest, WhatTheRequestSaysItselfStays) {
+TEST_F(DefaultPatternsTest, KeepsExplicitSettings) {
   request_.contrast = 0.4;
   request_.maxDepthMm = 0.9;
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
@@ -65,14 +65,13 @@ TEST_F(DefaultPatternsTest, WhatTheRequestSaysItselfStays) {
   EXPECT_EQ(carved.maxDepthMm, 0.9);
 }
 
-TEST_F(DefaultPatternsTest, ANamedPatternOrAnotherWayOfCarvingHasPatternedFinders) {
-  std::vector<EngraveRequest> others(6, request_);
+TEST_F(DefaultPatternsTest, AnExplicitPatternOrAnotherSolverHasPatternedFinders) {
+  std::vector<EngraveRequest> others(5, request_);
   others[0].modulePattern = ModulePattern::Diamond;
   others[1].finderPattern = FinderPattern::Diamond;
   others[2].lights = {DirectionalLight{}};
-  others[3].floor = FloorShape::Wavy;
-  others[4].solver = ContrastSolver::PaperSteps;
-  others[5].objective = DepthObjective::Reading;
+  others[3].solver = ContrastSolver::PaperSteps;
+  others[4].objective = DepthObjective::OneLight;
   for (const EngraveRequest& other : others) {
     const EngraveRequest carved = withDefaultPatterns(other, kModuleMm);
     EXPECT_EQ(carved.modulePattern, other.modulePattern.value_or(ModulePattern::ThickPlus));
@@ -81,12 +80,12 @@ TEST_F(DefaultPatternsTest, ANamedPatternOrAnotherWayOfCarvingHasPatternedFinder
   }
 }
 
-TEST_F(DefaultPatternsTest, DecidingTwiceIsDecidingOnce) {
+TEST_F(DefaultPatternsTest, IsIdempotent) {
   const EngraveRequest once = withDefaultPatterns(request_, kModuleMm);
   EXPECT_EQ(withDefaultPatterns(once, kModuleMm), once);
 }
 
-TEST_F(DefaultPatternsTest, WhatPrintsAtLeastIsSaidOfThePatternThatIsNamedElseOfThickPlus) {
+TEST_F(DefaultPatternsTest, TheSmallestPrintableModuleFollowsThePatternElseThickPlus) {
   const double thickPlus =
       leastPrintableModuleMm(symbol_, ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, request_.printer);
   EXPECT_EQ(leastPrintableModuleMm(symbol_, request_), thickPlus);

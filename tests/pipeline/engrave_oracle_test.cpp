@@ -22,12 +22,12 @@ std::vector<std::uint32_t> allOf(const Mesh& mesh) {
   return all;
 }
 
-TEST(SolidOracle, CountsTheCrossingsOfATangledSphereAndNoneOfAnother) {
+TEST(SolidOracle, CountsTheCrossingsOfATangledSphereOnly) {
   EXPECT_EQ(countCrossings(shapes::tangledSphere(), allOf(shapes::tangledSphere())), 5u);
   EXPECT_EQ(countCrossings(shapes::icosphere(10, 3), allOf(shapes::icosphere(10, 3))), 0u);
 }
 
-TEST(SolidOracle, SeesWhatIsNoSolid) {
+TEST(SolidOracle, DetectsMeshesThatAreNotSolid) {
   EXPECT_EQ(surfaceProblems(shapes::box({2, 2, 2})), "");
   Mesh open = shapes::box({2, 2, 2});
   open.triangles.pop_back();
@@ -61,7 +61,7 @@ class EngraveOracle : public GlTest {
   std::shared_ptr<const EngravableModel> model_;
 };
 
-TEST_F(EngraveOracle, SeesWhatIsFalseAboutASolid) {
+TEST_F(EngraveOracle, DetectsFalseClaimsAboutASolid) {
   const EngraveResult result = *engrave(model_, made_.request);
   EXPECT_EQ(faultOf(result), "");
 
@@ -87,7 +87,7 @@ TEST_F(EngraveOracle, SeesWhatIsFalseAboutASolid) {
   EXPECT_THAT(faultOf(result), HasSubstr("of wall are left"));
 }
 
-TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
+TEST_F(EngraveOracle, DetectsFalseReasons) {
   const auto refused = [&](ErrorKind kind, const char* code) {
     return faultOf(tl::unexpected(Error{kind, Message(code, {})}));
   };
@@ -102,7 +102,7 @@ TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
   EXPECT_THAT(refused(ErrorKind::Internal, "no-gl-context"), HasSubstr("no typed refusal"));
 }
 
-TEST(CarvingCase, TakesFacetsThatOneBesideTheCodeHidesInPart) {
+TEST(CarvingCase, AcceptsFacetsPartlyHiddenByOneBesideTheCode) {
   // Found by fuzzing: one corner of the code lies on a facet that is partly hidden by a ridge beside the code.
   std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/fuzz/seeds/carve/overlapping_facets", std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});

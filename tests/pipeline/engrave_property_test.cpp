@@ -15,7 +15,7 @@ constexpr std::uint64_t kOnceFailed[] = {535, 552, 1392, 20031, 20272, 30640};
 /// parallel.
 class EngraveProperty : public GlTest, public testing::WithParamInterface<int> {};
 
-TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrARefusalThatIsTrue) {
+TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrATrueRefusal) {
   int solids = 0;
   for (int k = 0; k < kCasesEach; ++k) {
     const auto seed = static_cast<std::uint64_t>(1 + kCasesEach * GetParam() + k);
@@ -31,7 +31,7 @@ TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrARefusalThatIsTrue) {
 
 class EngravePropertyOnceFailed : public GlTest, public testing::WithParamInterface<std::uint64_t> {};
 
-TEST_P(EngravePropertyOnceFailed, EndsAsAValidSolidOrARefusalThatIsTrue) {
+TEST_P(EngravePropertyOnceFailed, EndsAsAValidSolidOrATrueRefusal) {
   Choices choices(GetParam());
   const OracleVerdict verdict = runEngraveCase(makeEngraveCase(choices));
   EXPECT_EQ(verdict.fault, "") << verdict.kind;

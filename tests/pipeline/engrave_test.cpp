@@ -51,7 +51,7 @@ class EngraveTest : public GlTest {
   }
 };
 
-TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
+TEST_F(EngraveTest, ABumpySphereGetsADecodableCodeAndStaysASolid) {
   const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
   const auto result = engrave(model, request({0, 0, 40}, 25));
   ASSERT_TRUE(result.has_value()) << result.error().message;
@@ -71,7 +71,7 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
   EXPECT_LT(result->solidity.volumeMm3, signedVolume(model->prepared.mesh));
 }
 
-TEST_F(EngraveTest, APlaceThatAnotherCodeWasCarvedInIsMeasuredNoMore) {
+TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
   const auto carve = [&](EngraveRequest wanted, std::shared_ptr<MeasuredPlace> measured) {
     auto job = EngraveJob::create(model, std::move(wanted), {.measured = std::move(measured)});
@@ -97,7 +97,7 @@ TEST_F(EngraveTest, APlaceThatAnotherCodeWasCarvedInIsMeasuredNoMore) {
   EXPECT_NE(carve(wanted, before)->measuredPlace(), before);
 }
 
-TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
+TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
   const auto model = upload(shapes::icosphere(40, 5));
   EngraveRequest wanted = request({0, 0, 40}, 25);
   const auto plain = engrave(model, wanted);
@@ -130,7 +130,7 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }
 
-TEST_F(EngraveTest, DefaultPatternsAreCarvedAsTheSameSettingsSaidByThemselves) {
+TEST_F(EngraveTest, DefaultPatternsCarveLikeTheSameExplicitSettings) {
   const auto model = upload(shapes::icosphere(40, 5));
   EngraveRequest left = request({0, 0, 40}, 25);
   left.carveFor = CarveFor::Print;
@@ -146,7 +146,7 @@ TEST_F(EngraveTest, DefaultPatternsAreCarvedAsTheSameSettingsSaidByThemselves) {
   EXPECT_EQ(byDefault->stl, same->stl);
 }
 
-TEST_F(EngraveTest, FindersArePatternedWhereWallsAreThin) {
+TEST_F(EngraveTest, FinderPatternsArePatternedWhereWallsAreThin) {
   EngraveRequest left = request({0, 0, 0}, 30);  // modules of 1.2 mm
   left.placement.upHint = {0, 1, 0};
   const auto findersOn = [&](double thicknessMm) {
@@ -187,7 +187,7 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   EXPECT_GT(finder / finderCount, data / dataCount);
 }
 
-TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
+TEST_F(EngraveTest, NoFloorIsNearerToTheBackThanTheMinimumWall) {
   // A plate of 1.3 mm leaves 0.3 mm to carve with 1 mm of wall; the code needs more.
   const Mesh plate = shapes::plate({60, 60}, 1.3, 6, 6);
   EngraveRequest wanted = request({0, 0, 0}, 30);
@@ -205,7 +205,7 @@ TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
   EXPECT_LE(-lowest, 0.3 + 1e-4);
 }
 
-TEST_F(EngraveTest, AWallWithNothingToSpareIsRefusedWithTheReason) {
+TEST_F(EngraveTest, RefusesAWallWithNothingToSpareWithTheReason) {
   EngraveRequest wanted = request({0, 0, 0}, 30);
   wanted.minWallMm = 2;
   const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), wanted);
@@ -214,7 +214,7 @@ TEST_F(EngraveTest, AWallWithNothingToSpareIsRefusedWithTheReason) {
   EXPECT_NE(sentence(result.error().message).find("2 mm"), std::string::npos) << result.error().message;
 }
 
-TEST_F(EngraveTest, ASizeThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
+TEST_F(EngraveTest, RefusesASizeThatDoesNotFitAndNamesTheLargestThatDoes) {
   const Mesh plate = shapes::plate({40, 40}, 5, 4, 4);
   const auto result = engrave(upload(plate), request({0, 0, 0}, 35));
   ASSERT_FALSE(result.has_value());
@@ -239,7 +239,7 @@ TEST_F(EngraveTest, TheFreeSizeFitsAtEveryRotation) {
   }
 }
 
-TEST_F(EngraveTest, EveryPatternGivesASolid) {
+TEST_F(EngraveTest, EveryPatternMakesASolid) {
   const auto model = upload(shapes::bumpySphere(40, 1, 4, 5));
   for (const ModulePattern modules :
        {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
@@ -255,7 +255,7 @@ TEST_F(EngraveTest, EveryPatternGivesASolid) {
   }
 }
 
-TEST_F(EngraveTest, ACodeOverAnEdgeLooksBetweenItsFaces) {
+TEST_F(EngraveTest, ACodeOverAnEdgeIsViewedFromBetweenItsFaces) {
   const auto result = engrave(upload(shapes::box({80, 80, 80})), request({40, 0, 40}, 20));
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
@@ -263,7 +263,7 @@ TEST_F(EngraveTest, ACodeOverAnEdgeLooksBetweenItsFaces) {
   EXPECT_GT(result->placement.frame.normal.z, 0.4);
 }
 
-TEST_F(EngraveTest, AGivenDirectionIsTakenAsItIs) {
+TEST_F(EngraveTest, UsesAGivenDirectionUnchanged) {
   EngraveRequest wanted = request({0, 0, 40}, 20);
   wanted.placement.direction = Vec3(0.2, 0, 1);
   const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
@@ -272,7 +272,7 @@ TEST_F(EngraveTest, AGivenDirectionIsTakenAsItIs) {
   EXPECT_TRUE(result->placement.iterations.empty());
 }
 
-TEST_F(EngraveTest, TheSymbolsTopPointsWhereItWasAskedTo) {
+TEST_F(EngraveTest, TheTopOfTheSymbolPointsInTheGivenDirection) {
   EngraveRequest wanted = request({40, 0, 0}, 20);
   wanted.placement.upHint = {0, 0, 1};
   const auto upright = engrave(upload(shapes::icosphere(40, 5)), wanted);
@@ -284,7 +284,7 @@ TEST_F(EngraveTest, TheSymbolsTopPointsWhereItWasAskedTo) {
   EXPECT_LT(turned->placement.frame.up.y, -0.99);
 }
 
-TEST_F(EngraveTest, AnOpenModelIsRefusedBeforeAnythingIsDone) {
+TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
   Mesh open = shapes::box({40, 40, 40});
   open.triangles.pop_back();
   const auto job = EngraveJob::create(upload(open), request({0, 0, 20}, 20));
@@ -292,7 +292,7 @@ TEST_F(EngraveTest, AnOpenModelIsRefusedBeforeAnythingIsDone) {
   EXPECT_EQ(job.error().kind, ErrorKind::BadInput);
 }
 
-TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
+TEST_F(EngraveTest, RefusesInvalidRequestsAsBadUsage) {
   const auto model = upload(shapes::icosphere(40, 3));
   const auto codeOf = [&](const EngraveRequest& wanted) {
     const auto job = EngraveJob::create(model, wanted);
@@ -321,7 +321,7 @@ TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
 }
 
-TEST_F(EngraveTest, ALampThatShinesIntoThePocketsMakesThemDeeper) {
+TEST_F(EngraveTest, ALampThatShinesIntoThePocketsDeepensThem) {
   const auto model = upload(shapes::box({50, 50, 10}));
   EngraveRequest wanted = request({0, 0, 5}, 25);
   const auto bySky = engrave(model, wanted);
@@ -349,7 +349,7 @@ TEST_F(EngraveTest, ProgressNeverFallsAndEndsAtOne) {
   EXPECT_EQ(last, 1);
 }
 
-TEST_F(EngraveTest, TheSameRequestGivesTheSameFile) {
+TEST_F(EngraveTest, IsDeterministic) {
   const auto model = upload(shapes::bumpySphere(40, 1, 4, 4));
   const auto first = engrave(model, request({0, 0, 40}, 25));
   const auto second = engrave(model, request({0, 0, 40}, 25));
@@ -385,7 +385,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   EXPECT_TRUE(report["verification"]["failedChecks"].empty());
 }
 
-TEST_F(EngraveTest, ACentreOnAnEdgeOrACornerIsSeenFromBetweenTheFaces) {
+TEST_F(EngraveTest, ACentreOnAnEdgeOrCornerIsViewedFromBetweenTheFaces) {
   const auto model = upload(shapes::box({60, 60, 60}));
   for (const Vec3 centre : {Vec3(30, 4, 30), Vec3(30, 30, 30)}) {
     for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
@@ -404,7 +404,7 @@ TEST_F(EngraveTest, ACentreOnAnEdgeOrACornerIsSeenFromBetweenTheFaces) {
   }
 }
 
-TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {
+TEST_F(EngraveTest, AWrongOrMissingReadingFailsTheCheck) {
   const auto model = upload(shapes::icosphere(40, 4));
   const EngraveRequest wanted = request({0, 0, 40}, 25);
   const auto result = engrave(model, wanted);

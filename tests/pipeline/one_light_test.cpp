@@ -59,7 +59,7 @@ class OneLightTest : public GlTest {
   }
 };
 
-TEST_F(OneLightTest, ItIsASolidThatReadsUnderItsLampAndLessUnderTheSky) {
+TEST_F(OneLightTest, IsASolidThatDecodesUnderItsLampBetterThanUnderTheSky) {
   const Sample& sample = onPlate();
   EXPECT_TRUE(sample.result.solidity.solid());
   EXPECT_LT(summarise(sample.result.depths).meanMm, 0.12);
@@ -72,7 +72,7 @@ TEST_F(OneLightTest, ItIsASolidThatReadsUnderItsLampAndLessUnderTheSky) {
   EXPECT_LT(underSky.reads, underLamp.reads);
 }
 
-TEST_F(OneLightTest, ItIsShallowerThanOneThatReadsInAnyLight) {
+TEST_F(OneLightTest, IsShallowerThanACodeForAnyLight) {
   const Sample any = carved(shapes::box({50, 50, 10}), {0, 0, 5}, DepthObjective::Contrast, ModulePattern::ThickPlus);
   EXPECT_LT(summarise(onPlate().result.depths).meanMm, 0.5 * summarise(any.result.depths).meanMm);
 }
@@ -114,7 +114,7 @@ TEST_F(OneLightTest, TracedLightConfirmsThatCarvedSubmodulesAreDarkUnderTheLamp)
   }
 }
 
-TEST_F(OneLightTest, TheReportSaysWhichLampItNeedsAndVerifyTakesItFromThere) {
+TEST_F(OneLightTest, TheReportNamesTheLampAndVerifyUsesIt) {
   const Sample& sample = onPlate();
   const ReadingEvidence evidence = readCarving(sample.request, sample.result);
   ReportContext context;
@@ -146,7 +146,7 @@ TEST_F(OneLightTest, TheReportSaysWhichLampItNeedsAndVerifyTakesItFromThere) {
   EXPECT_GT(verified.grades->cellContrast.value, 0.1);  // share of the light under the lamp
 }
 
-TEST_F(OneLightTest, ItsPrintIsSeenUnderTheLampToo) {
+TEST_F(OneLightTest, ThePrintIsViewedUnderTheLampToo) {
   const Sample& sample = onPlate();
   VerifyRequest request = verifyRequestOf(sample.request, sample.result);
   const auto contrast = [&] {
@@ -162,7 +162,7 @@ TEST_F(OneLightTest, ItsPrintIsSeenUnderTheLampToo) {
   EXPECT_GT(underLamp, 1.5 * contrast());
 }
 
-TEST_F(OneLightTest, ALampThatCannotBeIsRefusedByVerify) {
+TEST_F(OneLightTest, VerifyRefusesAnInvalidLamp) {
   VerifyRequest request = verifyRequestOf(onPlate().request, onPlate().result);
   request.oneLight->elevationDeg = -3;
   const auto job = VerifyJob::create(onPlate().result.mesh, request, zxingDecoders());

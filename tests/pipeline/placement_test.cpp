@@ -50,7 +50,7 @@ class PlacementTest : public GlTest {
   GeometryPass pass_;
 };
 
-TEST_F(PlacementTest, OnATurnedSquareTheThreeSizesHaveTheirClosedForms) {
+TEST_F(PlacementTest, TheThreeSizesOfATurnedSquareMatchTheirClosedForms) {
   load(turnedPlate(40, kTurn));
   PlacementRequest request;
   request.upHint = {0, 1, 0};
@@ -71,7 +71,7 @@ TEST_F(PlacementTest, OnATurnedSquareTheThreeSizesHaveTheirClosedForms) {
   }
 }
 
-TEST_F(PlacementTest, TheBestRotationIsCountedOnFromTheOneAskedFor) {
+TEST_F(PlacementTest, AddsTheRequestedRotationToTheBestOne) {
   load(turnedPlate(40, kTurn));
   PlacementRequest request;
   request.upHint = {0, 1, 0};
@@ -82,7 +82,7 @@ TEST_F(PlacementTest, TheBestRotationIsCountedOnFromTheOneAskedFor) {
   EXPECT_NEAR(placed->rotationDeg, 110, 1e-3);
 }
 
-TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation) {
+TEST_F(PlacementTest, RefusesASizeThatDoesNotFitAndNamesTheLargestHereAndAtTheBestRotation) {
   load(turnedPlate(40, kTurn));
   PlacementRequest request;
   request.upHint = {0, 1, 0};
@@ -112,7 +112,7 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
   EXPECT_TRUE(place(request).has_value());
 }
 
-TEST_F(PlacementTest, AFoundSizeLeavesRoomForItsPocketsInAWallThatGrowsThin) {
+TEST_F(PlacementTest, TheFoundSizeLeavesRoomForPocketsInATaperingWall) {
   // The wedge is 5 mm thick on the left, 0.5 mm on the right.
   const auto thickness = [](double x) { return 2.75 - 0.1125 * x; };
   Mesh wedge = shapes::plate({40, 40}, 5, 4, 4);
@@ -143,7 +143,7 @@ TEST_F(PlacementTest, AFoundSizeLeavesRoomForItsPocketsInAWallThatGrowsThin) {
   EXPECT_DOUBLE_EQ(place(request)->symbolMm, 22) << "asked for";
 }
 
-TEST_F(PlacementTest, ThePatchIsKnownBeyondTheCodeAsFarAsItsWallsReach) {
+TEST_F(PlacementTest, ThePatchExtendsBeyondTheCodeAsFarAsItsWallsReach) {
   load(shapes::icosphere(60, 5));
   PlacementRequest request;
   request.centreMm = {0, 0, 60};
@@ -159,7 +159,7 @@ TEST_F(PlacementTest, ThePatchIsKnownBeyondTheCodeAsFarAsItsWallsReach) {
   }
 }
 
-TEST_F(PlacementTest, HowFarIsLookedDoesNotChangeTheSize) {
+TEST_F(PlacementTest, TheSearchRadiusDoesNotChangeTheSize) {
   // From a distance D off its surface, the silhouette of a sphere of radius r appears at D·r/√((D + r)² - r²) on
   // the plane that touches it. Small and large size bounds make the first look reach differently far.
   const double r = 30, d = 250;
@@ -176,7 +176,7 @@ TEST_F(PlacementTest, HowFarIsLookedDoesNotChangeTheSize) {
   }
 }
 
-TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOneInItsSquare) {
+TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOne) {
   load(shapes::bumpySphere(40, 3, 5, 5));
   for (const Vec3 centre : {Vec3(0, 0, 40), Vec3(25, 20, 25), Vec3(-30, 5, 25)}) {
     PlacementRequest request;
@@ -196,7 +196,7 @@ TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOneInItsSq
   }
 }
 
-TEST_F(PlacementTest, ADirectionFromBehindIsRefusedWithTheReason) {
+TEST_F(PlacementTest, RefusesADirectionFromBehindWithTheReason) {
   load(shapes::icosphere(40, 4));
   PlacementRequest request;
   request.centreMm = {0, 0, 40};
@@ -207,7 +207,7 @@ TEST_F(PlacementTest, ADirectionFromBehindIsRefusedWithTheReason) {
   EXPECT_NE(sentence(refused.error().message).find("faces away"), std::string::npos) << refused.error().message;
 }
 
-TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
+TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsViewedFromWhereTheCodeFits) {
   // The plate has a step of 2 mm within one strip of 0.5 mm. From the strip's own normal, 76° off, hardly any of the
   // plate is visible.
   load(shapes::plate({60, 60}, 10, 120, 12, [](double x, double) { return x < 0.01 ? 0.0 : 2.0; }));
@@ -219,7 +219,7 @@ TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
   EXPECT_GT(placed->symbolMm, 20);
 }
 
-TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfASizeThatNobodyCanPrint) {
+TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfAnUnprintableSize) {
   // A column comes through the upper face; the code's centre is a hundredth of a millimetre beside it.
   load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
   for (const SizeMode mode : {SizeMode::Fixed, SizeMode::Free, SizeMode::Best}) {

@@ -42,7 +42,7 @@ class PrintedViewTest : public GlTest {
   }
 };
 
-TEST_F(PrintedViewTest, ModulesMuchWiderThanTheNozzleReadAsPrintedLyingAndStanding) {
+TEST_F(PrintedViewTest, ModulesMuchWiderThanTheNozzleDecodeInPrintLyingAndStanding) {
   const Carved plate = carved(25.2);
   const std::pair<Vec3, double> cases[] = {{{0, 0, 1}, 0}, {{0, 2, 0}, 90}};
   for (const auto& [up, facingDeg] : cases) {
@@ -55,7 +55,7 @@ TEST_F(PrintedViewTest, ModulesMuchWiderThanTheNozzleReadAsPrintedLyingAndStandi
   }
 }
 
-TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
+TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotDecodeInPrintThoughTheDesignDoes) {
   const Carved plate = carved(7);  // modules of a third of a millimetre
   auto job = VerifyJob::create(plate.mesh, plate.request, zxingDecoders());
   ASSERT_TRUE(job);
@@ -65,7 +65,7 @@ TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
   EXPECT_EQ(evidence->reading.count.reads, 0);
 }
 
-TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
+TEST_F(PrintedViewTest, ThePrintIsDarkWhereTheCodeIsDark) {
   const Carved plate = carved(25.2);
   const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules around the symbol are seen
   auto job = PrintedViewJob::create(plate.mesh, {.process = *processOf({}),
@@ -93,7 +93,7 @@ TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
   EXPECT_LT(dark / darkPixels, 0.9 * light / lightPixels);
 }
 
-TEST_F(PrintedViewTest, WithoutAProcessNothingIsPrinted) {
+TEST_F(PrintedViewTest, HasNoPrintWithoutAProcess) {
   VerifyRequest request;
   request.text = "x";
   const auto evidence = readPrinted(request, shapes::box({10, 10, 10}), [](const Progress&) { FAIL(); });
@@ -101,7 +101,7 @@ TEST_F(PrintedViewTest, WithoutAProcessNothingIsPrinted) {
   EXPECT_FALSE(*evidence);
 }
 
-TEST_F(PrintedViewTest, WhatNoPrinterCouldDoIsRefused) {
+TEST_F(PrintedViewTest, RefusesAnImpossiblePrinter) {
   VerifyRequest request;
   request.text = "x";
   request.symbolMm = 5;

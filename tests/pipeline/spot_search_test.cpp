@@ -29,7 +29,7 @@ class SpotSearchTest : public GlTest {
   }
 };
 
-TEST_F(SpotSearchTest, SpotsThatFaceDownInThePrinterComeLast) {
+TEST_F(SpotSearchTest, RanksSpotsThatFaceDownLast) {
   for (const double up : {1.0, -1.0}) {
     SpotSearchRequest wanted = request(30);
     wanted.count = 2;
@@ -42,7 +42,7 @@ TEST_F(SpotSearchTest, SpotsThatFaceDownInThePrinterComeLast) {
   }
 }
 
-TEST_F(SpotSearchTest, SpotsInTheShadeOfTheModelComeLastAndSaySo) {
+TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
   // The larger half of the plate has a ridge in its middle.
   const Mesh model = shapes::plate(Vec2(130, 60), 10, 130, 4, [](double x, double) {
     if (x > 5) return -3.0;
@@ -65,7 +65,7 @@ TEST_F(SpotSearchTest, SpotsInTheShadeOfTheModelComeLastAndSaySo) {
   }
 }
 
-TEST_F(SpotSearchTest, SpotsThatTheNozzleDoesNotPrintSaySo) {
+TEST_F(SpotSearchTest, WarnsAboutSpotsTooSmallForTheNozzle) {
   SpotSearchRequest wanted = request(30);
   wanted.leastPrintableMm = 31;
   const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
@@ -74,11 +74,11 @@ TEST_F(SpotSearchTest, SpotsThatTheNozzleDoesNotPrintSaySo) {
     EXPECT_FALSE(spot.prints);
     ASSERT_EQ(spot.concerns.size(), 1u);
     EXPECT_EQ(spot.concerns.front(),
-              message("spot-too-small-to-print", with::lengthMm("nozzle", 0.4), with::lengthMm("needed", 31)));
+              message("spot-too-small-to-print", with::lengthMm<"nozzle">(0.4), with::lengthMm<"needed">(31)));
   }
 }
 
-TEST_F(SpotSearchTest, EveryOfferedSpotTakesTheCode) {
+TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
   const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
   const auto found = findSpots(model, request(22));
   ASSERT_TRUE(found.has_value()) << found.error().message;
@@ -100,7 +100,7 @@ TEST_F(SpotSearchTest, EveryOfferedSpotTakesTheCode) {
   }
 }
 
-TEST_F(SpotSearchTest, ACubeIsOfferedItsFacesInFullSize) {
+TEST_F(SpotSearchTest, OffersTheFacesOfACubeInFullSize) {
   const auto model = upload(shapes::box({60, 60, 60}));
   SpotSearchRequest wanted = request(0);
   wanted.placement.sizeMode = SizeMode::Oriented;
@@ -120,7 +120,7 @@ TEST_F(SpotSearchTest, ACubeIsOfferedItsFacesInFullSize) {
   EXPECT_LT(found->spots.front().symbolMm, most + 1e-3);
 }
 
-TEST_F(SpotSearchTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
+TEST_F(SpotSearchTest, RanksTheSpotThatDecodesFromWiderAnglesFirst) {
   // A code bends on the ball. The plate has slightly less room, but a code on it stays flat.
   const auto model =
       upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
@@ -138,7 +138,7 @@ TEST_F(SpotSearchTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
   EXPECT_GT(found->spots[2].symbolMm, found->spots[0].symbolMm);
 }
 
-TEST_F(SpotSearchTest, ACentreIsRoundedToWhatIsPrinted) {
+TEST_F(SpotSearchTest, RoundsACentreToThePrintedDigits) {
   const auto model = upload(shapes::icosphere(30, 4));
   SpotSearchRequest wanted = request(12);
   wanted.scaleToMm = 1000;
@@ -151,7 +151,7 @@ TEST_F(SpotSearchTest, ACentreIsRoundedToWhatIsPrinted) {
   }
 }
 
-TEST_F(SpotSearchTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
+TEST_F(SpotSearchTest, NamesTheLargestSizeIfTheRequestedOneFitsNowhere) {
   const auto found = findSpots(upload(shapes::icosphere(20, 4)), request(60));
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
@@ -164,7 +164,7 @@ TEST_F(SpotSearchTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
 }
 
-TEST_F(SpotSearchTest, RefusesAThinShellAndSaysHowThickItIs) {
+TEST_F(SpotSearchTest, RefusesAThinShellAndReportsItsThickness) {
   const Mesh shell = shapes::together(shapes::icosphere(40, 5), shapes::insideOut(shapes::icosphere(39.2, 5)));
   const auto model = upload(shell);
   const auto refused = findSpots(model, request(20));
@@ -178,7 +178,7 @@ TEST_F(SpotSearchTest, RefusesAThinShellAndSaysHowThickItIs) {
   EXPECT_TRUE(findSpots(model, thinner).has_value());
 }
 
-TEST_F(SpotSearchTest, KeepsToTheDirectionAskedFor) {
+TEST_F(SpotSearchTest, UsesTheRequestedDirection) {
   SpotSearchRequest wanted = request(15);
   wanted.placement.direction = Vec3(0, 3, 0);
   const auto found = findSpots(upload(shapes::icosphere(40, 4)), wanted);
@@ -189,7 +189,7 @@ TEST_F(SpotSearchTest, KeepsToTheDirectionAskedFor) {
   }
 }
 
-TEST_F(SpotSearchTest, IsTheSameOnEveryRun) {
+TEST_F(SpotSearchTest, IsDeterministic) {
   const auto model = upload(shapes::bumpySphere(40, 3, 4, 4));
   const auto first = findSpots(model, request(20));
   const auto second = findSpots(model, request(20));
@@ -201,7 +201,7 @@ TEST_F(SpotSearchTest, IsTheSameOnEveryRun) {
   }
 }
 
-TEST_F(SpotSearchTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
+TEST_F(SpotSearchTest, ProgressNeverFallsAndTheMapPrecedesTheSpots) {
   auto job = SpotSearchJob::create(upload(shapes::icosphere(40, 4)), request(20));
   ASSERT_TRUE(job.has_value());
   double before = 0;
@@ -219,7 +219,7 @@ TEST_F(SpotSearchTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
   EXPECT_EQ(before, 1);
 }
 
-TEST_F(SpotSearchTest, RefusesRequestsThatMakeNoSense) {
+TEST_F(SpotSearchTest, RefusesInvalidRequests) {
   const auto model = upload(shapes::icosphere(40, 2));
   SpotSearchRequest none = request(20);
   none.count = 0;
@@ -244,7 +244,7 @@ TEST_F(SpotSearchTest, CentreDecimalsReachAMicrometre) {
   EXPECT_EQ(centreDecimals(1e-9), 0);
 }
 
-TEST_F(SpotSearchTest, RefusesAModelThatIsTooSmallForAnyCodeAtOnce) {
+TEST_F(SpotSearchTest, RefusesAModelTooSmallForAnyCodeAtOnce) {
   const auto refused = SpotSearchJob::create(upload(shapes::box({0.2, 0.2, 0.2})), request(20));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);

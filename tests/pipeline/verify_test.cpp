@@ -86,7 +86,7 @@ class VerifyTest : public GlTest {
   }
 };
 
-TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
+TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckByItsMesh) {
   VerifyRequest request = requestOf(good());
   request.ranges = true;
   const Verified result = verify(good().mesh, request);
@@ -108,7 +108,7 @@ TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
   EXPECT_EQ(result.grades->fixedPatternDamage.grade, 4);
 }
 
-TEST_F(VerifyTest, AMirroredEngravingIsSaidToBeMirrored) {
+TEST_F(VerifyTest, ReportsAMirroredEngraving) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions) p.x = -p.x;
   mesh = shapes::insideOut(mesh);
@@ -119,7 +119,7 @@ TEST_F(VerifyTest, AMirroredEngravingIsSaidToBeMirrored) {
   EXPECT_THAT(codesOf(result), testing::ElementsAre("mirrored"));
 }
 
-TEST_F(VerifyTest, ARaisedCodeIsSaidToBeRaised) {
+TEST_F(VerifyTest, ReportsARaisedCode) {
   // The plate's upper face is pushed through: floors 0.3 … 0.8 mm below it now lie as far above it.
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions)
@@ -130,7 +130,7 @@ TEST_F(VerifyTest, ARaisedCodeIsSaidToBeRaised) {
   EXPECT_FALSE(result.reading.frontal.enough());
 }
 
-TEST_F(VerifyTest, AShallowEngravingIsSaidToBeTooShallow) {
+TEST_F(VerifyTest, ReportsATooShallowEngraving) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions)
     if (p.z > 0) p.z = 5 - (5 - p.z) * 0.15f;
@@ -141,12 +141,12 @@ TEST_F(VerifyTest, AShallowEngravingIsSaidToBeTooShallow) {
   EXPECT_EQ(result.verdict.prints.reasons.front().code, "shallower-than-layers");
 }
 
-TEST_F(VerifyTest, APlainPlateHasNoCode) {
+TEST_F(VerifyTest, FindsNoCodeOnAPlainPlate) {
   const Verified result = verify(shapes::box({50, 50, 10}), requestOf(good()));
   EXPECT_THAT(codesOf(result), testing::ElementsAre("no-code"));
 }
 
-TEST_F(VerifyTest, ABrokenSolidIsNamedWithThePlace) {
+TEST_F(VerifyTest, ReportsABrokenSolidWithThePlace) {
   Mesh mesh = good().mesh;
   mesh.triangles.erase(mesh.triangles.begin());
   const Verified result = verify(mesh, requestOf(good()));
@@ -155,7 +155,7 @@ TEST_F(VerifyTest, ABrokenSolidIsNamedWithThePlace) {
   EXPECT_TRUE(result.reading.frontal.enough());
 }
 
-TEST_F(VerifyTest, CrossingsThatTheModelBroughtAlongAreSaidAndPass) {
+TEST_F(VerifyTest, ReportsInheritedCrossingsAndPasses) {
   VerifyRequest request = requestOf(good());
   Verified result = verify(good().mesh, request);
   result.solidity.selfIntersections = 3;
@@ -171,7 +171,7 @@ TEST_F(VerifyTest, CrossingsThatTheModelBroughtAlongAreSaidAndPass) {
   EXPECT_EQ(result.verdict.solid.level, Level::Bad);
 }
 
-TEST_F(VerifyTest, ATurnedCodeReadsButIsNotWhereItWasSaidToBe) {
+TEST_F(VerifyTest, ATurnedCodeDecodesButIsMisplaced) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions) p = {-p.y, p.x, p.z};
   const Verified result = verify(mesh, requestOf(good()));
@@ -180,7 +180,7 @@ TEST_F(VerifyTest, ATurnedCodeReadsButIsNotWhereItWasSaidToBe) {
   EXPECT_THAT(codesOf(result), testing::ElementsAre("turned"));
 }
 
-TEST_F(VerifyTest, AnotherTextIsReadOut) {
+TEST_F(VerifyTest, ReportsAnotherText) {
   VerifyRequest request = requestOf(good());
   request.text = "SOMETHING";
   request.symbol = *encodeSymbol("SOMETHING", {.version = 1});
@@ -189,7 +189,7 @@ TEST_F(VerifyTest, AnotherTextIsReadOut) {
   EXPECT_EQ(result.reading.otherText, "QRELIEF");
 }
 
-TEST_F(VerifyTest, ACodeBesideItsPlaceIsMisplaced) {
+TEST_F(VerifyTest, ReportsACodeBesideItsPlace) {
   VerifyRequest request = requestOf(good());
   request.frame.centre.x += 4;
   const Verified result = verify(good().mesh, request);
@@ -197,7 +197,7 @@ TEST_F(VerifyTest, ACodeBesideItsPlaceIsMisplaced) {
   EXPECT_NEAR(result.reading.cornerErrorModules.value_or(0), 4 / 1.2, 0.5);
 }
 
-TEST_F(VerifyTest, TheResultIsTheSameEveryTime) {
+TEST_F(VerifyTest, IsDeterministic) {
   const auto reportOf = [&] {
     const VerifyRequest request = requestOf(good());
     const Verified verified = verify(good().mesh, request);
@@ -220,7 +220,7 @@ TEST_F(VerifyTest, TheReportHasTheKeysOfTheContract) {
   EXPECT_EQ(json["mesh"]["closed"], true);
 }
 
-TEST_F(VerifyTest, TheEngraversReportNamesDepthInLayersAndPrintability) {
+TEST_F(VerifyTest, TheReportOfEngraveHasLayersAndPrintability) {
   const auto report = nlohmann::json::parse(good().report);
   const auto& features = report["depth"]["features"];
   EXPECT_NEAR(features["meanDepthLayers"].get<double>(), report["depth"]["meanMm"].get<double>() / 0.2, 1e-9);
@@ -229,7 +229,7 @@ TEST_F(VerifyTest, TheEngraversReportNamesDepthInLayersAndPrintability) {
   EXPECT_TRUE(report["verification"]["printability"].is_array());
 }
 
-TEST_F(VerifyTest, AReportWithoutAPlaceIsRefusedWithTheMissingKey) {
+TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {
   auto report = nlohmann::json::parse(good().report);
   report["projection"].erase("centre");
   const auto request = requestFromReport(report.dump());
@@ -246,7 +246,7 @@ TEST_F(VerifyTest, AReportWithoutAPlaceIsRefusedWithTheMissingKey) {
   EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("20 rows"));
 }
 
-TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
+TEST_F(VerifyTest, RefusesInvalidRequests) {
   const VerifyRequest fine = requestOf(good());
   const auto codeOf = [&](auto change) {
     VerifyRequest request = fine;
@@ -265,7 +265,7 @@ TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(codeOf([](VerifyRequest&) {}), std::nullopt);
 }
 
-TEST(MeshAsFound, WeldsAndScalesButMendsNothing) {
+TEST(MeshAsFound, WeldsAndScalesButRepairsNothing) {
   PolygonSoup soup = shapes::soupOf(shapes::box({2, 3, 5}));
   soup.triangles.pop_back();
   const auto mesh = meshAsFound(soup, 10);

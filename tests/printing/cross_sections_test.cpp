@@ -35,7 +35,7 @@ void expectClosed(const std::vector<Segment2>& outline) {
   for (const auto& [point, count] : balance) EXPECT_EQ(count, 0) << point.first << ", " << point.second;
 }
 
-TEST(CrossSections, OfASphereTheyAreItsCircles) {
+TEST(CrossSections, OfASphereAreCircles) {
   const double radius = 10;
   const CuttingPlanes planes{-9.5, 1, 20};
   const CrossSections sections = cutByPlanes(cornersOf(shapes::icosphere(radius, 5)), planes, Vec2(-20.1), Vec2(20));
@@ -56,7 +56,7 @@ TEST(CrossSections, APlaneThroughVerticesAndFacetsCutsJustBelowThem) {
   EXPECT_NEAR(enclosedArea(sections.outlines[2]), 24, 1e-9);
 }
 
-TEST(CrossSections, CavitiesAreSubtractedAndTheCornersWindingCounted) {
+TEST(CrossSections, SubtractsCavitiesAndCountsTheWindingAtTheCorner) {
   const Mesh hollow = shapes::together(shapes::box({10, 10, 10}), shapes::insideOut(shapes::box({4, 4, 4})));
   const CuttingPlanes planes{-6.5, 1, 14};
   const CrossSections within = cutByPlanes(cornersOf(hollow), planes, Vec2(0.1, 0.2), Vec2(9));
@@ -68,7 +68,7 @@ TEST(CrossSections, CavitiesAreSubtractedAndTheCornersWindingCounted) {
   }
 }
 
-TEST(CrossSections, WhatLiesBesideTheRectangleIsLeftOut) {
+TEST(CrossSections, OmitsEverythingOutsideTheRectangle) {
   const Mesh two = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {10, 0, 0}));
   const CrossSections sections = cutByPlanes(cornersOf(two), {0, 1, 1}, Vec2(-3.1), Vec2(3));
   EXPECT_NEAR(enclosedArea(sections.outlines[0]), 4, 1e-9);

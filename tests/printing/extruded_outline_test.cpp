@@ -24,7 +24,7 @@ LayerGrid laid(const std::vector<Segment2>& outline, int winding = 0) {
   return layOutline(outline, kWindow, kCorner, winding, kProcess);
 }
 
-TEST(ExtrudedOutline, StraightWallsStayAndCornersBecomeRoundWithHalfALinesWidth) {
+TEST(ExtrudedOutline, StraightWallsStayAndCornersAreRoundedByHalfALineWidth) {
   const LayerGrid grid = laid(rectangle({-2, -2}, {2, 2}));
   EXPECT_NEAR(grid.at({2, 0}), 0, 0.005);
   EXPECT_NEAR(grid.at({2.1, 0.3}), 0.1, 0.005);
@@ -34,7 +34,7 @@ TEST(ExtrudedOutline, StraightWallsStayAndCornersBecomeRoundWithHalfALinesWidth)
   EXPECT_LT(grid.at({0, 0}), -kProcess.pocketRadiusMm);
 }
 
-TEST(ExtrudedOutline, CornersOfPocketsBecomeRoundOnlyAsFarAsGapsAreClosed) {
+TEST(ExtrudedOutline, CornersOfPocketsAreRoundedOnlyByTheClosingOfGaps) {
   // An L has its inner corner at the origin, where the solid covers three quarters of the plane.
   const LayerGrid grid = laid(polygon({{-3, -3}, {3, -3}, {3, 0}, {0, 0}, {0, 3}, {-3, 3}}));
   EXPECT_NEAR(grid.at({0, 0}), -kProcess.pocketRadiusMm * (std::sqrt(2) - 1), 0.015);
@@ -53,7 +53,7 @@ TEST(ExtrudedOutline, AWallJustTooThinForTheOuterLineKeepsItsWidth) {
   EXPECT_NEAR(grid.at({0, 0.2}), 0, 0.025);
 }
 
-TEST(ExtrudedOutline, WhatIsTooThinOrTooShortForALineIsNotLaid) {
+TEST(ExtrudedOutline, OmitsWallsTooThinOrTooShortForALine) {
   EXPECT_GT(laid(rectangle({-2, -0.04}, {2, 0.04})).at({0, 0}), 0) << "thinner than a quarter of the nozzle";
   EXPECT_GT(laid(rectangle({-0.14, -0.14}, {0.14, 0.14})).at({0, 0}), 0) << "an island of 0.28 mm";
 }
@@ -68,7 +68,7 @@ TEST(ExtrudedOutline, NarrowGapsAreClosedAndWiderOnesStay) {
   EXPECT_NEAR(grid.at({1.1, 0}), 0.1, 0.02) << "0.2 mm wide";
 }
 
-TEST(ExtrudedOutline, WithoutLinesNothingThinIsMade) {
+TEST(ExtrudedOutline, DropsThinWallsIfTheProcessHasNoLines) {
   const PrintProcess powder = *processOf({.layerMm = 0.1, .technique = PrintTechnique::Powder});
   const auto at = [&](double halfWidth) {
     return layOutline(rectangle({-2, -halfWidth}, {2, halfWidth}), kWindow, kCorner, 0, powder).at({0, 0});
@@ -77,7 +77,7 @@ TEST(ExtrudedOutline, WithoutLinesNothingThinIsMade) {
   EXPECT_LT(at(1.1 * powder.cornerRadiusMm), 0);
 }
 
-TEST(ExtrudedOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
+TEST(ExtrudedOutline, CountsTheSurroundingsFromTheCornerOfTheWindow) {
   // The window lies within the solid, except for a hole.
   std::vector<Segment2> hole = rectangle({-1, -1}, {1, 1});
   for (auto& [a, b] : hole) std::swap(a, b);
@@ -87,7 +87,7 @@ TEST(ExtrudedOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
   EXPECT_GE(grid.at({0, 0}), kExtrudedReachMm - 1e-6);
 }
 
-TEST(ExtrudedOutline, SolidsThatOverlapAreOne) {
+TEST(ExtrudedOutline, OverlappingSolidsAreOne) {
   // A thin wall stands in a block, partly inside it.
   std::vector<Segment2> two = rectangle({-2, -1}, {2, 1});
   for (const Segment2& segment : rectangle({-0.2, -0.5}, {0.2, 3})) two.push_back(segment);

@@ -17,7 +17,7 @@ LayerGrid gridOf(double stepMm, int nodes, float value) {
   return grid;
 }
 
-TEST(LayerGrid, DistancesWithinReachAreThoseFromTheNearestSegment) {
+TEST(LayerGrid, DistancesWithinReachAreToTheNearestSegment) {
   LayerGrid grid = gridOf(0.1, 61, 9);
   const std::vector<Segment2> segments = {{Vec2(-1, 0), Vec2(1, 0.5)}, {Vec2(1, 0.5), Vec2(1, 2)}};
   std::vector<float> inside(grid.distanceMm.size());
@@ -36,7 +36,7 @@ TEST(LayerGrid, DistancesWithinReachAreThoseFromTheNearestSegment) {
     }
 }
 
-TEST(LayerGrid, IsTheSameByAllInstructionSets) {
+TEST(LayerGrid, IsTheSameForAllInstructionSets) {
   const std::vector<Segment2> segments = {{Vec2(-1, 0), Vec2(1, 0.5)}, {Vec2(1, 0.5), Vec2(1, 2)}};
   const std::vector<float> inside(61 * 61, 1.0f);
   expectSameByAllInstructionSets([&] {
@@ -56,7 +56,7 @@ TEST(LayerGrid, BetweenTheNodesItIsBilinear) {
     EXPECT_NEAR(grid.at(at), plane(at), 1e-5);
 }
 
-TEST(LayerGrid, TheContourOfACirclesDistancesIsTheCircle) {
+TEST(LayerGrid, TheContourOfTheDistancesToACircleIsTheCircle) {
   LayerGrid grid = gridOf(0.05, 121, 0);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
@@ -69,7 +69,7 @@ TEST(LayerGrid, TheContourOfACirclesDistancesIsTheCircle) {
   EXPECT_NEAR(length, 2 * std::numbers::pi * 1.5, 0.01);
 }
 
-TEST(LayerGrid, WhereTwoCornersTouchTheMeanDecidesWhatIsJoined) {
+TEST(LayerGrid, TheMeanDecidesWhetherTouchingCornersAreJoined) {
   LayerGrid grid{Vec2(0), 1, 2, 2, {-3, 1, 1, -3}};  // the diagonal of inner corners is joined
   for (const auto& [a, b] : contourOf(grid, 0))
     EXPECT_LT(std::abs(a.x - a.y - b.x + b.y), 1e-9) << "round an outer corner";

@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-TEST(PrintProcess, EveryNamedPrinterHasOne) {
+TEST(PrintProcess, EveryNamedPrinterHasAProcess) {
   for (const NamedPrinter& named : namedPrinters()) {
     const auto process = processOf(named.printer);
     ASSERT_TRUE(process) << named.name;
@@ -16,12 +16,12 @@ TEST(PrintProcess, EveryNamedPrinterHasOne) {
   }
 }
 
-TEST(PrintProcess, LinesAreAsWideAsSlicersProfilesHaveThemUnlessAskedFor) {
+TEST(PrintProcess, LineWidthsDefaultToTheSlicersProfiles) {
   EXPECT_DOUBLE_EQ(processOf({.nozzleMm = 0.4})->cornerRadiusMm, 0.45 / 2);
   EXPECT_DOUBLE_EQ(processOf({.nozzleMm = 0.4, .lineWidthMm = 0.6})->cornerRadiusMm, 0.3);
 }
 
-TEST(PrintProcess, PrintersThatThereCannotBeAreRefused) {
+TEST(PrintProcess, RefusesImpossiblePrinters) {
   const auto code = [](const Printer& printer) {
     const auto process = processOf(printer);
     return process ? std::string() : process.error().message.code;

@@ -35,7 +35,7 @@ Vec3 onSphere(Random& random) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-TEST(PrintedRays, TheEyeSeesTheSurfacesPoints) {
+TEST(PrintedRays, TheEyeSeesThePointsOfTheSurface) {
   const PrintedSurface made = surface(60);
   const PrintedRays rays(made);
   for (int row = 1; row + 1 < made.texels; row += 3)
@@ -53,7 +53,7 @@ TEST(PrintedRays, TheEyeSeesTheSurfacesPoints) {
   EXPECT_FALSE(rays.firstHit(made.frame.eye(), made.frame.rayDirection({6.5, 0})));
 }
 
-TEST(PrintedRays, RaysFromTheSurfaceMeetWhatATreeOverItsTrianglesSays) {
+TEST(PrintedRays, RaysFromTheSurfaceHitTheSameAsARayTree) {
   for (const int texels : {17, 60, 133}) {
     const PrintedSurface made = surface(texels);
     const PrintedRays rays(made);
@@ -89,7 +89,7 @@ TEST(PrintedRays, RaysFromTheSurfaceMeetWhatATreeOverItsTrianglesSays) {
   }
 }
 
-TEST(PrintedRays, ARayThatComesFromFarMeetsTheSurfaceToo) {
+TEST(PrintedRays, ARayFromFarAwayHitsTheSurface) {
   const PrintedSurface made = surface(60);
   const PrintedRays rays(made);
   const Mesh mesh = made.mesh();
@@ -109,7 +109,7 @@ TEST(PrintedRays, ARayThatComesFromFarMeetsTheSurfaceToo) {
   EXPECT_LE(apart, 4);
 }
 
-TEST(PrintedRays, NearerThanAskedForNothingIsMet) {
+TEST(PrintedRays, IgnoresHitsNearerThanTheMinimum) {
   const PrintedSurface made = surface(60);
   const PrintedRays rays(made);
   const Vec3 down = made.frame.rayDirection({1, 1});

@@ -35,7 +35,7 @@ double heightAt(const PrintedSurface& surface, Vec2 at) {
                             static_cast<std::size_t>(place.x)];
 }
 
-TEST(PrintedSurface, ATopIsWhereTheLastLayerWhoseMiddleLiesInTheSolidEnds) {
+TEST(PrintedSurface, TheTopIsTheEndOfTheLastLayerWhoseMiddleIsInTheSolid) {
   const struct { double top, printed; } cases[] = {{5, 5}, {5.09, 5}, {5.11, 5.2}, {4.91, 5}, {4.89, 4.8}};
   for (const auto& [top, printed] : cases) {
     const Mesh block = shapes::translated(shapes::box({20, 20, top}), {0, 0, top / 2});
@@ -92,7 +92,7 @@ TEST(PrintedSurface, ARidgeTooThinForTheNozzleIsGoneAndAThickerOneStays) {
   EXPECT_NEAR(heightAt(*surface, {2, 0}), 1, 1e-3);
 }
 
-TEST(PrintedSurface, ItDoesNotMatterHowTheModelLiesInItsFile) {
+TEST(PrintedSurface, IsIndependentOfTheModelsOrientationInItsFile) {
   const Mesh block =
       shapes::plate({20, 20}, 5, 40, 40, [](double x, double y) { return 0.5 * std::sin(x) * std::cos(1.3 * y); });
   const auto upright = printSurface(block, {kProcess, above(1, 2, 0), 6, {0, 0, 1}});
@@ -151,14 +151,14 @@ TEST(PrintedSurface, ItsMeshPassesThroughItsPointsAndFacesTheEye) {
     ASSERT_GT(glm::dot(triangleNormal(mesh, t), surface->frame.eye() - mesh.corner(t, 0)), 0);
 }
 
-TEST(PrintedSurface, BesideTheModelNothingIsMet) {
+TEST(PrintedSurface, HitsNothingBesideTheModel) {
   const auto surface = printSurface(shapes::box({10, 10, 10}), {kProcess, above(500, 0, 5), 8, {0, 0, 1}});
   ASSERT_TRUE(surface);
   for (const float distance : surface->distanceMm) EXPECT_EQ(distance, 0);
   EXPECT_TRUE(surface->mesh().triangles.empty());
 }
 
-TEST(PrintedSurface, LargeCodesAndFineProcessesAreLookedAtMoreCoarsely) {
+TEST(PrintedSurface, SamplesLargeCodesAndFineProcessesMoreCoarsely) {
   const Mesh block = shapes::translated(shapes::box({600, 600, 4}), {0, 0, 2});
   const auto large = printSurface(block, {kProcess, above(0, 0, 4), 500, {0, 0, 1}});
   ASSERT_TRUE(large);
@@ -171,7 +171,7 @@ TEST(PrintedSurface, LargeCodesAndFineProcessesAreLookedAtMoreCoarsely) {
   EXPECT_NEAR(heightAt(*fine, {0, 0}), 0, 0.011);
 }
 
-TEST(PrintedSurface, ABuildDirectionOfZeroIsRefused) {
+TEST(PrintedSurface, RefusesABuildDirectionOfZero) {
   const auto surface = printSurface(shapes::box({10, 10, 10}), {kProcess, above(0, 0, 5), 4, {0, 0, 0}});
   ASSERT_FALSE(surface);
   EXPECT_EQ(surface.error().message.code, "no-build-direction");

@@ -24,8 +24,12 @@ const std::vector<std::string> kLayers = {"base",         "math",     "mesh",   
                                           "gl",           "render",   "projection", "depth",   "carving", "printing",
                                           "verification", "settings", "pipeline",   "verdict", "report",  "batch"};
 
-/// Header that the build generates from shaders/.
-const std::string kGeneratedHeader = "shaders.h";
+/// Headers that the build generates from shaders/ and messages/.
+const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "message_codes.h"};
+
+bool isGenerated(const std::string& path) {
+  return std::find(kGeneratedHeaders.begin(), kGeneratedHeaders.end(), path) != kGeneratedHeaders.end();
+}
 
 std::ptrdiff_t layerOf(const std::string& folder) {
   const auto found = std::find(kLayers.begin(), kLayers.end(), folder);
@@ -38,7 +42,7 @@ std::optional<std::string> whyForbidden(const std::string& folder, const std::st
       "(EGL/|emscripten|imgui|backends/imgui|GLFW/|SDL|X11/|CLI/|viewer/|engine/|inspector/|wasm/|cli/|native/"
       "|messages/).*");
   if (std::regex_match(path, kOutside)) return "core knows no window, browser, command line or GL context";
-  if (!quoted || path == kGeneratedHeader) return std::nullopt;
+  if (!quoted || isGenerated(path)) return std::nullopt;
   const std::string target = path.substr(0, path.find('/'));
   if (path.find('/') == std::string::npos || layerOf(target) < 0) return "no folder of core";
   if (layerOf(target) > layerOf(folder)) return target + " is a higher layer than " + folder;
@@ -73,7 +77,7 @@ std::string folderOf(const std::string& room) {
 /// folder.
 std::string roomOf(const std::string& path) {
   const std::string folder = path.substr(0, path.find('/'));
-  if (path == kGeneratedHeader || layerOf(folder) >= 0) return "core";
+  if (isGenerated(path) || layerOf(folder) >= 0) return "core";
   return path.find('/') == std::string::npos ? "" : folder;
 }
 
@@ -125,13 +129,13 @@ std::vector<std::string> violationsUnder(const std::string& folder, WhyForbidden
   return violations;
 }
 
-TEST(Layers, IncludeOnlyWhatStandsBelow) {
+TEST(Layers, IncludeOnlyLowerLayers) {
   EXPECT_THAT(violationsUnder("core", [](const fs::path& file, const std::string& path,
                                          bool quoted) { return whyForbidden(file.begin()->string(), path, quoted); }),
               IsEmpty());
 }
 
-TEST(Layers, RoomsIncludeOnlyThoseBelowThem) {
+TEST(Layers, RoomsIncludeOnlyLowerRooms) {
   for (const auto& [room, known] : kRooms) {
     EXPECT_THAT(violationsUnder(folderOf(room),
                                 [&room = room](const fs::path& file, const std::string& path, bool quoted) {
@@ -158,7 +162,7 @@ std::string violationOf(const std::string& line, const Rule& why) {
   return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
 }
 
-TEST(Layers, SeeWhatIsForbiddenToRooms) {
+TEST(Layers, DetectForbiddenIncludesOfRooms) {
   const auto only = [](const std::string& room, const std::string& line) {
     return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbiddenTo(room, path, quoted); });
   };
@@ -176,7 +180,7 @@ TEST(Layers, SeeWhatIsForbiddenToRooms) {
   EXPECT_THAT(only("wasm", "#include <emscripten/bind.h>"), "0 violations");
 }
 
-TEST(Layers, SeeWhatIsForbidden) {
+TEST(Layers, DetectForbiddenIncludes) {
   const auto only = [](const std::string& folder, const std::string& line) {
     return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbidden(folder, path, quoted); });
   };
@@ -191,6 +195,7 @@ TEST(Layers, SeeWhatIsForbidden) {
   EXPECT_THAT(only("base", "#include \"result.h\""), HasSubstr("no folder of core"));
   EXPECT_THAT(only("carving", "#include \"render/luminance_pass.h\""), "0 violations");
   EXPECT_THAT(only("render", "#include \"shaders.h\""), "0 violations");
+  EXPECT_THAT(only("base", "#include \"message_codes.h\""), "0 violations");
   EXPECT_THAT(only("base", "#include <vector>"), "0 violations");
 }
 

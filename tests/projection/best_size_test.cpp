@@ -78,7 +78,7 @@ TEST(BestSize, OfASquareIsTheSquareItself) {
   }
 }
 
-TEST(BestSize, OfARegularPolygonPutsTheCornersOnItsCorners) {
+TEST(BestSize, OfARegularPolygonPlacesTheCornersOnItsCorners) {
   // With a multiple of four corners, the square's four corners can lie on them, on the circle that bounds all corners.
   for (const int corners : {8, 12, 40, 360}) {
     const TurnedSquare best = bestSize(regularPolygon(corners, 10, pi / 4 + 0.003), kUnbounded);
@@ -98,7 +98,7 @@ TEST(BestSize, BetweenTwoParallelLinesIsTheirDistance) {
   }
 }
 
-TEST(BestSize, BesideOnePointPutsItInTheMiddleOfASide) {
+TEST(BestSize, BesideOnePointPlacesItInTheMiddleOfASide) {
   const std::vector<Segment2> point{{polar(7, 1.9), polar(7, 1.9)}};
   const TurnedSquare best = bestSize(point, kUnbounded);
   EXPECT_NEAR(best.sizeMm, 14, 1e-12);
@@ -113,7 +113,7 @@ TEST(BestSize, BetweenTwoPointsLiesHalfwayModuloAQuarterTurn) {
   EXPECT_NEAR(best.rotation, -pi / 12, 1e-12);
 }
 
-TEST(BestSize, IsWhatIsAskedForWhereNothingBoundsIt) {
+TEST(BestSize, IsTheRequestedSizeIfNothingBoundsIt) {
   EXPECT_EQ(bestSize({}, 33).sizeMm, 33);
   EXPECT_EQ(bestSize({}, 33).rotation, 0);
   const std::vector<Segment2> far{{Vec2(100, -100), Vec2(100, 100)}};
@@ -121,7 +121,7 @@ TEST(BestSize, IsWhatIsAskedForWhereNothingBoundsIt) {
   EXPECT_EQ(bestSize(far, 33).rotation, 0);
 }
 
-TEST(BestSize, TurnsNoFartherThanTheGreatestSizeNeeds) {
+TEST(BestSize, TurnsNoFartherThanTheMaximumSizeNeeds) {
   // Between lines at ±c, turned by x against the square, half the edge is c/(cos x + sin x) = c/(√2·sin(x + π/4)).
   const Vec2 across = polar(10, 0.6);
   const Vec2 along = polar(200, 0.6 + pi / 2);

@@ -30,7 +30,7 @@ class CodeEstimateTest : public GlTest {
   SurfaceLook look_;
 };
 
-TEST_F(CodeEstimateTest, AnEstimateOnABoxesTopAgreesWithTheExactPlacement) {
+TEST_F(CodeEstimateTest, AnEstimateOnTopOfABoxAgreesWithTheExactPlacement) {
   const EstimatedSurface surface = box();
   PlacementRequest request;
   request.centreMm = {0, 0, 10};

@@ -38,7 +38,7 @@ TEST(Contour, CountsFacetsSeenEdgeOnAsTurnedAway) {
   }
 }
 
-TEST(Contour, CutsEdgesOffWhereTheyPassBesideTheEye) {
+TEST(Contour, ClipsEdgesBesideTheEye) {
   // A tall box stands next to the eye: its vertical edges pass from below to above the eye, at height 260.
   const Mesh mesh = shapes::translated(shapes::box({10, 10, 1000}), {50, 0, 0});
   const EyeView view = viewFrom(mesh, kFromAbove);

@@ -36,7 +36,7 @@ double sizeAt(const Mesh& mesh, bool withCrossings) {
   return orientedSize(patch->silhouette);
 }
 
-TEST(Crossings, BoundACodeWhereAnotherBodyComesThroughTheFace) {
+TEST(Crossings, BoundACodeWhereAnotherBodyPiercesTheFace) {
   // The column's upper edges are contour edges. From the eye they appear farther out than where the column comes
   // through.
   const Mesh mesh =
@@ -44,7 +44,7 @@ TEST(Crossings, BoundACodeWhereAnotherBodyComesThroughTheFace) {
   EXPECT_NEAR(sizeAt(mesh, true), 16, 1e-9);
 }
 
-TEST(Crossings, OfASlopeThatRisesOutOfTheFaceAreNoContour) {
+TEST(Crossings, OfASlopeThatRisesFromTheFaceAreNoContour) {
   // A ramp comes out of the face along x = 6 and faces the eye all the way, so no contour edge marks its start.
   Mesh ramp = shapes::plate({20, 60}, 20, 1, 1, [](double x, double) { return x; });
   const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), shapes::translated(ramp, {6, 0, 5}));
@@ -61,7 +61,7 @@ TEST(Crossings, OfBodiesThatTouchAtAPointAreThatPoint) {
   EXPECT_NEAR(sizeAt(mesh, true), 18, 1e-9);
 }
 
-TEST(Crossings, AreFoundNearestToAPlace) {
+TEST(Crossings, AreFoundNearestFirst) {
   // The column comes through the face along x = 8 to 12, all the way from y = -20 to 20.
   const Mesh mesh =
       shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0}));
@@ -73,7 +73,7 @@ TEST(Crossings, AreFoundNearestToAPlace) {
   EXPECT_NEAR(glm::distance(**found, Vec3(8, 1, 5)), 0, 1e-9);
 }
 
-TEST(Crossings, AreNotFoundInASoundSurface) {
+TEST(Crossings, AreNotFoundInAnIntactSurface) {
   const Mesh box = shapes::box({40, 40, 10});
   const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   const auto found = nearestCrossing(box, all, {0, 1, 5});
@@ -81,7 +81,7 @@ TEST(Crossings, AreNotFoundInASoundSurface) {
   EXPECT_FALSE(found->has_value());
 }
 
-TEST(Crossings, LeaveASoundSurfaceAsItIs) {
+TEST(Crossings, KeepAnIntactSurfaceUnchanged) {
   const Mesh box = shapes::box({40, 40, 10});
   EXPECT_EQ(sizeAt(box, true), sizeAt(box, false));
 }

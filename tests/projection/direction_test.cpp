@@ -21,7 +21,7 @@ std::vector<float> makeMap(int texels, Function at) {
   return map;
 }
 
-TEST(MapSample, AFlatMapGivesItsNormalInEveryStep) {
+TEST(MapSample, AFlatMapReturnsItsNormalInEveryStep) {
   const Vec3 normal = glm::normalize(Vec3(0.3, -0.2, 1));
   const auto map = makeMap(64, [&](double, double) { return std::pair(normal, 240.0); });
   const MapSample sample = sampleMap(map, 64, {});
@@ -39,7 +39,7 @@ TEST(MapSample, TheVarianceOfARampIsItsClosedForm) {
   EXPECT_NEAR(sampleMap(map, 64, {}).varianceMm2, 3 * (1 - 1.0 / (64 * 64)), 1e-4);
 }
 
-TEST(MapSample, DepthBalanceTakesOnlyTheNearestAndFarthestCells) {
+TEST(MapSample, DepthBalanceUsesOnlyTheNearestAndFarthestCells) {
   // The two nearest cells lean left, the two farthest lean right by the same angle, and the rest point up.
   const auto map = makeMap(64, [](double x, double y) {
     if (y > 0.75 && x < -0.5) return std::pair(glm::normalize(Vec3(-1, 0, 1)), 200.0);
@@ -76,7 +76,7 @@ TEST(MapSample, APlaneTiltedByAnAngleHasItsClosedFormMeasure) {
   EXPECT_TRUE(sample.centreIsSeen);
 }
 
-TEST(MapSample, WhatLooksAtTheEyeFromEverywhereAlikeMeasuresNothing) {
+TEST(MapSample, ASurfaceThatFacesTheEyeEverywhereHasMeasureZero) {
   DirectionOptions options;
   const auto map = makeMap(64, [&](double x, double y) {
     const double half = options.sizeMm / 2;
@@ -87,7 +87,7 @@ TEST(MapSample, WhatLooksAtTheEyeFromEverywhereAlikeMeasuresNothing) {
   EXPECT_NEAR(sample.measure, 0, 1e-8);
 }
 
-TEST(MapSample, TheWorstAngleIsThatOfTheWorstTwentieth) {
+TEST(MapSample, TheWorstAngleIsThe95thPercentile) {
   DirectionOptions options;
   options.eyeDistanceMm = 1e5;
   const auto seenAt = [](double angle) { return Vec3(std::sin(angle), 0, std::cos(angle)); };
@@ -104,7 +104,7 @@ TEST(MapSample, OutsideTexelsCountAsHalfAnEdgeOffAndEdgeOn) {
   EXPECT_FALSE(sampleMap(nothing, 32, {}).centreIsSeen);
 }
 
-TEST(MapSample, TheCentreIsHiddenWhereSomethingIsNearer) {
+TEST(MapSample, TheCentreIsHiddenIfSomethingIsNearer) {
   const auto near = makeMap(64, [](double, double) { return std::pair(Vec3(0, 0, 1), 245.0); });
   EXPECT_FALSE(sampleMap(near, 64, {}).centreIsSeen);
   const auto at = makeMap(64, [](double, double) { return std::pair(Vec3(0, 0, 1), 249.9); });
@@ -133,7 +133,7 @@ class DirectionTest : public GlTest {
   GpuMesh gpu_;
 };
 
-TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusWhateverTheFirstNormal) {
+TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusForAnyFirstNormal) {
   const Vec3 centre(0, 0, 40);
   for (const DirectionMethod method : {DirectionMethod::MeanNormal, DirectionMethod::DepthBalanced}) {
     DirectionOptions options;

@@ -23,13 +23,13 @@ TEST(FacetLocator, FindsTheFacetThatContainsAPoint) {
   }
 }
 
-TEST(FacetLocator, TakesTheLowestOnACommonBorder) {
+TEST(FacetLocator, ReturnsTheLowestFacetOnACommonBorder) {
   FacetLocator locator = fan();
   EXPECT_EQ(locator.nearest({0, 0}), 0u);
   EXPECT_EQ(locator.nearest({0, 1.5}), 1u);
 }
 
-TEST(FacetLocator, ForgivesAPointThatRoundingPutsBesideEveryFacet) {
+TEST(FacetLocator, ToleratesAPointThatRoundingPutsOutsideEveryFacet) {
   FacetLocator locator({{Vec2(0, 0), Vec2(4, 0), Vec2(0, 3)}, {Vec2(0, -3), Vec2(4, -2e-12), Vec2(0, -2e-12)}});
   EXPECT_EQ(locator.nearest({1, -0.5e-12}), 0u);
   EXPECT_EQ(locator.nearest({1, -1.5e-12}), 1u);

@@ -23,18 +23,18 @@ std::vector<float> surfaceOf(const Height& height) {
   return surface;
 }
 
-TEST(Bend, APlaneHoweverTiltedDoesNotBend) {
+TEST(Bend, ATiltedPlaneHasNoBend) {
   EXPECT_NEAR(bendMm(surfaceOf([](Vec2 p) { return 3 + 0.4 * p.x - 0.7 * p.y; }), kWindow), 0, 1e-5);
 }
 
-TEST(Bend, OfACylinderIsThatOfAParabola) {
+TEST(Bend, OfACylinderMatchesAParabola) {
   // x² / 2r over |x| < a has the variance a⁴ / 45r².
   const double a = 10, r = 30;
   const double expected = a * a / (std::sqrt(45) * r);
   EXPECT_NEAR(bendMm(surfaceOf([&](Vec2 p) { return -p.x * p.x / (2 * r); }), kWindow), expected, 0.005 * expected);
 }
 
-TEST(Bend, WhatIsNoModelDoesNotCount) {
+TEST(Bend, IgnoresTexelsOutsideTheModel) {
   std::vector<float> surface = surfaceOf([](Vec2 p) { return p.x > 5 ? 100 : 0.1 * p.x; });
   for (int row = 0; row < kWindow.texels; ++row)
     for (int column = 0; column < kWindow.texels; ++column)
@@ -44,7 +44,7 @@ TEST(Bend, WhatIsNoModelDoesNotCount) {
   EXPECT_EQ(bendMm(std::vector<float>(surface.size(), 0.0f), kWindow), 0);
 }
 
-TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
+TEST(Bend, OfAMeshCoversOnlyTheGivenFacets) {
   // Two plates form a step: together they bend, each alone does not.
   const Mesh mesh = shapes::together(shapes::translated(shapes::box({40, 40, 4}), {0, 0, -2}),
                                      shapes::translated(shapes::box({20, 40, 2}), {-10, 0, 1}));
@@ -59,7 +59,7 @@ TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
   EXPECT_NEAR(bendMm(mesh, all, frame, 30), 0.5, 0.02);
 }
 
-TEST(Bend, TheAimForgivesTheLessTheMoreModulesAreMoved) {
+TEST(Bend, TheAimToleranceFallsWithTheBend) {
   EXPECT_EQ(aimToleranceDeg(0, 1), kMaxAimDeg);
   EXPECT_NEAR(aimToleranceDeg(1.36, 1), 10, 0.1);
   EXPECT_NEAR(aimToleranceDeg(2 * 1.36, 2), 10, 0.1);

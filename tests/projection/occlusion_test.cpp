@@ -33,7 +33,7 @@ void expectSegment(const Segment2& actual, Vec2 a, Vec2 b) {
   EXPECT_NEAR(glm::distance(actual[1], b), 0, 1e-9);
 }
 
-TEST(Occluder, IsThePartOfTheEdgeUponTheFacet) {
+TEST(Occluder, IsThePartOfTheEdgeInFrontOfTheFacet) {
   // At half the eye's height everything appears twice as large.
   const std::optional<Occluder> occluder = Scene({{-5, 1, 50}, {20, 1, 50}}).test(3, 4);
   ASSERT_TRUE(occluder);
@@ -41,7 +41,7 @@ TEST(Occluder, IsThePartOfTheEdgeUponTheFacet) {
   expectSegment(occluder->segment, {0, 2}, {8, 2});
 }
 
-TEST(Occluder, MayLieWhollyUponTheFacet) {
+TEST(Occluder, MayBeTheWholeEdge) {
   const std::optional<Occluder> occluder = Scene({{1, 1, 50}, {2, 1, 50}}).test(3, 4);
   ASSERT_TRUE(occluder);
   EXPECT_TRUE(occluder->crosses);
@@ -67,7 +67,7 @@ TEST(Occluder, TouchesWhereItRunsAlongASideOrThroughACorner) {
   expectSegment(through->segment, {0, 0}, {0, 0});
 }
 
-TEST(Occluder, OfACornersOwnEdgeIsACusp) {
+TEST(Occluder, OfAnEdgeAtTheCornerIsACusp) {
   // Edges from corner 0: up and over the facet, along its side, away from it, and below it.
   const std::optional<Occluder> over = Scene({{1, 1, 50}}).test(0, 3);
   ASSERT_TRUE(over);

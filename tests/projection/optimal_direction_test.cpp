@@ -39,7 +39,7 @@ class OptimalDirectionTest : public GlTest {
   GpuMesh gpu_;
 };
 
-TEST_F(OptimalDirectionTest, FindsThePlanesNormalFromATiltedStart) {
+TEST_F(OptimalDirectionTest, FindsTheNormalOfAPlaneFromATiltedStart) {
   const OptimalDirection found =
       search(shapes::box({200, 200, 20}), {0, 0, 10}, {0.2, -0.1, 1}, {.sizeMm = 30, .mapTexels = 128});
   EXPECT_LT(std::acos(found.normal().z), std::numbers::pi / 180);
@@ -52,7 +52,7 @@ TEST_F(OptimalDirectionTest, KeepsAStartThatIsBest) {
   EXPECT_EQ(found.iterations().size(), 17u);  // the start, and four sides of 8°, 4°, 2° and 1°
 }
 
-TEST_F(OptimalDirectionTest, OverAnEdgeLooksBetweenTheTwoFaces) {
+TEST_F(OptimalDirectionTest, OverAnEdgeLiesBetweenTheTwoFaces) {
   const OptimalDirection found =
       search(shapes::box({80, 80, 80}), {40, 0, 40}, {0.5, 0, 1}, {.sizeMm = 30, .mapTexels = 128});
   EXPECT_NEAR(found.normal().x, found.normal().z, 0.03);

@@ -52,7 +52,7 @@ TEST(PlaneGrid, FindsEveryShapeThatMeetsTheQuery) { expectToFindAll(std::numeric
 
 TEST(PlaneGrid, FindsShapesFartherOutThanItsCells) { expectToFindAll(8); }
 
-TEST(PlaneGrid, LooksAtFewShapesWhereManyLieElsewhere) {
+TEST(PlaneGrid, VisitsFewShapesIfMostLieElsewhere) {
   // 10 000 unit segments lie on a 100 × 100 lattice; a small query must return only its neighbourhood.
   std::vector<Triangle2> segments;
   for (int i = 0; i < 100; ++i)

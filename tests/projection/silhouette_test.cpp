@@ -119,7 +119,7 @@ TEST(Silhouette, OfACubesFaceIsThatFace) {
   EXPECT_DOUBLE_EQ(orientedSize(patch->silhouette), 40);
 }
 
-TEST(Silhouette, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
+TEST(Silhouette, OfACubesFaceTurnedBy45DegreesFitsASmallerAlignedSquare) {
   const Mesh mesh = shapes::box({40, 40, 40});
   const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0, 0, {1, 1, 0}));
   ASSERT_TRUE(patch);
@@ -176,7 +176,7 @@ Mesh floorUnder(Vec3 boxSize, Vec3 boxCentre, int grid) {
                           shapes::translated(shapes::box(boxSize), boxCentre));
 }
 
-TEST(Silhouette, EndsAtTheEdgeOfWhatHoversOverIt) {
+TEST(Silhouette, EndsAtTheEdgeOfAnOccluderAboveIt) {
   // The box covers 20 ≤ x ≤ 40, 10 ≤ z ≤ 20. Its lower edge at x = 20 hides the most: 20·250/240 on the plane.
   for (const int grid : {1, 3, 24}) {
     const Mesh mesh = floorUnder({20, 20, 10}, {30, 0, 15}, grid);
@@ -192,7 +192,7 @@ TEST(Silhouette, EndsAtTheEdgeOfWhatHoversOverIt) {
   }
 }
 
-TEST(Silhouette, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
+TEST(Silhouette, EndsWhereAnOccludersEdgeCoincidesWithItsOwn) {
   // The lower edge at x = 10, z = 125 appears at x = 20, exactly on a line of the floor's grid.
   const Mesh mesh = floorUnder({20, 20, 10}, {20, 0, 130}, 6);
   const brute_force::Spot spot = fromAbove(mesh, 0, 0);
@@ -237,7 +237,7 @@ TEST(Silhouette, EndsAtARidgeThatHidesItsOtherSide) {
   expectSeenWithin(mesh, spot.frame, *patch);
 }
 
-TEST(Silhouette, GoesRoundARidgeWithoutOverlappingItself) {
+TEST(Silhouette, GoesAroundARidgeWithoutOverlappingItself) {
   for (const int n : {16, 32}) {
     const Mesh mesh = ridge(30, n);
     for (const Vec2 centre : {Vec2(0, 0), Vec2(0.3, 44.7), Vec2(52.1, 3.9), Vec2(20.5, -55)}) {
@@ -296,7 +296,7 @@ TEST(Silhouette, OfABumpySphereIsWhatTheEyeSees) {
   EXPECT_GE(solved, 8);
 }
 
-TEST(Silhouette, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
+TEST(Silhouette, OmitsFacetsBeyondTheRadiusWithoutASilhouette) {
   const Mesh mesh = shapes::plate({100, 100}, 10, 50, 50);
   const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0.3, 0.4), 10);
   ASSERT_TRUE(patch);
@@ -313,13 +313,13 @@ TEST(Silhouette, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
   EXPECT_EQ(patch->triangles, expected);
 }
 
-TEST(Silhouette, KnowsTheSilhouetteInsideTheRadiusOnly) {
+TEST(Silhouette, HasTheSilhouetteInsideTheRadiusOnly) {
   const Mesh mesh = shapes::box({40, 40, 40});
   EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 14)->silhouette.size(), 0u);
   EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 16)->silhouette.size(), 1u);
 }
 
-TEST(Silhouette, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome) {
+TEST(Silhouette, RefusesAHiddenCentreAndReportsHowNearTheEyeMustBe) {
   const Mesh mesh = floorUnder({20, 20, 10}, {0, 0, 15}, 4);
   const brute_force::Spot below = brute_force::spotSeen(mesh, {1, 2, 5}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, below);
@@ -347,7 +347,7 @@ TEST(Silhouette, RefusesASeedThatFacesTheEyeEdgeOn) {
   EXPECT_THAT(sentence(patch.error().message), HasSubstr("faces away"));
 }
 
-TEST(Silhouette, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
+TEST(Silhouette, OfAHollowBallReportsAnEyeInOrBehindTheOppositeWall) {
   const Mesh mesh = shapes::together(shapes::icosphere(50, 4), shapes::insideOut(shapes::icosphere(40, 4)));
   const auto onInnerWall = [&](double eyeDistance) {
     return brute_force::spotSeen(mesh, {0.1, 0.2, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, eyeDistance);
@@ -367,7 +367,7 @@ TEST(Silhouette, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
   }
 }
 
-TEST(Silhouette, TakesACentreOnAVertexOrAnEdge) {
+TEST(Silhouette, AcceptsACentreOnAVertexOrAnEdge) {
   const Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
   for (const Vec2 p : {Vec2(0, 0), Vec2(10, 5), Vec2(-25, -25)}) {
     const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, p.x, p.y));

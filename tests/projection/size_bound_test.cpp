@@ -21,7 +21,7 @@ PreparedModel prepared(const Mesh& mesh) {
 constexpr SizeBound kSmallest{21, 29.0 / 21};  // 5.8 mm with the quiet zone
 constexpr double kEyeMm = 250;
 
-TEST(Room, OfAFlatSquareIsItsEdgeWhereTheEyeIsFar) {
+TEST(Room, OfAFlatSquareIsItsEdgeForADistantEye) {
   EXPECT_NEAR(squareBoundMm({{0, 0, 0}, {30, 30, 0}}, 1e9), 30, 1e-5);
 }
 
@@ -31,7 +31,7 @@ TEST(Room, GrowsAsTheEyeComesNear) {
   EXPECT_EQ(squareBoundMm({{0, 0, 0}, {200, 200, 0}}, kEyeMm), std::numeric_limits<double>::infinity());
 }
 
-TEST(Room, IsRefusedToAModelOfAFifthOfAMillimetreWithTheUnitThatHelps) {
+TEST(Room, RefusesAModelOfAFifthOfAMillimetreAndSuggestsTheUnit) {
   const Status refused = checkSizeBound(prepared(shapes::box({0.2, 0.2, 0.2})), kSmallest, kEyeMm);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
@@ -43,7 +43,7 @@ TEST(Room, IsRefusedToAModelOfAFifthOfAMillimetreWithTheUnitThatHelps) {
   EXPECT_THAT(hint(refused.error().message), testing::HasSubstr("--units m makes it 200 × 200 × 200 mm"));
 }
 
-TEST(Room, IsNotRefusedToAModelOnWhichTheSmallestCodeJustFits) {
+TEST(Room, AcceptsAModelThatJustFitsTheSmallestCode) {
   EXPECT_TRUE(checkSizeBound(prepared(shapes::box({5.8, 5.8, 1})), kSmallest, kEyeMm));
   EXPECT_FALSE(checkSizeBound(prepared(shapes::box({5, 5, 0.1})), kSmallest, kEyeMm));
 }

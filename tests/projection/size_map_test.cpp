@@ -36,7 +36,7 @@ TEST(LatticeDirection, LeavesNoGapsOnTheSphere) {
   }
 }
 
-TEST(SizeMap, GivesEveryPointOfASphereTheSameSize) {
+TEST(SizeMap, HasTheSameSizeAtEveryPointOfASphere) {
   const double radius = 40, eye = 250 + radius;
   const SizeMap map = mapOf(shapes::icosphere(radius, 5), {.minMm = 30, .views = 1000});
   // The disc ends where the surface is at 65° to the line of sight: polar angle θ and eye angle φ, θ + φ = 65°.
@@ -55,7 +55,7 @@ TEST(SizeMap, GivesEveryPointOfASphereTheSameSize) {
   }
 }
 
-TEST(SizeMap, FindsTheMiddlesOfACubesFacesBest) {
+TEST(SizeMap, IsLargestInTheMiddleOfACubesFaces) {
   const double edge = 60;
   const SizeMap map = mapOf(shapes::box({edge, edge, edge}), {.minMm = 30, .views = 1000});
   // The size fits at every rotation: the disc has a radius of half the edge, so the square is edge/√2, give or take a
@@ -85,13 +85,13 @@ TEST(SizeMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
   }
 }
 
-TEST(SizeMap, DropsEveryViewOfARodWhoseSilhouetteIsSmallerThanTheSquare) {
+TEST(SizeMap, DiscardsViewsOfARodWithASilhouetteSmallerThanTheSquare) {
   const SizeMap map = mapOf(shapes::cylinder(2, 100, 24), {.minMm = 26});
   EXPECT_EQ(map.viewsDropped, 240);
   EXPECT_EQ(largest(map), 0);
 }
 
-TEST(SizeMap, GivesARodNoMoreThanItsThickness) {
+TEST(SizeMap, LimitsTheSizeOnARodToItsThickness) {
   const SizeMap map = mapOf(shapes::cylinder(4, 100, 48), {.minMm = 8});
   EXPECT_LT(largest(map), std::numbers::sqrt2 * 4 + 0.3);
 }
@@ -144,7 +144,7 @@ TEST(SizeMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
   }
 }
 
-TEST(SizeMap, OfACoarserMeshDiffersByLittle) {
+TEST(SizeMap, ACoarserMeshHardlyChangesIt) {
   const Mesh mesh = shapes::bumpySphere(50, 2, 5, 6);
   const SizeMap fine = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 100000});
   const SizeMap coarse = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 10000});
@@ -159,14 +159,14 @@ TEST(SizeMap, OfACoarserMeshDiffersByLittle) {
   EXPECT_LT(difference / sum, 0.15);
 }
 
-TEST(SizeMap, LooksFromOneDirectionOnlyIfAsked) {
+TEST(SizeMap, UsesASingleDirectionOnRequest) {
   const SizeMap map = mapOf(shapes::icosphere(40, 4), {.minMm = 20, .onlyFrom = Vec3(0, 0, 2)});
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v)
     EXPECT_TRUE(map.sizeMm[v] == 0 || map.direction[v].z > std::cos(12 * kDegree));
   EXPECT_GT(largest(map), 40);
 }
 
-TEST(SizeMap, IsTheSameOnEveryRun) {
+TEST(SizeMap, IsDeterministic) {
   const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
   const SizeMap first = mapOf(mesh, {.minMm = 20});
   const SizeMap second = mapOf(mesh, {.minMm = 20});

@@ -23,7 +23,7 @@ TEST(Size, IsMeasuredToTheMiddleOfAnEdgeNotToItsVertices) {
   EXPECT_EQ(*nearestSilhouettePoint(silhouette), Vec2(0, 4));
 }
 
-TEST(Size, LetsAnAlignedSquareReachFartherThanAnyRotationMay) {
+TEST(Size, AllowsAnAlignedSquareMoreThanAnyRotation) {
   // The corner of a notch lies at (10, 3): 10 to the side, √109 away.
   const std::vector<Segment2> silhouette{{Vec2(10, 3), Vec2(40, 3)}};
   EXPECT_DOUBLE_EQ(orientedSize(silhouette), 20);
@@ -43,7 +43,7 @@ TEST(Size, IsZeroWhereTheSilhouettePassesThroughTheCentre) {
   EXPECT_DOUBLE_EQ(orientedSize(silhouette), 0);
 }
 
-TEST(Size, TakesASegmentWithoutLengthAsAPoint) {
+TEST(Size, TreatsASegmentWithoutLengthAsAPoint) {
   const std::vector<Segment2> silhouette{{Vec2(-3, 4), Vec2(-3, 4)}};
   EXPECT_DOUBLE_EQ(freeSize(silhouette), 5 * std::sqrt(2));
   EXPECT_DOUBLE_EQ(orientedSize(silhouette), 8);

@@ -26,7 +26,7 @@ TEST(SpotCandidates, OfACubeAreItsSixFaces) {
   EXPECT_EQ(faces.size(), 6u);
 }
 
-TEST(SpotCandidates, KeepTheirDistanceUnlessTheyLookAwayFromEachOther) {
+TEST(SpotCandidates, KeepTheirDistanceUnlessTheyFaceAway) {
   const SizeMap map = mapOf(shapes::box({150, 150, 5}), 40);
   const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 40, .minSizeMm = 40});
   int opposite = 0;
@@ -55,13 +55,13 @@ TEST(SpotCandidates, RankBySizeFirst) {
   EXPECT_TRUE(small);
 }
 
-TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfAboutOneSize) {
+TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfSimilarSize) {
   const SquareQuality flat{.varianceMm2 = 0.1, .worstAngleDeg = 5}, curved{.varianceMm2 = 4, .worstAngleDeg = 40};
   EXPECT_LT(SpotRank(36, flat, 30, 20), SpotRank(37, curved, 30, 20));
   EXPECT_LT(SpotRank(50, curved, 30, 20), SpotRank(36, flat, 30, 20));
 }
 
-TEST(SpotRank, CountsASteepSpotAsLessLarge) {
+TEST(SpotRank, CountsASteepSpotAsSmaller) {
   // The cosine of 60° is 0.78 times the cosine of 50°: two classes of 10 %.
   const SquareQuality steep{.varianceMm2 = 1, .worstAngleDeg = 60}, gentle{.varianceMm2 = 1, .worstAngleDeg = 50};
   EXPECT_LT(SpotRank(30, gentle, 30, 20), SpotRank(33, steep, 30, 20));
@@ -69,14 +69,14 @@ TEST(SpotRank, CountsASteepSpotAsLessLarge) {
   EXPECT_LT(SpotRank(36, gentle, 30, 20), SpotRank(30, SquareQuality{}, 30, 20)) << "at 50° nothing is taken off yet";
 }
 
-TEST(SpotRank, CountsASpotAsLessLargeThatMustBeLookedAtStraight) {
+TEST(SpotRank, CountsASpotWithASmallAimToleranceAsSmaller) {
   const SquareQuality quality{.varianceMm2 = 1, .worstAngleDeg = 30};
   EXPECT_LT(SpotRank(28, quality, 30, 20), SpotRank(33, quality, 30, 6));
   EXPECT_LT(SpotRank(48, quality, 30, 6), SpotRank(22, quality, 30, 20));
   EXPECT_LT(SpotRank(36, quality, 30, 10), SpotRank(30, quality, 30, 45)) << "10° forgive enough";
 }
 
-TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
+TEST(QualityOf, ReturnsTheAngleOfAnInclinedPlane) {
   const SizeMap map = mapOf(shapes::box({200, 200, 200}), 60);
   const double angle = 25 * std::numbers::pi / 180;
   const ProjectionFrame frame = makeFrame({0, 0, 100}, {std::sin(angle), 0, std::cos(angle)}, {0, 1, 0}, 250);
@@ -88,7 +88,7 @@ TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
   EXPECT_NEAR(quality.bendMm, 0, 1e-6) << "a plane, however inclined";
 }
 
-TEST(QualityOf, ACodeOnNothingIsZero) {
+TEST(QualityOf, IsZeroWithoutASurface) {
   const SizeMap map = mapOf(shapes::box({20, 20, 20}), 10);
   const SquareQuality quality = qualityOf(map, makeFrame({100, 0, 0}, {1, 0, 0}, {0, 0, 1}, 250), 20);
   EXPECT_EQ(quality.varianceMm2, 0);

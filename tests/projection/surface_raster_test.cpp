@@ -39,7 +39,7 @@ class SurfaceRasterTest : public GlTest {
   }
 };
 
-TEST_F(SurfaceRasterTest, ItSeesWhatTheGpuSees) {
+TEST_F(SurfaceRasterTest, AgreesWithTheGpu) {
   const ProjectionFrame above = makeFrame({0, 0, 30}, {0, 0, 1}, {0, 1, 0}, 250);
   const ProjectionFrame aside = makeFrame({20, 10, 15}, {2, 1, 1}, {0, 0, 1}, 250);
   EXPECT_LT(differingShare(shapes::box({60, 50, 60}), above, 80), 0.01);
@@ -49,13 +49,13 @@ TEST_F(SurfaceRasterTest, ItSeesWhatTheGpuSees) {
   EXPECT_LT(differingShare(shapes::torus(40, 12, 64, 32), aside, 150), 0.05);
 }
 
-TEST_F(SurfaceRasterTest, AFacetThatReachesBehindTheEyeIsCutOff) {
+TEST_F(SurfaceRasterTest, ClipsAFacetThatReachesBehindTheEye) {
   // A wall of two facets runs along the line of sight, to 500 mm beyond the eye.
   const Mesh wall = shapes::translated(shapes::box({40, 40, 2000}), {60, 0, 0});
   EXPECT_LT(differingShare(wall, makeFrame({0, 0, 0}, {-0.2, 0, 1}, {0, 1, 0}, 250), 300), 0.02);
 }
 
-TEST_F(SurfaceRasterTest, BesideTheModelThereIsNothing) {
+TEST_F(SurfaceRasterTest, IsEmptyBesideTheModel) {
   const std::vector<float> map =
       SurfaceRaster(shapes::box({10, 10, 10})).draw(makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250), {100, kTexels});
   EXPECT_EQ(std::vector<float>(map.begin(), map.begin() + 4), std::vector<float>(4, 0.0f));

@@ -24,7 +24,7 @@ TEST(ViewRaster, CoversTheOutlineOfASphere) {
   EXPECT_NEAR(raster.coveredMm2(), std::numbers::pi * outlineSquared, 0.01 * std::numbers::pi * outlineSquared);
 }
 
-TEST(ViewRaster, BlocksASphereFromItsOutlineInwardsAsFarAsItIsTooOblique) {
+TEST(ViewRaster, BlocksASphereInwardsFromItsOutlineWhereItIsTooOblique) {
   const Mesh sphere = shapes::icosphere(40, 5);
   const Adjacency adjacency = buildAdjacency(sphere.triangles);
   ViewRaster raster(sphere, adjacency);
@@ -42,7 +42,7 @@ TEST(ViewRaster, BlocksASphereFromItsOutlineInwardsAsFarAsItIsTooOblique) {
   EXPECT_NEAR(middle, rim, 40 * 0.04 + window.texelMm());  // facets are flat: 0.04 of the radius wide
 }
 
-TEST(ViewRaster, SeesContoursInFrontOfASurfaceButNoneBehindIt) {
+TEST(ViewRaster, HasContoursInFrontOfASurfaceButNoneBehindIt) {
   // A small cube lies in front of the middle of a plate, and another behind it.
   const Mesh plate = shapes::box({120, 120, 4});
   const Mesh cube = shapes::box({10, 10, 10});
@@ -59,7 +59,7 @@ TEST(ViewRaster, SeesContoursInFrontOfASurfaceButNoneBehindIt) {
   EXPECT_FALSE(isBlockedNear(shapes::together(plate, shapes::translated(cube, {0, 0, -30})), {5, 0}));
 }
 
-TEST(ViewRaster, SeesTheVerticesThatRaysReach) {
+TEST(ViewRaster, HasTheVerticesThatRaysReach) {
   const Mesh torus = shapes::torus(30, 12, 48, 24);
   const Adjacency adjacency = buildAdjacency(torus.triangles);
   const std::vector<Vec3f> normals = vertexNormals(torus);

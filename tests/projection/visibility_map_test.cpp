@@ -27,7 +27,7 @@ class EyeReachTest : public GlTest {
   std::unique_ptr<GeometryPass> pass_;
 };
 
-TEST_F(EyeReachTest, SquaresOnABoxesTopAreTheClosedFormToATexel) {
+TEST_F(EyeReachTest, SquaresOnTopOfABoxMatchTheClosedFormToATexel) {
   const VisibilityMap reach = look(shapes::box({60, 60, 20}), {0, 0, 10}, 100);
   const double texel = reach.window.texelMm();
   EXPECT_NEAR(reach.freeMm(), std::numbers::sqrt2 * 30, 2 * texel);
@@ -35,14 +35,14 @@ TEST_F(EyeReachTest, SquaresOnABoxesTopAreTheClosedFormToATexel) {
   EXPECT_NEAR(reach.alignedMm(std::numbers::pi / 4), std::numbers::sqrt2 * 30, 2 * texel);
 }
 
-TEST_F(EyeReachTest, TheFractionThatMissesIsThatOfTheAreas) {
+TEST_F(EyeReachTest, TheMissingFractionIsTheFractionOfTheArea) {
   const VisibilityMap reach = look(shapes::box({60, 60, 20}), {10, 0, 10}, 100);
   EXPECT_EQ(reach.missingFraction(38, 0), 0);
   // 10 mm of a 60 mm square about the centre lie beyond the edge.
   EXPECT_NEAR(reach.missingFraction(60, 0), 1 / 6.0, 0.03);
 }
 
-TEST_F(EyeReachTest, WhatStandsApartIsSeenButNotReached) {
+TEST_F(EyeReachTest, ASeparatePartIsVisibleButNotConnected) {
   const Mesh two =
       shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 20}), {25, 0, 0}));
   VisibilityMap reach = look(two, {0, 0, 10}, 80);
@@ -53,7 +53,7 @@ TEST_F(EyeReachTest, WhatStandsApartIsSeenButNotReached) {
   EXPECT_TRUE(reach.isReached(texel(25), 64));
 }
 
-TEST_F(EyeReachTest, NothingIsReachedFromACentreThatIsHidden) {
+TEST_F(EyeReachTest, NothingIsConnectedToAHiddenCentre) {
   const Mesh two =
       shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 2}), {0, 0, 60}));
   const VisibilityMap reach = look(two, {0, 0, 10}, 40);

@@ -62,7 +62,7 @@ TEST(Codewords, EveryCodewordHasEightModules) {
   }
 }
 
-TEST(Codewords, CorrectAsManyErrorsAsTheStandardsTableSays) {
+TEST(Codewords, CorrectAsManyErrorsAsTheTableOfTheStandard) {
   // [ISO/IEC 18004, table 9]: (codewords, data, correctable) of a block.
   EXPECT_EQ(blockStructure(1, ErrorCorrection::L).correctable(), 2);
   EXPECT_EQ(blockStructure(1, ErrorCorrection::M).correctable(), 4);

@@ -91,7 +91,7 @@ TEST(ModulePattern, CarvesItsShareOfEveryDarkModule) {
   }
 }
 
-TEST(FinderPattern, AsModulesTreatsEveryModuleAlike) {
+TEST(FinderPattern, TreatsEveryModuleTheSameWithoutFinderPatterns) {
   const Symbol symbol = exampleSymbol();
   for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {
     const SubmoduleMask mask = submodulesToCarve(symbol, kModulePatterns[p], FinderPattern::AsModules);
@@ -99,7 +99,7 @@ TEST(FinderPattern, AsModulesTreatsEveryModuleAlike) {
   }
 }
 
-TEST(FinderPattern, ShiftsTheCornersSquareTowardsTheCentre) {
+TEST(FinderPattern, ShiftsTheSquareOfACornerTowardsTheCentre) {
   const Symbol symbol = exampleSymbol();
   EXPECT_EQ(picture(submodulesToCarve(symbol, ModulePattern::None, FinderPattern::Diamond), 0, 0, 2, 2),
             (Lines{".......#..",  //

@@ -20,11 +20,7 @@ Symbol symbolOf(const SymbolOptions& options) {
   return symbol.value_or(Symbol());
 }
 
-int darkModules(const Symbol& symbol) {
-  return static_cast<int>(std::count(symbol.dark.begin(), symbol.dark.end(), 1));
-}
-
-TEST(SymbolMask, IsTheLibrarysWhereItIsTheSame) {
+TEST(SymbolMask, ChangesToAnotherMaskAndBack) {
   for (int version = 1; version <= 40; ++version) {
     for (const ErrorCorrection level : kLevels) {
       const Result<Symbol> symbol = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
@@ -47,7 +43,7 @@ TEST(SymbolMask, LeavesTheCodewordsAsTheyAre) {
   }
 }
 
-TEST(SymbolMask, ThatDoesNotExistIsRefused) {
+TEST(SymbolMask, RefusesAnUnknownMask) {
   const auto symbol = encodeSymbol("a", {.maskRule = MaskRule::Fixed, .mask = 8});
   ASSERT_FALSE(symbol);
   EXPECT_EQ(symbol.error().kind, ErrorKind::BadUsage);
@@ -62,7 +58,7 @@ TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {
   }
 }
 
-TEST(SkyFraction, OfAModuleAloneIsThatOfASquarePit) {
+TEST(SkyFraction, OfALoneModuleMatchesASquarePit) {
   // In the middle of the floor of a square pit of edge 1 and depth 1/2, the opening is the top of a cube's upper half,
   // seen from the cube's middle plane. The form factor of a square of edge a at distance a/2 on its axis is 4 corners
   // of (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
@@ -84,7 +80,7 @@ TEST(SkyFraction, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
   EXPECT_GT(sky.of(2, 2), SkyFraction::ofModuleAlone());
 }
 
-TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
+TEST(SkyFraction, UpdatesToTheSameValuesAsAnew) {
   Symbol symbol = symbolOf({});
   SkyFraction sky(symbol);
   for (const int row : {9, 12, 15}) {
@@ -96,54 +92,7 @@ TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
     for (int column = 0; column < symbol.size; ++column) ASSERT_EQ(sky.of(row, column), anew.of(row, column));
 }
 
-TEST(BreakUpDarkAreas, LeavesEachBlockAsMuchCorrectionAsLevelL) {
-  for (const int version : {3, 5, 7, 12}) {
-    for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
-      const Result<Symbol> plain = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
-      const Result<Symbol> broken =
-          encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true});
-      ASSERT_TRUE(plain && broken);
-      // Compares the reported reserve with the number of codewords that differ.
-      const CodewordLayout layout = layoutCodewords(*plain);
-      const auto before = readBlocks(*plain, layout), after = readBlocks(*broken, layout);
-      int most = 0;
-      for (std::size_t b = 0; b < before.size(); ++b) {
-        int wrong = 0;
-        for (std::size_t i = 0; i < before[b].size(); ++i) wrong += before[b][i] != after[b][i];
-        most = std::max(most, wrong);
-      }
-      const CorrectionReserve reserve = correctionReserve(*broken);
-      EXPECT_EQ(reserve.spent, most);
-      EXPECT_GT(reserve.spent, 0);
-      const BlockStructure least = blockStructure(version, ErrorCorrection::L);
-      EXPECT_GE((reserve.correctable - reserve.spent) * layout.structure.blocks, least.correctable() * least.blocks);
-      EXPECT_EQ(darkModules(*plain) - darkModules(*broken), reserve.flippedModules);
-    }
-  }
-}
-
-TEST(BreakUpDarkAreas, MakesOnlyDataModulesLightAndLessSkySeen) {
-  const Symbol plain = symbolOf({.errorCorrection = ErrorCorrection::H});
-  const Symbol broken = symbolOf({.errorCorrection = ErrorCorrection::H, .breakUpDarkAreas = true});
-  for (std::size_t i = 0; i < plain.dark.size(); ++i) {
-    if (broken.dark[i] == plain.dark[i]) continue;
-    EXPECT_EQ(plain.dark[i], 1);
-    EXPECT_EQ(plain.roles[i], ModuleRole::Data);
-    EXPECT_EQ(broken.flipped[i], 1);
-  }
-  EXPECT_LT(SkyFraction(broken).mean(broken), SkyFraction(plain).mean(plain));
-}
-
-TEST(BreakUpDarkAreas, ChangesNothingWithLevelL) {
-  const SymbolOptions plain{.errorCorrection = ErrorCorrection::L};
-  SymbolOptions broken = plain;
-  broken.breakUpDarkAreas = true;
-  // The blocks are equal; only remainder bits may differ, which no decoder reads.
-  const Symbol symbol = symbolOf(plain);
-  EXPECT_EQ(readBlocks(symbolOf(broken), layoutCodewords(symbol)), readBlocks(symbol, layoutCodewords(symbol)));
-}
-
-TEST(RaisedErrorCorrection, IsTheHighestThatTheVersionHolds) {
+TEST(RaisedErrorCorrection, IsTheHighestLevelThatTheVersionHolds) {
   for (const std::size_t length : {5u, 15u, 27u, 40u, 43u}) {
     const std::string text(length, 'x');
     const Result<Symbol> plain = encodeSymbol(text, {.errorCorrection = ErrorCorrection::L});

@@ -103,7 +103,7 @@ std::vector<int> readCodewords(const Symbol& symbol) {
   return codewords;
 }
 
-TEST(Symbol, EqualsTheStandardsExample) {
+TEST(Symbol, EqualsTheExampleOfTheStandard) {
   const Symbol symbol = encoded("01234567");
   EXPECT_EQ(symbol.version, 1);
   EXPECT_EQ(symbol.size, 21);
@@ -148,7 +148,7 @@ TEST(Symbol, GivesEveryRoleAsManyModulesAsTheStandard) {
   }
 }
 
-TEST(Symbol, HasAsManyDataModulesAsTheStandardsTable) {
+TEST(Symbol, HasAsManyDataModulesAsTheTableOfTheStandard) {
   // Codewords and remainder bits of ISO/IEC 18004, table 1.
   const struct {
     int version, codewords, remainder;
@@ -238,7 +238,7 @@ TEST(Symbol, IsTheSmallestThatHoldsTheText) {
   }
 }
 
-TEST(Symbol, HoldsAsMuchAsTheStandardsLargest) {
+TEST(Symbol, HoldsAsMuchAsTheLargestSymbolOfTheStandard) {
   const struct {
     ErrorCorrection level;
     std::size_t digits, bytes;
@@ -254,24 +254,24 @@ TEST(Symbol, HoldsAsMuchAsTheStandardsLargest) {
   }
 }
 
-TEST(Symbol, MixesModesWhereThatSavesAVersion) {
+TEST(Symbol, MixesModesIfThatSavesAVersion) {
   // 17 bytes fill 1-L; digits in numeric mode take less room.
   EXPECT_EQ(encoded("ab0123456789012345678901", {.errorCorrection = ErrorCorrection::L}).version, 1);
 }
 
-TEST(Symbol, TakesALargerVersionWhenAsked) {
+TEST(Symbol, UsesALargerVersionOnRequest) {
   const Symbol symbol = encoded("A", {.errorCorrection = ErrorCorrection::H, .version = 12});
   EXPECT_EQ(symbol.version, 12);
   EXPECT_EQ(symbol.size, 65);
 }
 
-TEST(Symbol, IsTheSameOnEveryRun) {
+TEST(Symbol, IsDeterministic) {
   const Symbol first = encoded("https://example.com/a"), second = encoded("https://example.com/a");
   EXPECT_EQ(first.dark, second.dark);
   EXPECT_EQ(first.mask, second.mask);
 }
 
-TEST(Symbol, RefusesATextTooLongForTheVersionAndNamesWhatWouldHoldIt) {
+TEST(Symbol, RefusesATextTooLongForTheVersionAndNamesVersionAndLevelThatFit) {
   const Error error = refused(std::string(100, 'x'), {.errorCorrection = ErrorCorrection::M, .version = 5});
   EXPECT_EQ(error.kind, ErrorKind::BadInput);
   EXPECT_EQ(sentence(error.message),
@@ -279,18 +279,18 @@ TEST(Symbol, RefusesATextTooLongForTheVersionAndNamesWhatWouldHoldIt) {
   EXPECT_EQ(hint(error.message), "Use version 6, or version 5 with error correction L, or shorten the text");
 }
 
-TEST(Symbol, NamesTheVersionAloneWhenNoWeakerLevelHelps) {
+TEST(Symbol, NamesTheVersionOnlyIfNoWeakerLevelHelps) {
   const Error error = refused(std::string(100, 'x'), {.errorCorrection = ErrorCorrection::L, .version = 2});
   EXPECT_EQ(hint(error.message), "Use version 5, or shorten the text");
 }
 
-TEST(Symbol, OffersAWeakerLevelWhenNoVersionHoldsTheText) {
+TEST(Symbol, SuggestsAWeakerLevelIfNoVersionHoldsTheText) {
   const Error error = refused(std::string(2400, 'x'), {.errorCorrection = ErrorCorrection::M});
   EXPECT_EQ(sentence(error.message), "The text is 2400 bytes long, too long for any QR Code with error correction M");
   EXPECT_EQ(hint(error.message), "Use version 36 with error correction L, or shorten the text");
 }
 
-TEST(Symbol, RefusesATextThatNoSymbolHolds) {
+TEST(Symbol, RefusesATextThatFitsNoSymbol) {
   for (const std::size_t length : {2954u, 7090u, 100'000'000u}) {
     const Error error = refused(std::string(length, 'x'));
     EXPECT_EQ(error.kind, ErrorKind::BadInput);
@@ -304,11 +304,11 @@ TEST(Symbol, RefusesAnEmptyText) {
   EXPECT_EQ(sentence(refused("").message), "The text is empty");
 }
 
-TEST(Symbol, RefusesNulAndSaysWhere) {
+TEST(Symbol, RefusesNulAndReportsItsPlace) {
   EXPECT_EQ(sentence(refused(std::string("ab\0c", 4)).message), "The text holds a NUL character at byte 3");
 }
 
-TEST(Symbol, RefusesWhatIsNotUtf8AndSaysWhere) {
+TEST(Symbol, RefusesInvalidUtf8AndReportsItsPlace) {
   const std::pair<const char*, int> broken[] = {{"ab\xff", 3},            // never in UTF-8
                                                 {"a\x80", 2},             // continuation without lead
                                                 {"\xc3", 1},              // truncated

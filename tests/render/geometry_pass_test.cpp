@@ -77,7 +77,7 @@ TEST_F(GeometryPassTest, ASmallWindowOnALargeMeshMissesNoFacet) {
   }
 }
 
-TEST_F(GeometryPassTest, FacetNormalsAreThoseOfTheFacetNotOfTheVertices) {
+TEST_F(GeometryPassTest, FacetNormalsAreNotInterpolated) {
   const GpuMesh box = upload(shapes::box({40, 40, 20}));
   const ProjectionFrame frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
   const auto maps = pass_.render(box, frame, {30, 64});
@@ -103,7 +103,7 @@ TEST_F(GeometryPassTest, RaysThatMissTheModelAreZero) {
   EXPECT_EQ(inside, 50 * 50);
 }
 
-TEST_F(GeometryPassTest, TheBackDistanceGivesThePlateItsThickness) {
+TEST_F(GeometryPassTest, TheBackDistanceGivesTheThicknessOfAPlate) {
   const GpuMesh plate = upload(shapes::box({60, 60, 3}));
   const ProjectionFrame frame = makeFrame({0, 0, 1.5}, {0, 0, 1}, {0, 1, 0}, 250);
   const MapWindow window{30, 32};

@@ -72,7 +72,7 @@ TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
   }
 }
 
-TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
+TEST_F(LuminancePassTest, ATrenchFloorMatchesTheClosedForm) {
   // At x in an infinite trench between walls at ±w/2, V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2. Its
   // integral over x is a difference of √(u² + d²).
   const double cell = 0.25, width = 8 * cell, depth = 1;
@@ -89,7 +89,7 @@ TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
         << column;
 }
 
-TEST_F(LuminancePassTest, ACircularPitFloorSeesWhatTheClosedFormSays) {
+TEST_F(LuminancePassTest, ACircularPitFloorMatchesTheClosedForm) {
   // The middle of a pit of radius r and depth d has V = r² / (r² + d²). The pit of cells has the circle's area.
   const double cell = 0.1, radius = 1.5, depth = 1.0;
   makePass(cell, {.cellTexels = 4, .sampling = {4, 16}});
@@ -130,14 +130,14 @@ TEST_F(LuminancePassTest, TheCheapSettingAgreesWithTheFineOneAndBetterThanAllTex
   EXPECT_LT(mean, errors(means[2]).second);
 }
 
-TEST_F(LuminancePassTest, AnUncarvedPlaneIsAsBrightUnderLampsAsTheUnitSays) {
+TEST_F(LuminancePassTest, AnUncarvedPlaneUnderLampsHasUnitBrightness) {
   makePass(0.25, {.lights = {{.azimuthDeg = 30, .elevationDeg = 20, .strength = 3}, {.elevationDeg = 90}}});
   pass_.run();
   for (const Received& r : pass_.readReceived()) ASSERT_NEAR(r.lamps, 3 * std::sin(std::numbers::pi / 9) + 1, 1e-3);
   for (const float l : pass_.readLuminance()) ASSERT_NEAR(l, 1, 1e-3);
 }
 
-TEST_F(LuminancePassTest, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
+TEST_F(LuminancePassTest, ALampAcrossATrenchLightsTheFloorOutsideTheRimsShadow) {
   const double cell = 0.25, width = 8 * cell, depth = 0.5, elevation = 40;
   const double sine = std::sin(elevation * std::numbers::pi / 180);
   const double shadow = depth / std::tan(elevation * std::numbers::pi / 180);
@@ -154,7 +154,7 @@ TEST_F(LuminancePassTest, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLe
   }
 }
 
-TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
+TEST_F(LuminancePassTest, APocketIsAsBrightAsByPathTracing) {
   // The rims lie on the mesh's grid, exactly where the map has them; the walls lean inwards by one grid width.
   const double grid = 0.04, half = 1, depth = 0.6, cell = half / 4;
   const Mesh carved = shapes::plate({40, 40}, 20, 1000, 1000, [&](double x, double y) {
@@ -191,7 +191,7 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
   }
 }
 
-TEST_F(LuminancePassTest, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
+TEST_F(LuminancePassTest, AWallBesideTheMapDimsTheCellsThatFaceIt) {
   // A wall of height h at distance x, infinitely long, next to an open plane: V = (1 + x / √(x² + h²)) / 2.
   const double wallHeight = 10, distance = 12;
   const Mesh scene = shapes::together(shapes::translated(shapes::box({400, 400, 10}), {0, 0, -5}),
@@ -214,7 +214,7 @@ TEST_F(LuminancePassTest, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings
   EXPECT_EQ(received[16 * 32 + 16].pastWalls, 1);
 }
 
-TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
+TEST_F(LuminancePassTest, ListedCellsAreLitAsAmongAllCells) {
   const double cell = 0.25;
   cells_ = 75;  // not a power of two, because some renderers divide to few bits
   makePass(cell, {});
@@ -246,7 +246,7 @@ TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
   EXPECT_GT(sum, 0) << "the rough one is no rougher";
 }
 
-TEST_F(LuminancePassTest, CellsThatAreNotSelectedKeepTheirLuminance) {
+TEST_F(LuminancePassTest, UnselectedCellsKeepTheirLuminance) {
   const double cell = 0.25;
   makePass(cell, {});
   pass_.run();

@@ -35,13 +35,13 @@ TEST(TriangleClusters, HoldEveryTriangleOnceWithinItsBox) {
   EXPECT_EQ(before, clustered.triangles);
 }
 
-TEST(TriangleClusters, OfASmallOrFlatMeshAreOne) {
+TEST(TriangleClusters, OfASmallOrFlatMeshAreASingleOne) {
   EXPECT_EQ(clusterTriangles(shapes::box({1, 2, 3})).clusters.size(), 1u);
   EXPECT_EQ(clusterTriangles({{Vec3f(0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, {{0, 1, 2}}}).clusters.size(), 1u);
   EXPECT_TRUE(clusterTriangles({}).clusters.empty());
 }
 
-TEST(ViewPyramid, MeetsEveryBoxThatHoldsAPointSeenThroughTheSquare) {
+TEST(ViewPyramid, IntersectsEveryBoxWithAPointInTheSquaresView) {
   Random random(5);
   const auto anywhere = [&](double reach) {
     return Vec3(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach));
@@ -68,7 +68,7 @@ TEST(ViewPyramid, MeetsEveryBoxThatHoldsAPointSeenThroughTheSquare) {
   EXPECT_GT(left, 15000);  // most boxes lie elsewhere, and the pyramid excludes most of them
 }
 
-TEST(ViewPyramid, LeavesOutWhatIsBehindTheEye) {
+TEST(ViewPyramid, OmitsBoxesBehindTheEye) {
   const ViewPyramid pyramid(makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 100), 40);
   EXPECT_FALSE(pyramid.mayMeet({{-0.1, -0.1, 101}, {0.1, 0.1, 110}}));
   EXPECT_TRUE(pyramid.mayMeet({{-5, -5, 90}, {5, 5, 110}}));

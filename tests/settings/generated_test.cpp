@@ -22,11 +22,11 @@ constexpr const char* kHint =
 
 TEST(Generated, ThePageOfOptionsIsCurrent) { EXPECT_EQ(committed("docs/options.md"), optionsPage()) << kHint; }
 
-TEST(Generated, ThePagesModuleOfSettingsIsCurrent) {
+TEST(Generated, TheSettingsModuleOfThePageIsCurrent) {
   EXPECT_EQ(committed("web/generated/settings.js"), settingsModule()) << kHint;
 }
 
-TEST(OptionTexts, SayFlagValuesRangeAndDefault) {
+TEST(OptionTexts, ContainFlagValuesRangeAndDefault) {
   const OptionTexts wall = optionTexts(*findSetting("minWallMm"));
   EXPECT_EQ(wall.flag, "--min-wall");
   EXPECT_EQ(wall.values, "MM");
@@ -40,7 +40,7 @@ TEST(OptionTexts, SayFlagValuesRangeAndDefault) {
   EXPECT_EQ(margin.values, "");
   EXPECT_EQ(margin.initial, "off");
   EXPECT_EQ(optionTexts(*findSetting("inlay")).flag, "--inlay");
-  EXPECT_EQ(optionTexts(*findSetting("raiseEcc")).flag, "--raise-ecc");
+  EXPECT_EQ(optionTexts(*findSetting("keepPreset")).flag, "--keep-preset");
   const OptionTexts preset = optionTexts(*findSetting("preset"));
   EXPECT_NE(preset.help.find("sets --contrast to 0.2, 0.3 or 0.38"), std::string::npos) << preset.help;
   EXPECT_EQ(preset.initial, "balanced");

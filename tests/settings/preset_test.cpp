@@ -8,14 +8,14 @@
 namespace qrelief {
 namespace {
 
-TEST(Preset, NamesLeadToThemAndBack) {
+TEST(Preset, ConvertsNamesToPresetsAndBack) {
   for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust})
     EXPECT_EQ(presetByName(presetName(preset)), preset);
   EXPECT_EQ(presetByName("Balanced"), std::nullopt);
   EXPECT_EQ(presetByName(""), std::nullopt);
 }
 
-TEST(Preset, EachAsksForMoreContrastThanTheOneBefore) {
+TEST(Preset, EachHasMoreContrastThanThePreviousOne) {
   double before = 0;
   for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust}) {
     EXPECT_GT(presetContrast(preset), before);
@@ -26,22 +26,20 @@ TEST(Preset, EachAsksForMoreContrastThanTheOneBefore) {
   }
 }
 
-TEST(Preset, AContrastThatIsAskedForCountsInstead) {
+TEST(Preset, AnExplicitContrastOverridesIt) {
   EngraveRequest request;
   request.preset = Preset::Robust;
   request.contrast = 0.17;
   EXPECT_EQ(request.contrastAsked(), 0.17);
 }
 
-TEST(Preset, EachButTheLastHasADeeperOne) {
+TEST(Preset, EachHasADeeperOneExceptTheLast) {
   EXPECT_EQ(deeperPreset(Preset::Shallow), Preset::Balanced);
   EXPECT_EQ(deeperPreset(Preset::Balanced), Preset::Robust);
   EXPECT_EQ(deeperPreset(Preset::Robust), std::nullopt);
 }
 
-TEST(Preset, ARequestThatSaysNothingIsBalanced) {
-  EXPECT_EQ(EngraveRequest{}.contrastAsked(), presetContrast(Preset::Balanced));
-}
+TEST(Preset, BalancedIsTheDefault) { EXPECT_EQ(EngraveRequest{}.contrastAsked(), presetContrast(Preset::Balanced)); }
 
 }  // namespace
 }  // namespace qrelief

@@ -17,7 +17,7 @@ std::size_t indexOf(std::string_view name) {
   return 0;
 }
 
-TEST(Tunables, EachHasANameOfItsOwnAndGroupsStandTogether) {
+TEST(Tunables, HaveUniqueNamesAndContiguousGroups) {
   std::set<std::string> names, groups;
   std::string group;
   for (const Tunable& tunable : tunables()) {
@@ -38,12 +38,7 @@ EngraveRequest withNumbers() {
   return request;
 }
 
-bool areOfOneSetting(const Tunable& a, const Tunable& b) {
-  const auto isLevel = [](const Tunable& tunable) { return tunable.key == "ecc" || tunable.key == "raiseEcc"; };
-  return a.setting == b.setting || (isLevel(a) && isLevel(b));  // a level requested by name is not raised
-}
-
-TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
+TEST(Tunables, EachReadsBackWhatItWroteAndChangesOnlyItsSetting) {
   const EngraveRequest before = withNumbers();
   for (const Tunable& written : tunables()) {
     EngraveRequest request = before;
@@ -53,13 +48,13 @@ TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
     written.write(request, value);
     EXPECT_NEAR(written.read(request), value, 1e-5 * std::abs(value)) << written.key;
     for (const Tunable& other : tunables()) {
-      if (areOfOneSetting(written, other)) continue;
+      if (written.setting == other.setting) continue;
       EXPECT_EQ(other.read(request), other.read(before)) << written.key << " changed " << other.key;
     }
   }
 }
 
-TEST(Tunables, ANumberCountsWhereItIsChosenBesideTheChoices) {
+TEST(Tunables, ANumberAppliesOnlyIfItIsTheChoice) {
   const Tunable& choice = tunables()[indexOf("size")];
   const Tunable& number = tunables()[indexOf("size.number")];
   EngraveRequest request = defaultRequest();
@@ -84,7 +79,7 @@ TEST(Tunables, TheDefaultsAreWithinTheirRanges) {
   }
 }
 
-TEST(RequestOverrides, WhatIsNotOverriddenFollowsThePage) {
+TEST(RequestOverrides, SettingsWithoutOverrideFollowThePage) {
   RequestOverrides overrides;
   EngraveRequest page;
   overrides.set(indexOf("contrast"), 0.42, page);
@@ -108,7 +103,7 @@ TEST(RequestOverrides, ThePagesOwnValueEndsAnOverride) {
   EXPECT_FALSE(overrides.isSet(albedo));
 }
 
-TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
+TEST(RequestOverrides, AreClampedToTheirRanges) {
   RequestOverrides overrides;
   const EngraveRequest page;
   const std::size_t contrast = indexOf("contrast");
@@ -118,7 +113,7 @@ TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
   EXPECT_EQ(overrides.valueOf(contrast, page), 0.99);
 }
 
-TEST(RequestOverrides, ALampWithoutStrengthIsNone) {
+TEST(RequestOverrides, ALampWithoutStrengthIsOmitted) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("light.1.azimuthDeg"), 90, page);
@@ -144,7 +139,7 @@ TEST(RequestOverrides, AMethodReplacesTheDirectionOfASuggestedSpot) {
   EXPECT_EQ(overrides.appliedTo(page).placement.directionMethod, DirectionMethod::Pca);
 }
 
-TEST(RequestOverrides, CanAllBeTakenBack) {
+TEST(RequestOverrides, CanAllBeReset) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("solver"), 1, page);

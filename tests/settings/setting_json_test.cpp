@@ -35,14 +35,14 @@ TEST(SettingJson, EverySettingOfThePageArrives) {
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }
 
-TEST(SettingJson, RefusesDeepNestingAndKeysGivenTwice) {
+TEST(SettingJson, RefusesDeepNestingAndDuplicateKeys) {
   const auto codeOf = [](const std::string& json) { return requestFromJson(json).error().message.code; };
   EXPECT_EQ(codeOf("{\"text\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}"), "json-too-deep");
   EXPECT_EQ(codeOf(R"({"text": "a", "text": "b"})"), "json-key-twice");
   EXPECT_EQ(codeOf("no JSON"), "settings-no-object");
 }
 
-TEST(SettingJson, APresetGivesWhatIsNotSaidItself) {
+TEST(SettingJson, APresetGivesTheSettingsThatAreMissing) {
   const auto robust = requestFromJson(R"({"text": "x", "preset": "robust"})");
   ASSERT_TRUE(robust.has_value());
   EXPECT_GT(robust->contrastAsked(), EngraveRequest{}.contrastAsked());
@@ -54,7 +54,7 @@ TEST(SettingJson, APresetGivesWhatIsNotSaidItself) {
   EXPECT_FALSE(own->symbol.raiseErrorCorrection);
 }
 
-TEST(SettingJson, WhatIsMissingOrNullHasItsDefault) {
+TEST(SettingJson, MissingOrNullSettingsHaveTheirDefaults) {
   const auto request = requestFromJson(
       R"({"text": "x", "maxDepthMm": null, "minWallMm": null, "size": "best", "direction": "optimal"})");
   ASSERT_TRUE(request.has_value());
@@ -96,7 +96,7 @@ TEST(SettingJson, EveryKeyIsWrittenAndReadBack) {
   }
 }
 
-TEST(SettingJson, ASettingOfTheWrongKindIsNamedWithWhatWasFound) {
+TEST(SettingJson, RefusesASettingOfTheWrongKindByNameAndValue) {
   const std::tuple<const char*, const char*, const char*> cases[] = {
       {R"({"ecc": "X"})", "setting-no-choice", R"(--ecc is "X")"},
       {R"({"preset": "deep"})", "setting-no-choice", R"(--preset is "deep")"},
@@ -121,13 +121,13 @@ TEST(SettingJson, ASettingOfTheWrongKindIsNamedWithWhatWasFound) {
   }
 }
 
-TEST(SettingJson, AKeyThatIsNoSettingIsNamed) {
+TEST(SettingJson, RefusesAnUnknownKeyByName) {
   const auto request = requestFromJson(R"({"text": "x", "minWall": 3})");
   ASSERT_FALSE(request.has_value());
-  EXPECT_EQ(request.error().message, message("setting-unknown", with::quoted("key", "minWall")));
+  EXPECT_EQ(request.error().message, message("setting-unknown", with::quoted<"key">("minWall")));
 }
 
-TEST(SettingJson, WhatIsNoJsonObjectIsRefused) {
+TEST(SettingJson, RefusesTextThatIsNotAJsonObject) {
   for (const char* json : {"", "[]", "{", "3", "{\"text\": \"\xff\"}"})
     EXPECT_FALSE(requestFromJson(json).has_value()) << json;
 }

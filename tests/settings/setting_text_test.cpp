@@ -10,7 +10,7 @@ Result<SettingValue> valueOf(const char* key, const std::vector<std::string>& te
   return valueFromText(*findSetting(key), texts);
 }
 
-TEST(SettingText, EveryKindIsReadFromWhatIsTyped) {
+TEST(SettingText, ReadsEveryKindFromTypedText) {
   EXPECT_EQ(valueOf("text", {"a, b"}).value(), SettingValue("a, b"));
   EXPECT_EQ(valueOf("quietZone", {"off"}).value(), SettingValue(false));
   EXPECT_EQ(valueOf("minWallMm", {"1.5"}).value(), SettingValue(1.5));
@@ -24,7 +24,7 @@ TEST(SettingText, EveryKindIsReadFromWhatIsTyped) {
             SettingValue(std::vector<DirectionalLight>{{90, 60, 1}, {0, 75, 0.5}}));
 }
 
-TEST(SettingText, AnythingElseIsRefusedWithWhatWasTyped) {
+TEST(SettingText, RefusesAnythingElseAndQuotesIt) {
   const std::tuple<const char*, std::vector<std::string>, const char*> cases[] = {
       {"minWallMm", {"thin"}, "setting-no-number"},
       {"minWallMm", {"1 mm"}, "setting-no-number"},
@@ -50,7 +50,7 @@ TEST(SettingText, AnythingElseIsRefusedWithWhatWasTyped) {
   }
 }
 
-TEST(SettingText, WhatIsWrittenIsReadBack) {
+TEST(SettingText, ReadsBackWhatItWrote) {
   for (const Setting& setting : settings()) {
     const SettingValue value = setting.read(defaultRequest());
     const std::string text = valueText(value);

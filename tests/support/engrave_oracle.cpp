@@ -441,7 +441,7 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorKind::NoSolution,
-                message("nothing-can-be-carved", with::lengthMm("wall", made.request.minWallMm)));
+                message("nothing-can-be-carved", with::lengthMm<"wall">(made.request.minWallMm)));
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = made.request.surface});
   if (!embedded) return tl::unexpected(embedded.error());

@@ -18,7 +18,7 @@ class EngravePlanTest : public testing::Test {
 
   static Verdict verdictOf(bool reads, bool barelyPrints) {
     Verdict verdict;
-    if (!reads) verdict.reads.failed.push_back(message("reads-not"));
+    if (!reads) verdict.reads.failed.emplace_back("reads-not", std::initializer_list<const MessageValue*>{});
     if (barelyPrints) verdict.prints.level = Level::Barely;
     return verdict;
   }

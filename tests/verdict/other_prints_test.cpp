@@ -19,14 +19,14 @@ class OtherPrintsTest : public testing::Test {
   VerifyRequest request_;
 };
 
-TEST_F(OtherPrintsTest, PosesComeBeforeProcessesAndNothingCoarserOrTheSame) {
+TEST_F(OtherPrintsTest, ListsPosesBeforeProcessesAndNothingCoarserOrEqual) {
   EXPECT_THAT(otherPrints(request_),
               ElementsAre(SettingChange{"buildUp", "code-up"}, SettingChange{"buildUp", "code-upright"},
                           SettingChange{"process", "fdm-0.4/0.12"}, SettingChange{"process", "fdm-0.25/0.1"},
                           SettingChange{"process", "resin-0.05"}));
 }
 
-TEST_F(OtherPrintsTest, APoseThatHardlyTurnsTheModelIsNoOtherWay) {
+TEST_F(OtherPrintsTest, OmitsAPoseThatHardlyTurnsTheModel) {
   for (const NamedPrinter& named : namedPrinters())
     if (named.name == "resin-0.05") request_.printer = named.printer;  // no printer is finer
   request_.buildUp = request_.frame.normal + 0.1 * request_.frame.up;
@@ -37,13 +37,13 @@ TEST_F(OtherPrintsTest, APoseThatHardlyTurnsTheModelIsNoOtherWay) {
   EXPECT_THAT(otherPrints(request_), ElementsAre(SettingChange{"buildUp", "code-upright"}));
 }
 
-TEST_F(OtherPrintsTest, NoWayLetsTheCodeFaceDown) {
+TEST_F(OtherPrintsTest, NeverLetsTheCodeFaceDown) {
   request_.frame = makeFrame({0, 0, 0}, {0.5, 0, -1}, {0, 1, 0}, 250);
   request_.buildUp = request_.frame.normal;
   EXPECT_EQ(otherPrints(request_).front(), (SettingChange{"buildUp", "code-upright"}));
 }
 
-TEST_F(OtherPrintsTest, AnotherWayChangesPoseOrProcessAndNothingElse) {
+TEST_F(OtherPrintsTest, ChangesOnlyPoseOrProcess) {
   const VerifyRequest upright = printedOtherwise(request_, {"buildUp", "code-upright"});
   EXPECT_EQ(upright.buildUp, request_.frame.up);
   EXPECT_EQ(upright.printer, request_.printer);

@@ -43,7 +43,7 @@ ReadingEvidence evidence(int reads) {
   return evidenceOf(texts, "HELLO");
 }
 
-TEST(ReadingCount, TwoInFiveAreNeededAsWholeTries) {
+TEST(ReadingCount, NeedsTwoInFiveTriesRoundedUp) {
   EXPECT_EQ(ReadingCount::needed(72), 29);  // 28.8
   EXPECT_EQ(ReadingCount::needed(5), 2);
   EXPECT_EQ(ReadingCount::needed(192), 77);  // 76.8; in whole per cent 76 and 77 would both be 40
@@ -52,7 +52,7 @@ TEST(ReadingCount, TwoInFiveAreNeededAsWholeTries) {
   EXPECT_FALSE(ReadingCount{}.enough());
 }
 
-TEST(EvidenceOf, TheWantedTextCountsAndStandsBeforeOthers) {
+TEST(EvidenceOf, CountsTheWantedTextAndListsItFirst) {
   const ReadingEvidence reading = evidenceOf({"", "OTHER", "HELLO", "HELLO", ""}, "HELLO");
   EXPECT_EQ(reading.count, (ReadingCount{5, 2}));
   EXPECT_EQ(reading.text, "HELLO");
@@ -69,7 +69,7 @@ class VerdictTest : public testing::Test {
   EngraveRequest request_;
 };
 
-TEST_F(VerdictTest, ReadsBarelyReadsOrDoesNot) {
+TEST_F(VerdictTest, DecodesBarelyDecodesOrDoesNot) {
   EXPECT_TRUE(judged(29).reads.passed());
   EXPECT_EQ(judged(28).reads.level, Level::Barely);
   EXPECT_FALSE(judged(28).reads.passed());
@@ -78,14 +78,14 @@ TEST_F(VerdictTest, ReadsBarelyReadsOrDoesNot) {
   EXPECT_EQ(judged(28).reads.summary.code, "barely-reads-as");
 }
 
-TEST_F(VerdictTest, AWeakGradeIsSaidAndPasses) {
+TEST_F(VerdictTest, ReportsAWeakGradeAndPasses) {
   const Verdict verdict = judged(72);  // its light and dark modules are equally bright
   EXPECT_EQ(verdict.reads.level, Level::Barely);
   EXPECT_TRUE(verdict.reads.passed());
   EXPECT_EQ(verdict.reads.reasons.back().code, "graded-weak");
 }
 
-TEST_F(VerdictTest, TheNextDeeperPresetIsTriedUntilTheLastUnlessTheRequestKeepsIt) {
+TEST_F(VerdictTest, TriesTheNextDeeperPresetUnlessTheRequestKeepsIts) {
   const auto preset = [](const char* name) { return SettingChange{"preset", name}; };
   EXPECT_EQ(changeToTryNext(request_, judged(28)), preset("robust"));
   EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
@@ -103,7 +103,7 @@ TEST_F(VerdictTest, TheNextDeeperPresetIsTriedUntilTheLastUnlessTheRequestKeepsI
   EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
 }
 
-TEST_F(VerdictTest, TheNextDeeperPresetIsTriedWhereThePrintBarelyReads) {
+TEST_F(VerdictTest, TriesTheNextDeeperPresetIfThePrintBarelyDecodes) {
   const auto next = [&](int reads, double facingDeg = 0) {
     const PrintedEvidence printed{evidence(reads), {}, facingDeg};
     const Verdict verdict = judge(request_, carved(request_, 30, 0.5), evidence(72), &printed);
@@ -118,7 +118,7 @@ TEST_F(VerdictTest, TheNextDeeperPresetIsTriedWhereThePrintBarelyReads) {
   EXPECT_EQ(next(28), std::nullopt);
 }
 
-TEST_F(VerdictTest, WhatWasCarvedForThePrintIsTriedForTheDesignAloneFirst) {
+TEST_F(VerdictTest, TriesCarvingForTheDesignBeforeADeeperPreset) {
   request_.carveFor = CarveFor::Print;
   EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
   for (const bool keepPreset : {false, true}) {
@@ -141,7 +141,7 @@ TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
   EXPECT_EQ(settingsOf(judged(0).reads.remedies).front(), "objective=contrast");
 }
 
-TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
+TEST_F(VerdictTest, PrintingRemediesAreTheFirstCommonOnesThatWouldDo) {
   request_.modulePattern = ModulePattern::Square;
   request_.finderPattern = FinderPattern::AsModules;
   const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 mm with a nozzle of 0.4 mm
@@ -152,7 +152,7 @@ TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
   EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", "="));
 }
 
-TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
+TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
   const auto printed = [&](int reads, double facingDeg, double symbolMm = 30) {
     const PrintedEvidence evidenceOfPrint{evidence(reads), "fdm-0.4/0.2", facingDeg};
     return judge(request_, carved(request_, symbolMm, 0.5), evidence(72), &evidenceOfPrint).prints;
@@ -196,7 +196,7 @@ TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
   for (const Aspect& aspect : {good, barely, bad}) EXPECT_TRUE(aspect.passed());
 }
 
-TEST_F(VerdictTest, InheritedCrossingsAreSaidAndNewOnesFail) {
+TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
   EngraveResult result = carved(request_, 30, 0.5);
   result.solidity.selfIntersections = 35;
   result.inheritedSelfIntersections = 35;

@@ -43,7 +43,7 @@ SurfaceLight meanOfMiddle(const BakedLight& light, double reach) {
   return {sum.sky / count, sum.lamp / count};
 }
 
-TEST(BakedLight, AnOpenPlaneHasTheSkyAndTheLampsCosine) {
+TEST(BakedLight, AnOpenPlaneHasTheSkyAndTheCosineOfTheLamp) {
   const Mesh plate = shapes::box({40, 40, 4});
   const RayTree tree(plate);
   const double elevation = 0.7;
@@ -57,7 +57,7 @@ TEST(BakedLight, AnOpenPlaneHasTheSkyAndTheLampsCosine) {
   }
 }
 
-TEST(BakedLight, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
+TEST(BakedLight, TheMiddleOfAPitMatchesTheClosedForm) {
   const double grid = 0.1, radius = 3, depth = 2;
   const Mesh pit = plateWithPit(radius, depth);
   const RayTree tree(pit);
@@ -66,7 +66,7 @@ TEST(BakedLight, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
   EXPECT_NEAR(meanOfMiddle(light, 0.1).sky, rim * rim / (rim * rim + depth * depth), 0.01);
 }
 
-TEST(BakedLight, LeavesTheBorderOutAndChangesNothingWithinIt) {
+TEST(BakedLight, OmitsTheBorderAndChangesNothingInside) {
   const Mesh pit = plateWithPit(0.6, 0.5);
   const RayTree tree(pit);
   constexpr int kEdge = 20, kBorder = 4;
@@ -89,7 +89,7 @@ TEST(BakedLight, ALowLampLeavesThePitDark) {
   EXPECT_EQ(meanOfMiddle(light, 0.3).lamp, 0);
 }
 
-TEST(BakedLight, SmoothingKeepsTheMeanOfAFloorAndTakesMostOfTheNoise) {
+TEST(BakedLight, SmoothingKeepsTheMeanOfAFloorAndRemovesMostNoise) {
   const Mesh pit = plateWithPit(4, 3);
   const RayTree tree(pit);
   BakedLight light = baked(tree, {.texelMm = 0.05, .texels = 40, .paths = 4});
@@ -110,7 +110,7 @@ TEST(BakedLight, SmoothingKeepsTheMeanOfAFloorAndTakesMostOfTheNoise) {
   EXPECT_NEAR(spread(), noise / 3, noise * 0.1);
 }
 
-TEST(BakedLight, ATiltedPictureShowsTheLightThatWasFoundInFront) {
+TEST(BakedLight, ATiltedPictureShowsTheLightComputedFromTheFront) {
   const Mesh pit = plateWithPit(3, 0.5);
   const RayTree tree(pit);
   BakedLight light = baked(tree, {.texelMm = 0.1, .texels = 160});

@@ -72,7 +72,7 @@ TEST_F(CarvingProfileTest, RaisedModulesHaveNegativeDepth) {
   EXPECT_NEAR(found.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls around them half that or less
 }
 
-TEST_F(CarvingProfileTest, KnowsTheMirrorImageFromEverySide) {
+TEST_F(CarvingProfileTest, RecognisesTheMirrorImageFromEverySide) {
   const int last = symbol_.size - 1;
   const auto flat = [](double, double) { return 0; };
   EXPECT_EQ(profile(plate(
@@ -89,7 +89,7 @@ TEST_F(CarvingProfileTest, KnowsTheMirrorImageFromEverySide) {
             SymbolPose::Mirrored);
 }
 
-TEST_F(CarvingProfileTest, KnowsHowFarTheSymbolIsTurnedAnticlockwise) {
+TEST_F(CarvingProfileTest, MeasuresTheAnticlockwiseTurnOfTheSymbol) {
   const int last = symbol_.size - 1;
   const auto flat = [](double, double) { return 0; };
   // After a quarter turn anticlockwise, the top right corner is at the top left.
@@ -107,7 +107,7 @@ TEST_F(CarvingProfileTest, KnowsHowFarTheSymbolIsTurnedAnticlockwise) {
             SymbolPose::Turned270);
 }
 
-TEST_F(CarvingProfileTest, SeesAShallowCarvingOnACurvedSurface) {
+TEST_F(CarvingProfileTest, DetectsAShallowCarvingOnACurvedSurface) {
   const auto dome = [](double x, double y) { return std::sqrt(60 * 60 - x * x - y * y) - 60 + 0.3 * std::sin(x / 3); };
   const CarvingProfile found = profile(plate(
       0.2, [&](int r, int c) { return symbol_.isDark(r, c); }, dome));
@@ -123,7 +123,7 @@ TEST_F(CarvingProfileTest, SeesAShallowCarvingOnACurvedSurface) {
   EXPECT_NEAR(sum / count, 0.2, 0.01);
 }
 
-TEST_F(CarvingProfileTest, FindsNothingOnAPlainPlateAndNothingInAnotherText) {
+TEST_F(CarvingProfileTest, FindsNothingOnAPlainPlateOrWithAnotherText) {
   EXPECT_EQ(profile(plate(0)).pose, SymbolPose::None);
   const Symbol other = *encodeSymbol("SOMETHING", {.version = 1});
   const CarvingProfile found = profile(plate(

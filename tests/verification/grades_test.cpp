@@ -58,7 +58,7 @@ TEST_F(SymbolGradesTest, BlackOnWhiteIsBestInEverything) {
   EXPECT_EQ(grades.iso29158, 4);
 }
 
-TEST_F(SymbolGradesTest, AModuleIsMisreadIfItIsNearerToTheOtherColour) {
+TEST_F(SymbolGradesTest, AModuleIsMisreadIfItIsCloserToTheOtherColour) {
   ModuleReflectances measured = ideal(0.9, 0.1);
   EXPECT_EQ(misreadModules(measured), std::vector<std::uint8_t>(symbol_.dark.size(), 0));
   ASSERT_TRUE(symbol_.isDark(0, 3));
@@ -110,7 +110,7 @@ TEST_F(SymbolGradesTest, WrongCodewordsUseUpErrorCorrection) {
   EXPECT_EQ(gradeSymbol(broken, 1).iso29158, 0);
 }
 
-TEST_F(SymbolGradesTest, AFewWeakModulesAreForgivenByErrorCorrection) {
+TEST_F(SymbolGradesTest, ErrorCorrectionToleratesAFewWeakModules) {
   ModuleReflectances measured = ideal(1, 0.2);
   spoil(measured, 3, 0.66, 0.54);  // weak, but on their own side (dark < 0.6 < light) or just over it
   const SymbolGrades few = gradeSymbol(measured, 1);
@@ -120,7 +120,7 @@ TEST_F(SymbolGradesTest, AFewWeakModulesAreForgivenByErrorCorrection) {
   EXPECT_EQ(gradeSymbol(measured, 1).modulation.grade, 0);
 }
 
-TEST_F(SymbolGradesTest, EachWrongModuleOfAFinderCostsAGrade) {
+TEST_F(SymbolGradesTest, EachWrongModuleOfAFinderPatternCostsAGrade) {
   ModuleReflectances measured = ideal(1, 0.2);
   for (int wrong = 1; wrong <= 4; ++wrong) {
     set(measured, 0, wrong - 1, 1);

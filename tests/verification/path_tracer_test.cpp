@@ -30,7 +30,7 @@ TEST(PathTracer, AnOpenPlaneSeesTheWholeSky) {
   EXPECT_EQ(light[0].luminance.mean, 1);
 }
 
-TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
+TEST(PathTracer, TheMiddleOfAPitMatchesTheClosedForm) {
   // Between grid points the walls lean by one grid width, so the pit's rim lies at radius + width / 2 on average.
   const double grid = 0.05, radius = 3, depth = 2;
   const Mesh pit = carvedPlate(20, 400, depth, [&](double x, double y) { return std::hypot(x, y) < radius; });
@@ -41,7 +41,7 @@ TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
   EXPECT_NEAR(light[0].visibility.mean, rim * rim / (rim * rim + depth * depth), 0.005);
 }
 
-TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
+TEST(PathTracer, TheMiddleOfATrenchMatchesTheClosedForm) {
   // The trench's rims lie on the grid, at ±width/2; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 1.5;
   const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
@@ -51,7 +51,7 @@ TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
   EXPECT_NEAR(light[0].visibility.mean, std::sin(std::atan(width / (2 * depth))), 0.005);
 }
 
-TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
+TEST(PathTracer, EveryPointInsideASphereWithAHoleIsEquallyBright) {
   // In an integrating sphere without a cap of height h, the sky fills the share f = h / 2r of the cosine-weighted
   // directions from every inside point, and L = f / (1 - albedo·(1 - f)).
   Mesh sphere = shapes::icosphere(10, 5);
@@ -79,7 +79,7 @@ TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
   }
 }
 
-TEST(PathTracer, AnOpenPlaneUnderALampIsAsBrightAsTheUnitSaysAndReceivesLambertsLaw) {
+TEST(PathTracer, AnOpenPlaneUnderALampHasUnitBrightnessByLambertsLaw) {
   const Mesh plate = shapes::box({100, 100, 10});
   const RayTree tree(plate);
   const SeenCell cell{{-5, -5}, {5, 5}};
@@ -90,7 +90,7 @@ TEST(PathTracer, AnOpenPlaneUnderALampIsAsBrightAsTheUnitSaysAndReceivesLamberts
   EXPECT_NEAR(light[0].luminance.mean, 1, 1e-9);
 }
 
-TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
+TEST(PathTracer, ALampAcrossATrenchLightsTheFloorOutsideTheRimsShadow) {
   // The rim's shadow is depth / tan(elevation) long; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 0.5, elevation = 40;
   const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
@@ -108,7 +108,7 @@ TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
   EXPECT_NEAR(lit(90), sine, 0.005);
 }
 
-TEST(PathTracer, TheSameSeedGivesTheSameLight) {
+TEST(PathTracer, IsDeterministicForASeed) {
   const Mesh pit = carvedPlate(20, 40, 2, [](double x, double y) { return std::hypot(x, y) < 3; });
   const RayTree tree(pit);
   const SeenCell cell{{-1, -1}, {1, 1}};

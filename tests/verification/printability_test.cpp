@@ -37,7 +37,7 @@ TEST(MeasureFeatures, RecognisesThePatternsAndTheirNarrowestParts) {
   EXPECT_DOUBLE_EQ(pocketOf(ModulePattern::ThinPlus), 0.2);
 }
 
-TEST(MeasureFeatures, GapsAreWhatStandsBetweenPockets) {
+TEST(MeasureFeatures, GapsAreTheWallsBetweenPockets) {
   EXPECT_DOUBLE_EQ(carvedWith(ModulePattern::Square, FinderPattern::AsModules, 1, 0.5).gapMm, 0.4);
   // With whole modules carved, only light modules separate them.
   EXPECT_DOUBLE_EQ(carvedWith(ModulePattern::None, FinderPattern::None, 1, 0.5).gapMm, 1);
@@ -73,19 +73,19 @@ TEST(AdvisePrinting, AgreesWithThePublishedPrints) {
   EXPECT_FALSE(adviceFor(ModulePattern::ThickPlus, 0.55).empty());
 }
 
-TEST(AdvisePrinting, ThinPlusIsTooNarrowAndSquareIsTheAdvice) {
+TEST(AdvisePrinting, ThinPlusIsTooNarrowAndSquareIsSuggested) {
   const auto advice = adviceFor(ModulePattern::ThinPlus, 1.2);
   ASSERT_FALSE(advice.empty());
   EXPECT_THAT(sentence(advice.front()), HasSubstr("0.24 mm wide"));
   EXPECT_EQ(hint(advice.front()), "With a 0.4 mm nozzle, choose `square` or modules of 1.8 mm or more");
 }
 
-TEST(AdvisePrinting, AFinerNozzleTakesSmallerModules) {
+TEST(AdvisePrinting, AFinerNozzleAllowsSmallerModules) {
   EXPECT_THAT(adviceFor(ModulePattern::Square, 0.5, {.nozzleMm = 0.2}), IsEmpty());
   EXPECT_FALSE(adviceFor(ModulePattern::Square, 1.2, {.nozzleMm = 0.8}).empty());
 }
 
-TEST(AdvisePrinting, ShallowModulesAreCountedInLayers) {
+TEST(AdvisePrinting, CountsShallowModulesInLayers) {
   const CarvedFeatures shallow = carvedWith(ModulePattern::Square, FinderPattern::ThickPlus, 1.2, 0.3);
   EXPECT_THAT(advisePrinting(shallow, {.layerMm = 0.15}), IsEmpty());
   const auto advice = advisePrinting(shallow, {.layerMm = 0.2});
@@ -93,7 +93,7 @@ TEST(AdvisePrinting, ShallowModulesAreCountedInLayers) {
   EXPECT_THAT(sentence(advice.front()), HasSubstr("1.5 layers of 0.2 mm"));
 }
 
-TEST(AdvisePrinting, AThinWallIsNamed) {
+TEST(AdvisePrinting, ReportsAThinWall) {
   CarvedFeatures features = carvedWith(ModulePattern::Square, FinderPattern::ThickPlus, 1.2, 0.5);
   features.wallMm = 0.8;
   EXPECT_THAT(advisePrinting(features, {}), IsEmpty());

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-TEST(Photograph, ExposesTheBrightPartToItsLevelAndTurnsTheRowsOver) {
+TEST(Photograph, ExposesTheBrightPartToItsLevelAndFlipsTheRows) {
   // Bottom half at luminance 0.5, top half at 0.25.
   std::vector<float> luminance(100 * 100, 0.5f);
   std::fill(luminance.begin() + 5000, luminance.end(), 0.25f);
@@ -29,7 +29,7 @@ TEST(Photograph, StrayLightRaisesTheDarkPartTowardsTheMean) {
   EXPECT_EQ(stray.pixels[0], 58);
 }
 
-TEST(Photograph, NoiseHasTheStandardDeviationAskedForAndIsTheSameEveryTime) {
+TEST(Photograph, NoiseHasTheGivenStandardDeviationAndIsDeterministic) {
   const std::vector<float> luminance(200 * 200, 1.0f);
   const GreyImage first = photograph(luminance, 200, {.noise = 0.02});
   EXPECT_EQ(first.pixels, photograph(luminance, 200, {.noise = 0.02}).pixels);

@@ -46,7 +46,7 @@ class ReadingSweepTest : public testing::Test {
                      .paths = 1}};
 };
 
-TEST_F(ReadingSweepTest, AReaderThatAlwaysReadsReadsEverywhere) {
+TEST_F(ReadingSweepTest, ADecoderThatAlwaysDecodesPassesEverywhere) {
   const ReadingSweep done = sweep({wanted});
   const ReadingSummary summary = done.summary();
   EXPECT_EQ(summary.frontal, (ReadingCount{36, 36}));
@@ -60,7 +60,7 @@ TEST_F(ReadingSweepTest, AReaderThatAlwaysReadsReadsEverywhere) {
   for (const ReadingView& view : done.views()) EXPECT_TRUE(view.read());
 }
 
-TEST_F(ReadingSweepTest, AReaderThatNeverReadsReadsNowhere) {
+TEST_F(ReadingSweepTest, ADecoderThatNeverDecodesPassesNowhere) {
   const ReadingSummary summary = sweep({[](const GreyImage&) { return std::nullopt; }}).summary();
   EXPECT_EQ(summary.frontal, (ReadingCount{36, 0}));
   EXPECT_FALSE(summary.frontal.enough());
@@ -69,7 +69,7 @@ TEST_F(ReadingSweepTest, AReaderThatNeverReadsReadsNowhere) {
   EXPECT_EQ(summary.cornerErrorModules, std::nullopt);
 }
 
-TEST_F(ReadingSweepTest, AllTriesOfAllReadersCount) {
+TEST_F(ReadingSweepTest, CountsAllTriesOfAllDecoders) {
   const ReadingSummary summary =
       sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, {.ranges = false}).summary();
   EXPECT_EQ(summary.frontal, (ReadingCount{72, 36}));
@@ -87,7 +87,7 @@ TEST_F(ReadingSweepTest, TheDistanceEndsAtTheFirstPictureThatIsTooSmall) {
   EXPECT_EQ(summary.pixelsPerModule, 3.3);
 }
 
-TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
+TEST_F(ReadingSweepTest, DoesNotCountMirroredOrOtherTexts) {
   const auto mirrored = [](const GreyImage& picture) {
     SymbolRead read = wanted(picture);
     read.mirrored = true;
@@ -106,7 +106,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
   EXPECT_EQ(second.otherText, "OTHER");
 }
 
-TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
+TEST_F(ReadingSweepTest, MeasuresTheOffsetOfASymbolInModules) {
   const auto shifted = [](const GreyImage& picture) {
     SymbolRead read = wanted(picture);
     for (Vec2& corner : read.corners) corner.x += 3.0 * picture.width / (kModules + 2 * kPictureMarginModules);
@@ -115,7 +115,7 @@ TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
   EXPECT_NEAR(sweep({shifted}, {.ranges = false}).summary().cornerErrorModules.value_or(0), 3, 0.1);
 }
 
-TEST_F(ReadingSweepTest, UnderALampEveryPictureHasItsLight) {
+TEST_F(ReadingSweepTest, EveryPictureIsLitByTheLamp) {
   const ReadingSweep done = sweep({wanted}, {.underLamp = true});
   for (const ReadingView& view : done.views()) EXPECT_TRUE(view.lamp);
   EXPECT_EQ(done.summary().tiltDegLamp, 45);

@@ -17,7 +17,7 @@ std::vector<float> ramp(int width) {
 
 TEST(Resampled, AStepOfOnePixelChangesNothing) { EXPECT_EQ(resampled(ramp(7), 7, 1), ramp(7)); }
 
-TEST(Resampled, CellsAreMeansOverTheirAreas) {
+TEST(Resampled, CellsAreMeansOfTheirAreas) {
   const std::vector<float> halved = resampled(ramp(4), 4, 2);
   ASSERT_EQ(halved.size(), 4u);
   EXPECT_FLOAT_EQ(halved[0], 5.5f);   // 0, 1, 10, 11
@@ -25,7 +25,7 @@ TEST(Resampled, CellsAreMeansOverTheirAreas) {
   EXPECT_FLOAT_EQ(halved[2], 25.5f);  // 20, 21, 30, 31
 }
 
-TEST(Resampled, PixelsOnACellsBorderCountByTheirShare) {
+TEST(Resampled, PixelsOnTheBorderOfACellCountByTheirShare) {
   // Cells are 1.5 pixels wide: 0 and half of 1; half of 1 and 2.
   const std::vector<float> cells = resampled({0, 1, 2, 0, 1, 2, 0, 1, 2}, 3, 1.5);
   ASSERT_EQ(cells.size(), 4u);
@@ -35,7 +35,7 @@ TEST(Resampled, PixelsOnACellsBorderCountByTheirShare) {
   EXPECT_EQ(resampledWidth(410, 10 / 6.5), 266);
 }
 
-TEST(Resampled, APhaseShiftsTheGridAndTheBorderGoesOn) {
+TEST(Resampled, APhaseShiftsTheGridAndExtendsTheBorder) {
   const std::vector<float> shifted = resampled({0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6}, 4, 2, {0.5, 0});
   EXPECT_FLOAT_EQ(shifted[0], 3);  // 2, 4
   EXPECT_FLOAT_EQ(shifted[1], 6);  // 6, and 6 again beyond the border

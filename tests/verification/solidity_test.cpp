@@ -24,7 +24,7 @@ std::vector<std::string> wordsOf(const SolidityReport& report) {
   return words;
 }
 
-TEST(Solidity, AcceptsClosedShapesAndKnowsTheirVolume) {
+TEST(Solidity, AcceptsClosedShapesAndMeasuresTheirVolume) {
   const SolidityReport box = check(shapes::box({2, 3, 5}));
   EXPECT_TRUE(box.solid());
   EXPECT_THAT(wordsOf(box), testing::IsEmpty());
@@ -45,7 +45,7 @@ TEST(Solidity, CountsTheEdgesOfAHole) {
   EXPECT_THAT(wordsOf(report), testing::ElementsAre("3 open edges"));
 }
 
-TEST(Solidity, CountsTheEdgesOfATriangleTurnedRound) {
+TEST(Solidity, CountsTheEdgesOfAFlippedTriangle) {
   Mesh mesh = shapes::icosphere(10, 2);
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
   const SolidityReport report = check(mesh);
@@ -80,7 +80,7 @@ TEST(Solidity, CountsAnEdgeOfFourTriangles) {
   EXPECT_FALSE(report.manifold());
 }
 
-TEST(Solidity, TellsExactlyCollinearFromNearlyCollinear) {
+TEST(Solidity, DistinguishesExactlyFromNearlyCollinear) {
   // Two triangles of a box's side are split at a point on their diagonal, then at one that is one float off it.
   for (const bool exact : {true, false}) {
     Mesh mesh = shapes::box({2, 2, 2});
@@ -98,7 +98,7 @@ TEST(Solidity, TellsExactlyCollinearFromNearlyCollinear) {
   }
 }
 
-TEST(Solidity, CountsATriangleThatIsThereTwice) {
+TEST(Solidity, CountsADuplicateTriangle) {
   Mesh mesh = shapes::box({2, 3, 5});
   const Triangle t = mesh.triangles[3];
   mesh.triangles.push_back({t[1], t[2], t[0]});
@@ -123,7 +123,7 @@ TEST(Solidity, FindsCrossingPartsAmongTheSuspectsOnly) {
   EXPECT_EQ(check(mesh, apart).selfIntersections, 0u);
 }
 
-TEST(Solidity, SaysWhereTheFirstOfEachIs) {
+TEST(Solidity, ReportsThePlaceOfTheFirstOfEach) {
   const auto near = [](const SolidityReport& report, const char* problem, Vec3 at) {
     const auto findings = report.findings();
     ASSERT_EQ(findings.size(), 1u);
@@ -138,7 +138,7 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
   const auto doubled = check(mesh).findings();
   const auto duplicate = std::find_if(doubled.begin(), doubled.end(), [](const SolidityFinding& f) {
-    return f.message == message("solid-duplicate-triangles", with::count("count", 1));
+    return f.message == message("solid-duplicate-triangles", with::count<"count">(1));
   });
   ASSERT_NE(duplicate, doubled.end());
   EXPECT_NEAR(glm::length(*duplicate->at - middle(mesh, 3)), 0, 1e-6);
@@ -165,7 +165,7 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   near(check(mesh), "1 vertex where parts touch in a point only", {1, 1, 1});
 }
 
-TEST(Solidity, HasAWordForAnEmptyMesh) {
+TEST(Solidity, ReportsAnEmptyMesh) {
   const SolidityReport report = check(Mesh{});
   EXPECT_FALSE(report.solid());
   EXPECT_THAT(wordsOf(report), testing::ElementsAre("no triangle"));

@@ -25,7 +25,7 @@ TEST(ViewTrials, EverythingReads) {
   EXPECT_EQ(trials.all(), 20u + 6u);  // plus the distances with fewer than 8 pixels
 }
 
-TEST(ViewTrials, ACodeIsSafeUpToTheLastTiltBeforeTheFirstDirectionThatFails) {
+TEST(ViewTrials, IsSafeUpToTheLastTiltBeforeTheFirstFailure) {
   const auto summary =
       tried([](const ViewTrial& trial) { return trial.tiltDeg < 15 || trial.azimuthDeg > 0; }).summary();
   EXPECT_EQ(summary.safeTiltDeg, 10);
@@ -34,7 +34,7 @@ TEST(ViewTrials, ACodeIsSafeUpToTheLastTiltBeforeTheFirstDirectionThatFails) {
   EXPECT_EQ(summary.tilts[2].all, 4);
 }
 
-TEST(ViewTrials, FartherAsideThanWhereNothingReadsNothingIsTried) {
+TEST(ViewTrials, StopsTiltingOnceNothingDecodes) {
   int asked = 0;
   const auto summary = tried([&](const ViewTrial& trial) {
                          asked += trial.tiltDeg > 0;
@@ -45,13 +45,13 @@ TEST(ViewTrials, FartherAsideThanWhereNothingReadsNothingIsTried) {
   EXPECT_EQ(summary.safeTiltDeg, 5);
 }
 
-TEST(ViewTrials, TheDistanceEndsAtTheFirstThatFails) {
+TEST(ViewTrials, TheDistanceEndsAtTheFirstFailure) {
   const auto summary = tried([](const ViewTrial& trial) { return trial.pixelsPerModule.value_or(9) != 3.3; }).summary();
   EXPECT_EQ(summary.pixelsPerModule, 4.0);
   EXPECT_EQ(tried([](const ViewTrial&) { return false; }).summary().pixelsPerModule, std::nullopt);
 }
 
-TEST(VideoDistance, APhonesVideoSeesAModuleOfAMillimetreWithThreePixelsFromHalfAMetre) {
+TEST(VideoDistance, PhoneVideoHasThreePixelsPerMillimetreFromHalfAMetre) {
   EXPECT_NEAR(videoDistanceMm(1, 3), 502.3, 0.1);  // 960 / tan 32.5° / 3
   EXPECT_NEAR(videoDistanceMm(2, 3), 2 * videoDistanceMm(1, 3), 1e-9);
 }

@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-TEST(DisplayMesh, ABoxHasThreeVerticesACornerEachWithItsFacesNormal) {
+TEST(DisplayMesh, ABoxHasThreeVerticesPerCornerWithTheNormalsOfTheFaces) {
   const Mesh box = shapes::box({20, 30, 40});
   const DisplayMesh display = splitAtCreases(box);
   EXPECT_EQ(display.mesh.positions.size(), 24u);
@@ -22,7 +22,7 @@ TEST(DisplayMesh, ABoxHasThreeVerticesACornerEachWithItsFacesNormal) {
   }
 }
 
-TEST(DisplayMesh, AFineSphereStaysWholeAndItsNormalsPointAwayFromTheMiddle) {
+TEST(DisplayMesh, AFineSphereStaysWholeWithRadialNormals) {
   const Mesh sphere = shapes::icosphere(30, 4);
   const DisplayMesh display = splitAtCreases(sphere);
   ASSERT_EQ(display.mesh.positions.size(), sphere.positions.size());
@@ -42,7 +42,7 @@ TEST(DisplayMesh, TheTipOfAFanOfManyFacetsTakesLinearTime) {
   EXPECT_EQ(display.mesh.triangles.size(), cylinder.triangles.size());
 }
 
-TEST(DisplayMesh, ACarvedSurfaceTakesTheSmoothNormalsAndItsWallsDoNot) {
+TEST(DisplayMesh, ACarvedSurfaceHasSmoothNormalsExceptItsWalls) {
   DisplayMesh plate = splitAtCreases(shapes::box({20, 20, 10}));
   const ProjectionFrame frame = makeFrame({0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 250);
   const MapWindow window{30, 8};

@@ -32,7 +32,7 @@ TEST(OrbitCamera, TheAxesAreOrthonormalAndRightHanded) {
   }
 }
 
-TEST(OrbitCamera, FittingShowsEveryCornerOfTheBoxAndWastesLittle) {
+TEST(OrbitCamera, FittingShowsTheWholeBoxWithLittleMargin) {
   for (const Vec3 size : {Vec3(100, 100, 100), Vec3(5, 5, 200), Vec3(300, 20, 1)}) {
     const OrbitCamera camera = cameraOver(size);
     double outermost = 0;
@@ -46,7 +46,7 @@ TEST(OrbitCamera, FittingShowsEveryCornerOfTheBoxAndWastesLittle) {
   }
 }
 
-TEST(OrbitCamera, TheRayThroughThePixelOfAPointMeetsThePoint) {
+TEST(OrbitCamera, TheRayThroughThePixelOfAPointHitsThePoint) {
   const OrbitCamera camera = cameraOver({80, 80, 80});
   const Vec3 point(12, -25, 31);
   const Vec2 pixel = camera.toScreen(point);
@@ -54,7 +54,7 @@ TEST(OrbitCamera, TheRayThroughThePixelOfAPointMeetsThePoint) {
   expectNear(glm::cross(glm::normalize(point - ray.origin), ray.direction), Vec3(0), 1e-12);
 }
 
-TEST(OrbitCamera, UpOnTheScreenIsTheChosenAxis) {
+TEST(OrbitCamera, TheChosenAxisPointsUpOnTheScreen) {
   OrbitCamera camera = cameraOver({80, 80, 80});
   EXPECT_GT(camera.view().up.z, 0.9);
   camera.setUpAxis(UpAxis::Y);
@@ -112,7 +112,7 @@ TEST(OrbitCamera, ZoomingIsBoundedBothWays) {
   EXPECT_NEAR(camera.pose().distance, 12 * diagonal, 1e-9);
 }
 
-TEST(OrbitCamera, TheReadersViewIsTheReadersEyeWithTheCodeUpright) {
+TEST(OrbitCamera, TheReadersViewIsFromTheEyeWithTheCodeUpright) {
   for (const Vec3 normal : {Vec3(0.3, -0.8, 0.2), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(-1, 0, 0)}) {
     OrbitCamera camera = cameraOver({80, 80, 80});
     camera.orbit(111, 57);
@@ -129,7 +129,7 @@ TEST(OrbitCamera, TheReadersViewIsTheReadersEyeWithTheCodeUpright) {
   }
 }
 
-TEST(OrbitCamera, AGlideIsMonotoneAndEndsWhereItShould) {
+TEST(OrbitCamera, AGlideIsMonotoneAndEndsAtItsTarget) {
   OrbitCamera camera = cameraOver({80, 80, 80});
   const CameraPose home = camera.pose();
   camera.zoom(6, Vec3(20, 0, 0));

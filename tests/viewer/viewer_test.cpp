@@ -67,7 +67,7 @@ class ViewerTest : public GlTest {
   double clock_ = 0;
 };
 
-TEST_F(ViewerTest, TheThreeVisibleFacesOfABoxDifferAndTheUpperIsBrightest) {
+TEST_F(ViewerTest, TheVisibleFacesOfABoxDifferAndTheTopIsBrightest) {
   show(shapes::box({40, 40, 40}));
   const Picture picture = refined();
   const double top = picture.brightness(camera_.toScreen({0, 0, 20}));
@@ -87,7 +87,7 @@ TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
   EXPECT_LT(dark, 0.3);
 }
 
-TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
+TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerButNotAnOpenPlate) {
   // On a plate with a step, the corner at the step's foot sees little more than half the sky; light reflected by the
   // step makes up for most of what it hides.
   show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
@@ -100,7 +100,7 @@ TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
 }
 
 /// A decal that moves over a finished picture is redrawn in its own box only.
-TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem) {
+TEST_F(ViewerTest, MovingDecalsLookLikeAFullRedraw) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
   show(mesh);
   const GpuMesh seen(mesh, vertexNormals(mesh));
@@ -146,7 +146,7 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
   }
 }
 
-TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
+TEST_F(ViewerTest, TheBoxOfADecalIsNoLargerThanNecessary) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
   Decal decal;
@@ -171,7 +171,7 @@ TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
   EXPECT_EQ(decalBounds(decal, camera_.view(), kWidth, kHeight), (PixelBox{0, 0, kWidth, kHeight}));
 }
 
-TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
+TEST_F(ViewerTest, TheDecalAppearsWhereItIsProjected) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
   Decal decal;
@@ -192,7 +192,7 @@ TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   EXPECT_GT(refined().brightness(camera_.toScreen({-10, 10, 10})), ink + 0.3);
 }
 
-TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
+TEST_F(ViewerTest, TheDecalIsOnlyOnFacetsThatFaceTheReader) {
   show(shapes::box({60, 60, 20}));
   Decal decal;
   decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
@@ -207,7 +207,7 @@ TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
   EXPECT_LT(with.brightness(camera_.toScreen({0, 0, 10})), 0.35);
 }
 
-TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheModel) {
+TEST_F(ViewerTest, UnreachedPartsOfADecalHaveTheWarningColour) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
   auto reach = std::make_shared<VisibilityMap>();
@@ -236,7 +236,7 @@ TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheMode
   }
 }
 
-TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
+TEST_F(ViewerTest, AGhostIsFainterThanADecalAndKeepsTheRefinedPicture) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);
   const Vec2 inside = camera_.toScreen({0, 0, 10}), outside = camera_.toScreen({25, 25, 10});
@@ -273,7 +273,7 @@ TEST_F(ViewerTest, ACutShowsASolidSectionInItsColour) {
   EXPECT_GT(std::abs(refined().brightness(gone) - picture.brightness(gone)), 0.1);
 }
 
-TEST_F(ViewerTest, OnlyValuesAboveZeroAreColouredWhereThatIsAsked) {
+TEST_F(ViewerTest, ColoursOnlyValuesAboveZeroOnRequest) {
   const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
   auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
   std::vector<float> values(display.normals.size(), 0);
@@ -292,7 +292,7 @@ TEST_F(ViewerTest, OnlyValuesAboveZeroAreColouredWhereThatIsAsked) {
   EXPECT_NEAR(heat.brightness(front), plain.brightness(front), 0.01);
 }
 
-TEST_F(ViewerTest, TheRayThroughAPixelMeetsTheSurfaceThatThePixelShows) {
+TEST_F(ViewerTest, TheRayThroughAPixelHitsTheSurfaceItShows) {
   const Mesh sphere = shapes::icosphere(30, 5);
   show(sphere);
   viewer_->setMarker(Vec3(0, 0, 30));
@@ -347,7 +347,7 @@ TEST_F(ViewerTest, SlowFramesInMotionLowerTheResolution) {
   EXPECT_NEAR(viewer_->statistics().coarseFrameMs, 100, 1);
 }
 
-TEST_F(ViewerTest, FastFramesInMotionRaiseTheResolutionAgainUpToWhereItBegan) {
+TEST_F(ViewerTest, FastFramesInMotionRestoreTheResolution) {
   show(shapes::box({40, 40, 40}));
   double now = 0;
   const auto move = [&](double intervalMs, int frames) {
@@ -362,7 +362,7 @@ TEST_F(ViewerTest, FastFramesInMotionRaiseTheResolutionAgainUpToWhereItBegan) {
   EXPECT_EQ(viewer_->statistics().width, kWidth / 2);
 }
 
-TEST_F(ViewerTest, ACanvasTooLargeIsDrawnCoarserButFilled) {
+TEST_F(ViewerTest, DrawsATooLargeCanvasCoarserButFillsIt) {
   show(shapes::box({40, 40, 40}));
   viewer_->resize(2000, 1600);
   double now = 0;
@@ -372,7 +372,7 @@ TEST_F(ViewerTest, ACanvasTooLargeIsDrawnCoarserButFilled) {
   EXPECT_NEAR(static_cast<double>(viewer_->statistics().width) / viewer_->statistics().height, 1.25, 0.01);
 }
 
-TEST_F(ViewerTest, WithoutAModelOnlyTheBackgroundIsDrawn) {
+TEST_F(ViewerTest, DrawsOnlyTheBackgroundWithoutAModel) {
   const Picture picture = refined();
   EXPECT_NEAR(picture.brightness({10, 90}), picture.brightness({200, 90}), 0.01);
 }

@@ -34,7 +34,7 @@ TEST(CgalOnWebAssembly, DecidesNearlyCollinearPointsExactly) {
   EXPECT_EQ(wrong, 0) << "of 4096";
 }
 
-TEST(CgalOnWebAssembly, WidensAnIntervalAroundWhatWasRounded) {
+TEST(CgalOnWebAssembly, WidensAnIntervalAroundARoundedResult) {
   CGAL::Interval_nt<false>::Protector protector;
   const CGAL::Interval_nt<false> third = CGAL::Interval_nt<false>(1) / CGAL::Interval_nt<false>(3);
   // The nearest double to 1/3 is below it, so the upper bound must be at least the next double.

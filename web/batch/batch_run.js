@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the remaining rows of a batch with several parallel engines. Each free engine takes the next row.
 import { describeThrown } from '../engine/engine_error.js';
-import { isLost } from './row_engine.js';
+import { isLost } from './carver.js';
 
 /** @typedef {import('./row_engine.js').CarvedUnit} CarvedUnit */
 /** @typedef {import('../engine/message.js').Message} Message */

@@ -99,7 +99,7 @@ beforeEach(() => {
   now = 0;
 });
 
-test('Two engines share the rows, each row is carved and kept once, and each so many-th is looked at printed', async () => {
+test('Two engines share the rows, carve and store each once, and simulate every nth print', async () => {
   const run = runOf(7);
   await finishAll(run.run());
   assert.deepEqual(states.counts, { waiting: 0, running: 0, done: 7, failed: 0 });
@@ -113,12 +113,12 @@ test('Two engines share the rows, each row is carved and kept once, and each so 
   assert.ok(engines().every(({ ended, carved }) => ended && carved.length > 1));
 });
 
-test('No more engines are started than there are rows', async () => {
+test('Starts no more engines than rows', async () => {
   await finishAll(runOf(1).run());
   assert.equal(engines().length, 1);
 });
 
-test('A row that fails stops no other, and its reason is kept', async () => {
+test('A failed row does not stop the others, and its reason is stored', async () => {
   const run = runOf(3, { engines: 1 });
   const ran = run.run();
   await settled();
@@ -128,7 +128,7 @@ test('A row that fails stops no other, and its reason is kept', async () => {
   assert.equal(states.reasonOf(0), 'it does not read');
 });
 
-test('Rows that are carved already are left alone', async () => {
+test('Rows that are already carved are skipped', async () => {
   const run = runOf(3, { engines: 1 });
   states.set(0, 'done');
   states.set(1, 'failed', 'as before');
@@ -137,7 +137,7 @@ test('Rows that are carved already are left alone', async () => {
   assert.equal(states.reasonOf(1), 'as before');
 });
 
-test('Paused, the rows under way are finished and no other is begun', async () => {
+test('While paused, running rows finish and no other starts', async () => {
   const run = runOf(4);
   const ran = run.run();
   await settled();
@@ -150,7 +150,7 @@ test('Paused, the rows under way are finished and no other is begun', async () =
   assert.equal(states.counts.done, 4);
 });
 
-test('Ended, rows under way are as if they had not been begun', async () => {
+test('After the end, running rows count as not started', async () => {
   const run = runOf(4);
   const ran = run.run();
   await settled();
@@ -163,7 +163,7 @@ test('Ended, rows under way are as if they had not been begun', async () => {
   assert.ok(engines().every(({ ended }) => ended));
 });
 
-test('Ended while it is paused, it ends', async () => {
+test('A paused batch can be ended', async () => {
   const run = runOf(4);
   const ran = run.run();
   await settled();
@@ -173,7 +173,7 @@ test('Ended while it is paused, it ends', async () => {
   assert.equal(states.counts.waiting, 4);
 });
 
-test('An engine that is lost is replaced, and its row is carved by the next', async () => {
+test('A lost engine is replaced, and the next one carves its row', async () => {
   const run = runOf(2, { engines: 1 });
   const ran = run.run();
   await settled();
@@ -184,7 +184,7 @@ test('An engine that is lost is replaced, and its row is carved by the next', as
   assert.equal(engines()[0].ended, true);
 });
 
-test('A row that engines are lost with twice fails, with a line of its own', async () => {
+test('A row that loses two engines fails, with its own line', async () => {
   const run = runOf(2, { engines: 1 });
   const ran = run.run();
   for (let losses = 0; losses < 2; losses += 1) {
@@ -196,7 +196,7 @@ test('A row that engines are lost with twice fails, with a line of its own', asy
   assert.deepEqual(saved, ['1 engine-crashed', 2]);
 });
 
-test('What cannot be kept ends the batch, with the reason, and the row is to be carved again', async () => {
+test('A storage failure ends the batch with the reason, and the row stays open', async () => {
   const run = runOf(3, { engines: 1 });
   failSave = full;
   await finishAll(run.run());
@@ -204,7 +204,7 @@ test('What cannot be kept ends the batch, with the reason, and the row is to be 
   assert.deepEqual(statesOf(), ['waiting', 'waiting', 'waiting']);
 });
 
-test('Engines that never start end the batch, with the reason', async () => {
+test('If no engine starts, the batch ends with the reason', async () => {
   FakeEngine.failStart = () => new EngineFailure(internal(message('no-graphics')));
   const run = runOf(3);
   await run.run();
@@ -212,7 +212,7 @@ test('Engines that never start end the batch, with the reason', async () => {
   assert.equal(states.counts.waiting, 3);
 });
 
-test('Without a second engine the first carves all', async () => {
+test('If the second engine does not start, the first carves all rows', async () => {
   const run = runOf(3, {
     makeEngine: () => {
       const engine = new FakeEngine();
@@ -228,7 +228,7 @@ test('Without a second engine the first carves all', async () => {
   assert.equal(states.counts.done, 3);
 });
 
-test('The time that is left follows from the pace so far, pauses apart', async () => {
+test('The remaining time follows from the pace so far, without pauses', async () => {
   const run = runOf(5, { engines: 1 });
   const ran = run.run();
   await settled();
@@ -244,7 +244,7 @@ test('The time that is left follows from the pace so far, pauses apart', async (
   await finishAll(ran);
 });
 
-test('Rows of a plate are carved together, all of them if one is new', async () => {
+test('The rows of a plate are carved together, all of them if one is new', async () => {
   const run = runOf(8, { engines: 1, perPlate: 3 });
   for (const index of [0, 1, 2, 4]) states.set(index, 'done');
   await finishAll(run.run());

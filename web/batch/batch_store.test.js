@@ -50,7 +50,7 @@ beforeEach(() => {
   store = new BatchStore(/** @type {any} */ (folder));
 });
 
-test('What a batch was begun with comes back; an earlier batch is gone', async () => {
+test('Restores the start of a batch and forgets the earlier batch', async () => {
   assert.equal(await store.recall(), undefined);
   await done(1);
   await store.begin(kRecord, { model: bytesOf('a cube'), list: bytesOf('text\nA\n') });
@@ -65,14 +65,14 @@ test('What a batch was begun with comes back; an earlier batch is gone', async (
   assert.equal(await store.file('1.stl'), undefined);
 });
 
-test('What another version has kept, or what was cut off, is no batch', async () => {
+test('Ignores a batch of another version or a truncated one', async () => {
   await folder.append('batch.json', '{"format": 99}');
   assert.equal(await store.recall(), undefined);
   await folder.write('batch.json', bytesOf('{"format": 1, "wo'));
   assert.equal(await store.recall(), undefined);
 });
 
-test('Rows are as the last line about them says; what was cut off says nothing', async () => {
+test('The last line about a row counts; a truncated line is ignored', async () => {
   await failed(1);
   await done(2);
   await folder.append('manifest.jsonl', '{"number": 3, "status": "do');
@@ -87,7 +87,7 @@ test('Rows are as the last line about them says; what was cut off says nothing',
   assert.match(states.reasonOf(3), /^The text is empty/);
 });
 
-test('The archive has the files of rows that are done, and both manifests in the order of the rows', async () => {
+test('The archive has the files of done rows and both manifests in row order', async () => {
   await done(3);
   await failed(2);
   await done(1);
@@ -115,7 +115,7 @@ test('The archive has the files of rows that are done, and both manifests in the
   assert.equal(files['manifest.csv'].split('\n').length, 4);
 });
 
-test('A plate is in the archive once, though several rows have it', async () => {
+test('A plate of several rows is in the archive once', async () => {
   const rows = [1, 2].map((number) => ({ entry: { number, file: 'plate-001.3mf', status: 'done' } }));
   assert.deepEqual(
     await store.save(/** @type {any} */ ({ rows, file: 'plate-001.3mf', bytes: bytesOf('both') }), lineOf),
@@ -126,7 +126,7 @@ test('A plate is in the archive once, though several rows have it', async () => 
   assert.equal(files['manifest.jsonl'].split('\n').length, 3);
 });
 
-test('Long manifests are read and written piece by piece', async () => {
+test('Long manifests are read and written in pieces', async () => {
   for (let number = 1; number <= 450; number += 1)
     await folder.append('manifest.jsonl', JSON.stringify({ number, status: 'failed', text: 'ä'.repeat(300) }));
   /** @type {number[]} */ const pieces = [];
@@ -136,7 +136,7 @@ test('Long manifests are read and written piece by piece', async () => {
   assert.deepEqual(pieces, [200, 200, 50]);
 });
 
-test('A last line without its end is a line', async () => {
+test('A last line without a line ending counts', async () => {
   const lines = [];
   for await (const { text, begin, end } of linesOf(new Blob(['ä\n\nb']))) lines.push([text, begin, end]);
   assert.deepEqual(lines, [

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves rows of a batch in its own worker, which gets model, centre and list once.
-import { EngineClient, isReplaced } from '../engine/client.js';
-import { EngineFailure, describeThrown, internal, isFatal } from '../engine/engine_error.js';
+import { EngineClient } from '../engine/client.js';
+import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
+import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
 import { message } from '../engine/message.js';
-import { makePrint } from '../engine/printer.js';
-import { kReaderName, readEach } from '../decoder/reader.js';
+import { Carver, isLost } from './carver.js';
 import { sha256 } from './hashes.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -28,21 +28,10 @@ import { sha256 } from './hashes.js';
  * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
  */
 
-/**
- * @typedef {object} RowEngineParts
- * @property {EngineClient} client
- * @property {typeof readEach} [read]
- * @property {typeof makePrint} [print]
- */
-
-/** Tells whether the module must not be used any more. @param {unknown} thrown */
-export const isLost = (thrown) =>
-  isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
-
 /** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
 export function makeHiddenClient() {
   /** @type {EngineClient} */ const client = new EngineClient({
-    makeCanvas: () => Object.assign(document.createElement('canvas'), { width: 1, height: 1 }),
+    makeCanvas: makeHiddenCanvas,
     onEvent: ({ event }) => {
       if (event === 'contextlost' || event === 'failure') client.end();
     },
@@ -52,12 +41,11 @@ export function makeHiddenClient() {
 }
 
 export class RowEngine {
-  /** @param {BatchJob} job @param {RowEngineParts} [parts] */
-  constructor(job, { client, read = readEach, print = makePrint } = { client: makeHiddenClient() }) {
+  /** @param {BatchJob} job @param {import('./carver.js').CarverParts} [parts] */
+  constructor(job, parts = { client: makeHiddenClient() }) {
     this.job_ = job;
-    this.client_ = client;
-    this.read_ = read;
-    this.print_ = print;
+    this.client_ = parts.client;
+    this.carver_ = new Carver(parts);
     this.ended_ = new AbortController();
   }
 
@@ -74,7 +62,7 @@ export class RowEngine {
 
   /** Ends even a busy engine. Its pending work is rejected with an error that `isLost` recognises. */
   end() {
-    this.ended_.abort();
+    this.ended_.abort(new EngineFailure(internal(message('engine-replaced'))));
     this.client_.end();
   }
 
@@ -151,7 +139,7 @@ export class RowEngine {
     };
     const withInlay = settings.inlay ?? false;
     try {
-      await this.engrave_(settings, looksAtPrint);
+      await this.carver_.carve(settings, looksAtPrint, { signal: this.ended_.signal, onProgress: () => {} });
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
       if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
       return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
@@ -174,52 +162,6 @@ export class RowEngine {
     return sha256(
       await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }),
     );
-  }
-
-  /**
-   * Engraves as the module's plan says: with changed settings where the result or its print does not decode well.
-   * @param {Settings} settings
-   * @param {boolean} looksAtPrint
-   */
-  async engrave_(settings, looksAtPrint) {
-    await this.client_.configure(settings);
-    await this.client_.placement();
-    await this.carve_({ print: looksAtPrint });
-    for (;;) {
-      const step = await this.client_.nextStep();
-      if (step.step === 'deliver') {
-        await this.client_.useCarving(step.carving);
-        return;
-      }
-      if (step.step === 'print') {
-        await this.client_.useCarving(step.carving);
-        await this.lookAtPrint_();
-      } else
-        await this.carve_({ next: true }).catch((thrown) => {
-          if (isLost(thrown)) throw thrown; // else the plan goes on without this carving
-        });
-    }
-  }
-
-  /** Carves and decodes once. @param {import('../engine/client.js').PlanOptions} plan */
-  async carve_(plan) {
-    await this.client_.engrave({ plan, signal: this.ended_.signal, onProgress: () => {} });
-    if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
-    await this.client_.setReadings(await this.read_(await this.client_.readingPictures()), kReaderName);
-  }
-
-  /** Simulates and decodes the print. */
-  async lookAtPrint_() {
-    const job = await this.client_.printJob();
-    const print = job && (await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} }));
-    const result =
-      print &&
-      (await this.client_.setPrintedReadings(
-        await this.client_.carving(),
-        await this.read_(print.pictures),
-        print.facingDeg,
-      ));
-    if (!result) throw new EngineFailure(internal(message('engine-replaced')));
   }
 }
 

@@ -69,12 +69,12 @@ beforeEach(() => {
   });
 });
 
-test('An engine is given what all rows share, once', async () => {
+test('An engine gets the common settings once', async () => {
   await engine.start();
   assert.deepEqual(calls, ['start', 'setUpAxis y', 'loadModel cube.stl 25.4', 'planBatch', 'setCentre']);
 });
 
-test('A row is carved with the settings of all and its own, and its line has the hashes of what it comes from', async () => {
+test('A row is carved with common and own settings, and its line has the hashes of its inputs', async () => {
   const carved = await carveSecond();
   assert.deepEqual(configured, [{ text: 'two', preset: 'balanced', version: 1 }]);
   assert.deepEqual(carved.entry, {
@@ -125,7 +125,7 @@ test('Goes on with the plan if a changed carving fails, but not if the module is
   await assert.rejects(carveSecond());
 });
 
-test('A row whose checks do not pass has no file, and says which', async () => {
+test('A row with failed checks has no file and names the checks', async () => {
   answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
   const carved = await carveSecond();
   assert.deepEqual(
@@ -134,7 +134,7 @@ test('A row whose checks do not pass has no file, and says which', async () => {
   );
 });
 
-test('A row that cannot be carved fails; an engine that is beyond use is told', async () => {
+test('A row that cannot be carved fails; a broken engine is reported', async () => {
   answers.engrave = new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
   const carved = await carveSecond();
   assert.deepEqual([carved.entry.status, carved.why?.code], ['failed', 'no-centre']);
@@ -142,7 +142,7 @@ test('A row that cannot be carved fails; an engine that is beyond use is told', 
   await assert.rejects(carveSecond(), { code: 'engine-crashed' });
 });
 
-test('An inlay is written where a row asks for it', async () => {
+test('An inlay is written for a row that requests it', async () => {
   answers.batchRow.settings.inlay = true;
   await carveSecond();
   assert.ok(calls.includes('exportModel 3mf-inlay'));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { RowStates } from './row_states.js';
 
-test('Rows are counted by their state, and reasons go with the failure', () => {
+test('Counts rows by state and keeps the reasons of failures', () => {
   const states = new RowStates(4);
   states.set(1, 'failed', 'why');
   states.set(2, 'done');
@@ -16,7 +16,7 @@ test('Rows are counted by their state, and reasons go with the failure', () => {
   assert.deepEqual([states.next('waiting'), states.next('waiting', 2), states.next('failed')], [0, 3, -1]);
 });
 
-test('A page has the rows of one state, or of all', () => {
+test('A page lists the rows of one state or of all', () => {
   const states = new RowStates(10);
   for (const index of [1, 4, 5, 9]) states.set(index, 'failed');
   assert.deepEqual(states.page('failed', 1, 2), [4, 5]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decodes pictures with ZXing-C++, which shares no code with the engraver. Loaded on first use.
-import wasmUrl from 'zxing-wasm/reader/zxing_decoder.wasm?url';
+import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 

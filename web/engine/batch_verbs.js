@@ -5,11 +5,10 @@ import { EngineFailure, internal } from './engine_error.js';
 import { message } from './message.js';
 
 /**
- * Makes the batch verbs of a host.
- * @param {() => import('./types.js').Engine} engine
+ * Makes the verbs that plan a batch and write its manifest.
  * @param {() => import('./types.js').PlannedBatch} makePlanned  called once, on first use
  */
-export function makeBatchVerbs(engine, makePlanned) {
+export function makePlanVerbs(makePlanned) {
   /** @type {import('./types.js').PlannedBatch | undefined} */ let batch;
   const planned = () => (batch ??= makePlanned());
   return {
@@ -25,6 +24,17 @@ export function makeBatchVerbs(engine, makePlanned) {
     manifestLine: (entry) => parseAnswer(planned().manifestLine(JSON.stringify(entry))).line,
     /** @param {string} lines @param {boolean} withHeader */
     manifestCsv: (lines, withHeader) => parseAnswer(planned().manifestCsv(lines, withHeader)).csv,
+  };
+}
+
+/**
+ * Makes the batch verbs of a host.
+ * @param {() => import('./types.js').Engine} engine
+ * @param {() => import('./types.js').PlannedBatch} makePlanned  called once, on first use
+ */
+export function makeBatchVerbs(engine, makePlanned) {
+  return {
+    ...makePlanVerbs(makePlanned),
     /** @param {number} copies */
     startPlate: (copies) => void parseAnswer(engine().startPlate(copies)),
     /** @param {number} place @param {string} id */

@@ -42,7 +42,7 @@ const kReplaced = internal(message('engine-replaced'));
 export class EngineClient {
   /**
    * @param {object} options
-   * @param {() => HTMLCanvasElement} options.makeCanvas  puts a fresh canvas in place of the last one
+   * @param {() => HTMLCanvasElement | OffscreenCanvas} options.makeCanvas  puts a fresh canvas in place of the last one
    * @param {(event: HostEvent) => void} options.onEvent
    *   called when the context is lost or something fails outside any verb
    * @param {(search: import('./types.js').SearchMaps) => void} [options.onSearch]  called during a depth search
@@ -557,8 +557,9 @@ export class EngineClient {
 
   /** @returns {Promise<Backend>} */
   async startBackend_() {
-    if (typeof OffscreenCanvas === 'function' && 'transferControlToOffscreen' in HTMLCanvasElement.prototype) {
-      const canvas = this.makeCanvas_().transferControlToOffscreen();
+    let visible = this.makeCanvas_();
+    if (typeof OffscreenCanvas === 'function' && (visible instanceof OffscreenCanvas || canBeTransferred(visible))) {
+      const canvas = visible instanceof OffscreenCanvas ? visible : visible.transferControlToOffscreen();
       const backend = new WorkerBackend((event) => this.receive_(event));
       try {
         await backend.send('start', [canvas, { draws: this.draws_ }], [canvas]);
@@ -567,12 +568,11 @@ export class EngineClient {
         backend.end();
         if (!(thrown instanceof EngineFailure && thrown.code === 'no-webgl2')) throw thrown;
         // Some browsers have OffscreenCanvas without WebGL: run the module in the page.
+        visible = this.makeCanvas_();
       }
     }
     const { EngineHost } = await import('./engine_host.js');
-    return new PageBackend(
-      await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event), { draws: this.draws_ }),
-    );
+    return new PageBackend(await EngineHost.create(visible, (event) => this.receive_(event), { draws: this.draws_ }));
   }
 
   /** @param {HostEvent} event */
@@ -584,6 +584,9 @@ export class EngineClient {
     else this.onEvent_(event);
   }
 }
+
+/** Tells whether a worker can draw on the canvas. @param {HTMLCanvasElement} canvas */
+const canBeTransferred = (canvas) => 'transferControlToOffscreen' in canvas;
 
 /** Runs the module in a dedicated worker. */
 class WorkerBackend {

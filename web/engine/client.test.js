@@ -70,7 +70,7 @@ afterEach(() => {
   Object.assign(globalThis, real);
 });
 
-test('Ended, it rejects what was asked, and starts no other worker', async () => {
+test('Ending rejects pending verbs and starts no other worker', async () => {
   const asked = client.report();
   client.end();
   await assert.rejects(asked, { code: 'engine-replaced' });
@@ -79,14 +79,14 @@ test('Ended, it rejects what was asked, and starts no other worker', async () =>
   assert.deepEqual([FakeWorker.all.length, replacements, events.length], [1, 0, 0]);
 });
 
-test('A verb is asked of the worker, and its answer given', async () => {
+test('A verb goes to the worker and returns its answer', async () => {
   const picked = client.pick(3, 4);
   assert.deepEqual(worker().asked[0].args, [3, 4]);
   worker().answer('pick', { value: { hit: false } });
   assert.deepEqual(await picked, { hit: false });
 });
 
-test('What the engine refuses is thrown with its kind, code and values', async () => {
+test('An error of the engine is thrown with kind, code and values', async () => {
   const placed = client.placement();
   worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { count: 2 } }) } });
   await assert.rejects(placed, {
@@ -97,7 +97,7 @@ test('What the engine refuses is thrown with its kind, code and values', async (
   });
 });
 
-test('A job tells how far it has come, and is over at once when it is cancelled', async () => {
+test('A job reports progress and ends at once when cancelled', async () => {
   const abort = new AbortController();
   /** @type {any[]} */ const heard = [];
   const job = client.engrave({ signal: abort.signal, onProgress: (progress) => void heard.push(progress) });
@@ -113,7 +113,7 @@ test('A job tells how far it has come, and is over at once when it is cancelled'
   assert.equal(FakeWorker.all.length, 1); // it ended its step in time
 });
 
-test('A worker that does not end its step is replaced, and who waits for it hears so', async () => {
+test('A worker that does not end its step is replaced, and its pending verbs are rejected', async () => {
   const abort = new AbortController();
   const job = client.engrave({ signal: abort.signal, onProgress: () => {} });
   const waiting = client.report();
@@ -130,7 +130,7 @@ test('A worker that does not end its step is replaced, and who waits for it hear
   assert.equal(replacements, 1);
 });
 
-test('A worker that gives no sign of life is told of, once', async () => {
+test('A silent worker is reported once', async () => {
   client.placement().catch(() => {});
   for (let i = 0; i < 30; i += 1) mock.timers.tick(5000);
   assert.deepEqual(
@@ -139,7 +139,7 @@ test('A worker that gives no sign of life is told of, once', async () => {
   );
 });
 
-test('A worker that breaks ends every verb with a crash', async () => {
+test('A broken worker ends every verb with a crash', async () => {
   const both = [client.placement(), client.report()].map((verb) =>
     assert.rejects(verb, { code: 'engine-crashed', values: { detail: { term: 'unreachable' } } }),
   );
@@ -151,7 +151,7 @@ test('A worker that breaks ends every verb with a crash', async () => {
   );
 });
 
-test('Ended while it reads a model, it is replaced at once', async () => {
+test('Cancelling while a model is read replaces the worker at once', async () => {
   const abort = new AbortController();
   const loaded = assert.rejects(client.loadModel(new Uint8Array(3), 'a.stl', 1, { signal: abort.signal }), {
     code: 'engine-replaced',
@@ -162,7 +162,7 @@ test('Ended while it reads a model, it is replaced at once', async () => {
   assert.equal(replacements, 1);
 });
 
-test('A worker of which nothing is asked, and one that tells of its work, is left alone however long it takes', async () => {
+test('An idle worker and one that reports progress are never replaced for their silence', async () => {
   for (let i = 0; i < 120; i += 1) mock.timers.tick(5000);
   const job = client.engrave({ signal: new AbortController().signal, onProgress: () => {} });
   for (let i = 0; i < 120; i += 1) {

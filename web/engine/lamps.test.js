@@ -9,7 +9,7 @@ const kLamps = [
   { azimuthDeg: -90, elevationDeg: 22.5 },
 ];
 
-test('lamps are read as the command takes them, and written so that they are read again', () => {
+test('lamps are read in the command’s format and written so that they can be read again', () => {
   assert.deepEqual(lampsFrom('135,20,19 -90,22.5'), kLamps);
   assert.equal(lampsText(kLamps), '135,20,19 -90,22.5');
   assert.deepEqual(lampsFrom(' 135, 20 , 19\t'), [kLamps[0]]);
@@ -17,7 +17,7 @@ test('lamps are read as the command takes them, and written so that they are rea
   assert.equal(lampsText([]), '');
 });
 
-test('what is no lamp is nothing', () => {
+test('an invalid lamp is undefined', () => {
   for (const text of [
     'top',
     '135',
@@ -36,7 +36,7 @@ test('what is no lamp is nothing', () => {
   }
 });
 
-test('lamps of a file have numbers for their parts and nothing else', () => {
+test('lamps of a file have numeric parts only', () => {
   assert.ok(areLamps(kLamps) && areLamps([]));
   const [lamp] = kLamps;
   for (const value of [

@@ -11,8 +11,8 @@
  */
 
 /**
- * Makes a message, as in `message('engine-hung', { count: { count: 3 } })`. No other function does, so that a test can
- * find all messages in the sources.
+ * Makes a message, as in `message('engine-hung', { count: { count: 3 } })`. `npm run lint` checks that messages/ has the
+ * code and these values (script/message_rule.js).
  * @param {string} code  a literal
  * @param {Record<string, Value>} [values]  by literal names
  * @returns {Message}

@@ -19,8 +19,10 @@ const kPlaceholders = new Proxy(
   },
 );
 
-/** @param {string} url @returns {Promise<WebAssembly.Module>} */
-async function compile(url) {
+/** @typedef {(url: string) => Promise<WebAssembly.Module>} Compile */
+
+/** @type {Compile} */
+async function compileFetched(url) {
   const response = await fetch(url, { credentials: 'same-origin' });
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
   const isTyped = response.headers.get('Content-Type') === 'application/wasm'; // required to compile while downloading
@@ -32,10 +34,11 @@ const detailOf = (thrown) => (thrown instanceof Error ? thrown.message : String(
 
 /**
  * Loads the main part.
+ * @param {Compile} [compile]
  * @returns {Promise<{ module: QReliefModule, loadInspector: () => Promise<void> }>}
  * @throws {EngineFailure}
  */
-export async function loadModule() {
+export async function loadModule(compile = compileFetched) {
   /** @type {WebAssembly.Instance | undefined} */ let first;
   /** @type {Promise<unknown> | undefined} */ let second;
 

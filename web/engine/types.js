@@ -143,8 +143,9 @@
  * has a column for them; `count`: number of rows without a list, else 0; `perPlate`: rows per plate, 0: one file per
  * row.
  * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} WantedBatch
- * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], version?: number, modules?: number }} BatchPlan
- *   no rows if there is a problem; `unused`: columns that are not used
+ * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], warnings: Message[], version?: number, modules?: number }} BatchPlan
+ *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: columns and cells with
+ *   removed settings
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
  *   `settings`: only the values that differ from the shared settings
@@ -278,6 +279,13 @@
  */
 
 /**
+ * The class `Facts` of the module: what it says about a model's file and a symbol without a canvas.
+ * @typedef {object} Facts
+ * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} model
+ * @property {(settings: string) => string} symbol
+ */
+
+/**
  * Emscripten's tables of WebGL objects by their OpenGL names; null for deleted objects.
  * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
  *   (object | null)[]>} GlTables
@@ -288,6 +296,7 @@
  * @property {new () => Engine} Engine
  * @property {new () => PrintedCode} PrintedCode
  * @property {new () => PlannedBatch} PlannedBatch
+ * @property {new () => Facts} Facts
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
  * @property {Uint8Array} HEAPU8

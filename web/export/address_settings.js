@@ -4,6 +4,7 @@ import { EngineFailure } from '../engine/engine_error.js';
 import { lampsFrom } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
+import { withoutRemoved } from './removed_settings.js';
 import { checkSetting, fileKeys } from './settings_file.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
@@ -27,16 +28,19 @@ function valueOf(key, text) {
  * Reads and checks the settings in an address.
  * @param {URLSearchParams} address
  * @param {readonly SettingKey[]} controls  settings that have a control; others are ignored
- * @returns {Partial<import('../engine/types.js').Settings>}
+ * @returns {{ settings: Partial<import('../engine/types.js').Settings>, warnings: import('../engine/message.js').Message[] }}
+ *   `warnings`: removed settings, which are ignored
  * @throws {EngineFailure} if a value cannot be used
  */
 export function settingsFromAddress(address, controls) {
-  const keys = fileKeys(controls).filter((key) => kSettings[key].kind !== 'text' && address.has(key));
-  return Object.fromEntries(
+  const { settings: given, warnings } = withoutRemoved(Object.fromEntries(address));
+  const keys = fileKeys(controls).filter((key) => kSettings[key].kind !== 'text' && key in given);
+  const settings = Object.fromEntries(
     keys.map((key) => {
       const value = valueOf(key, address.get(key) ?? '');
       checkSetting(key, value, refuse);
       return [key, value];
     }),
   );
+  return { settings, warnings };
 }

@@ -5,9 +5,10 @@ import { settingsFromAddress } from './address_settings.js';
 
 /** @type {import('../generated/settings.js').SettingKey[]} */
 const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask'];
-const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
+const readAll = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
+const read = (/** @type {string} */ query) => readAll(query).settings;
 
-test('settings are read by their names, each by its kind', () => {
+test('settings are read by name and kind', () => {
   assert.deepEqual(
     read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'),
     {
@@ -25,7 +26,16 @@ test('settings are read by their names, each by its kind', () => {
   assert.deepEqual(read('sample=bunny'), {});
 });
 
-test('a value that cannot be used is refused, with the reason', () => {
+test('a removed setting is ignored with a warning', () => {
+  const { settings, warnings } = readAll('pattern=square&floor=wavy');
+  assert.deepEqual(settings, { pattern: 'square' });
+  assert.deepEqual(
+    warnings.map(({ code, values: { name, since } }) => ({ code, name, since })),
+    [{ code: 'setting-removed', name: { term: 'floor' }, since: { term: '0.2.0' } }],
+  );
+});
+
+test('an invalid value is refused with the reason', () => {
   for (const query of ['pattern=star', 'contrast=2', 'contrast=', 'light=90', 'keepPreset=yes', 'mask=9']) {
     assert.throws(() => read(query), { code: 'settings-address-refused' }, query);
   }

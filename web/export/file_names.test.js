@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { fileNameOf, safePart, subjectOf, symbolFileName } from './file_names.js';
 
-test('the name says model, subject and size', () => {
+test('the name has model, subject and size', () => {
   assert.equal(
     fileNameOf({
       modelFile: 'bunny.stl',
@@ -28,7 +28,7 @@ test('the name says model, subject and size', () => {
   assert.equal(symbolFileName('你好', 'png'), 'qr.png');
 });
 
-test('every kind of content has its subject, and a password is in no name', () => {
+test('every kind of content has its subject, and no name has a password', () => {
   const subjects = {
     'HTTPS://WWW.EXAMPLE.ORG:80/x': 'example.org',
     'https://user:secret@example.org/': 'example.org',
@@ -47,7 +47,7 @@ test('every kind of content has its subject, and a password is in no name', () =
   for (const [text, subject] of Object.entries(subjects)) assert.equal(subjectOf(text), subject);
 });
 
-test('whatever goes in, the name is safe on every file system', () => {
+test('the name is safe on every file system for any input', () => {
   const nasty = [
     '../../etc/passwd',
     'CON',
@@ -70,7 +70,7 @@ test('whatever goes in, the name is safe on every file system', () => {
   }
 });
 
-test('a part has no separator at its ends, also where it is cut', () => {
+test('a part has no separator at its ends, even if truncated', () => {
   assert.equal(safePart('--a  b--', 10), 'a-b');
   assert.equal(safePart('abc def', 4), 'abc');
 });

@@ -4,6 +4,7 @@ import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
+import { withoutRemoved } from './removed_settings.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -164,7 +165,8 @@ function parse(json, name) {
  * @param {string} json
  * @param {string} name  of the file, for messages
  * @param {readonly SettingKey[]} controls  settings that have a control
- * @returns {SettingsFile}
+ * @returns {SettingsFile & { warnings: import('../engine/message.js').Message[] }}
+ *   `warnings`: removed settings, which are ignored
  * @throws {EngineFailure} naming the wrong setting; then do not use any part of the file
  */
 export function readSettingsFile(json, name, controls) {
@@ -182,7 +184,8 @@ export function readSettingsFile(json, name, controls) {
       }),
     );
   if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));
-  checkSettings(content.settings, fileKeys(controls));
-  const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
-  return content.model === undefined ? { settings } : { settings, model: checkModel(content.model) };
+  const { settings: kept, warnings } = withoutRemoved(content.settings);
+  checkSettings(kept, fileKeys(controls));
+  const settings = /** @type {Settings} */ (/** @type {unknown} */ (kept));
+  return { settings, warnings, ...(content.model === undefined ? {} : { model: checkModel(content.model) }) };
 }

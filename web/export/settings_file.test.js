@@ -15,7 +15,12 @@ const kControls = [
   ...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g),
 ].map(([, key]) => /** @type {any} */ (key));
 const kFileKeys = fileKeys(kControls);
-const readSettingsFile = (/** @type {string} */ json, /** @type {string} */ name) => readFile(json, name, kControls);
+/** Reads a file of the current version. @param {string} json @param {string} name */
+function readSettingsFile(json, name) {
+  const { warnings, ...file } = readFile(json, name, kControls);
+  assert.deepEqual(warnings, []);
+  return file;
+}
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
@@ -46,7 +51,7 @@ const changed = (change) =>
 /** @param {Record<string, unknown>} change */
 const withSettings = (change) => changed({ settings: { ...kSettings, ...change } });
 
-test('what is written is read again, with and without a model', () => {
+test('a written file can be read again, with and without a model', () => {
   const whole = {
     settings: {
       ...kSettings,
@@ -74,7 +79,7 @@ const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
   found.test(sentenceOf(thrown)) &&
   hintOf(thrown) !== '';
 
-test('another file is refused, and said what it is', () => {
+test('another kind of file is refused by name', () => {
   const refused = [
     ['', /x\.json” is not a JSON file/],
     ['solid bunny', /not a JSON/],
@@ -136,19 +141,19 @@ test('every wrong property of the model is named', () => {
   }
 });
 
-test('cut off anywhere, a file is refused', () => {
+test('a file truncated anywhere is refused', () => {
   const whole = writeSettingsFile({ settings: kSettings, model: kModel }).trimEnd();
   for (let length = 0; length < whole.length; length += 1) {
     assert.throws(() => readSettingsFile(whole.slice(0, length), 'x.json'), { name: 'EngineFailure' });
   }
 });
 
-test('a file has what the page has controls for, and the text', () => {
+test('a file has the text and every setting with a control', () => {
   assert.deepEqual([...kControls, 'text'].sort(), [...kFileKeys].sort());
   assert.ok(kControls.every((key) => key in kTable));
 });
 
-test('what files of the first release had must be there, but for what is empty or automatic at first', () => {
+test('every setting of the first release is required, unless it is empty or automatic at first', () => {
   const had = [
     'text',
     'preset',
@@ -188,7 +193,18 @@ test('every number is checked at both ends', () => {
   }
 });
 
-test('settings are told from models by name or type', () => {
+test('removed settings are ignored with a warning', () => {
+  const file = withSettings({ floor: 'wavy', raiseEcc: true, objective: 'reading' });
+  const { settings, warnings } = readFile(file, 'x.json', kControls);
+  const { objective: _, ...rest } = /** @type {Record<string, unknown>} */ (kSettings);
+  assert.deepEqual(settings, rest);
+  assert.deepEqual(
+    warnings.map((warning) => /** @type {any} */ (warning.values.name).term),
+    ['raiseEcc', 'floor', 'objective reading'],
+  );
+});
+
+test('settings are distinguished from models by name or type', () => {
   assert.ok(looksLikeSettings({ name: 'a.JSON', type: '' }));
   assert.ok(looksLikeSettings({ name: 'a', type: 'application/json' }));
   assert.ok(!looksLikeSettings({ name: 'a.json.stl', type: 'model/stl' }));

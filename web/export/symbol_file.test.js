@@ -26,12 +26,12 @@ test('the SVG shows every module and a quiet zone of four', () => {
   assert.deepEqual(drawn(symbolSvg(kRows, { title: 'x' })), kWithQuietZone);
 });
 
-test('the SVG has the size of the symbol, its quiet zone beside it', () => {
+test('the SVG has the size of the symbol plus the quiet zone', () => {
   assert.match(symbolSvg(kRows, { title: 'x', sizeMm: 30 }), / width="110mm" height="110mm" viewBox="0 0 11 11"/);
   assert.doesNotMatch(symbolSvg(kRows, { title: 'x' }), / width=/);
 });
 
-test('the title of the SVG is text, whatever it holds', () => {
+test('the title of the SVG is escaped', () => {
   const svg = symbolSvg(kRows, { title: '</title><script>"&\u0000' });
   assert.ok(svg.includes('<title>&#60;/title&#62;&#60;script&#62;&#34;&#38;\ufffd</title>'));
 });

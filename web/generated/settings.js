@@ -7,7 +7,7 @@
  * @typedef {object} Setting
  * @property {string} group
  * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
- * @property {'mm' | 'deg' | 'modules' | 'skies'} [unit]
+ * @property {'mm' | 'deg' | 'skies'} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
  * @property {number} [step]
@@ -23,32 +23,32 @@
  * @property {number} [most]         lamps
  */
 
-/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'floor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/**
+ * @typedef {object} RemovedSetting  a setting of earlier versions, or a choice of a setting that is still there
+ * @property {string} key
+ * @property {string} [choice]  absent: the whole setting is gone
+ * @property {string} since     the first version without it
+ * @property {{ code: string, values: Record<string, any> }} why  the message that says what to use instead
+ */
+
+/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {
   text: {"group":"symbol","kind":"text","default":"","since":"0.1.0","label":{"de":"Text oder Link","en":"Text or link"}},
   ecc: {"group":"symbol","kind":"choice","choices":["auto","L","M","Q","H"],"default":"auto","since":"0.1.0","label":{"de":"Schäden, die er übersteht","en":"Damage it survives"},"choiceNames":{"H":{"de":"H, 30 %","en":"H, 30 %"},"L":{"de":"L, 7 %","en":"L, 7 %"},"M":{"de":"M, 15 %","en":"M, 15 %"},"Q":{"de":"Q, 25 %","en":"Q, 25 %"},"auto":{"de":"So hoch wie möglich, mindestens M","en":"As high as fits, at least M"}}},
-  raiseEcc: {"group":"symbol","kind":"switch","default":true,"since":"0.1.0","label":{"de":"Fehlerkorrektur anheben, wo Platz ist","en":"Raise error correction where it is free"}},
   version: {"group":"symbol","kind":"number","min":1.0,"max":40.0,"step":1.0,"whole":true,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Version","en":"Version"}},
   mask: {"group":"symbol","kind":"choice-or-number","min":0.0,"max":7.0,"step":1.0,"whole":true,"choices":["auto","shadiest"],"default":"auto","since":"0.1.0","label":{"de":"Maske","en":"Mask"},"choiceNames":{"auto":{"de":"Norm","en":"Standard"},"number":{"de":"Fest","en":"Fixed"},"shadiest":{"de":"Kleinste dunkle Flächen","en":"Smallest dark areas"}},"partLabels":{"number":{"de":"Feste Maske","en":"Fixed mask"}}},
-  breakUp: {"group":"symbol","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Dunkle Flächen auflockern","en":"Break up dark areas"}},
   preset: {"group":"depth","kind":"choice","choices":["shallow","balanced","robust"],"default":"balanced","since":"0.1.0","label":{"de":"Wie tief","en":"How deep"},"choiceNames":{"balanced":{"de":"Ausgewogen","en":"Balanced"},"robust":{"de":"Robust, für schlechtes Licht","en":"Robust, for poor light"},"shallow":{"de":"Flach, für gleichmäßiges Licht","en":"Shallow, for even light"}}},
   keepPreset: {"group":"depth","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Nicht tiefer als die Voreinstellung","en":"No deeper than the preset"}},
   pattern: {"group":"depth","kind":"choice","choices":["auto","none","square","thin-plus","diamond","thick-plus"],"default":"auto","since":"0.1.0","label":{"de":"Module","en":"Modules"},"choiceNames":{"auto":{"de":"Automatisch","en":"Automatic"},"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"square":{"de":"Quadrat","en":"Square"},"thick-plus":{"de":"Dickes Plus","en":"Thick plus"},"thin-plus":{"de":"Dünnes Plus","en":"Thin plus"}}},
   finderPattern: {"group":"depth","kind":"choice","choices":["auto","none","as-modules","diamond","thick-plus","thick-plus-sharp"],"default":"auto","since":"0.1.0","label":{"de":"Suchmuster","en":"Finder patterns"},"choiceNames":{"as-modules":{"de":"Wie die Module","en":"Same as modules"},"auto":{"de":"Automatisch","en":"Automatic"},"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"thick-plus":{"de":"Dickes Plus, gerundet","en":"Thick plus, rounded"},"thick-plus-sharp":{"de":"Dickes Plus","en":"Thick plus"}}},
   contrast: {"group":"depth","kind":"number","min":0.01,"max":0.99,"step":0.01,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Kontrast","en":"Contrast"}},
   carveFor: {"group":"depth","kind":"choice","choices":["design","print"],"default":"print","since":"0.2.0","label":{"de":"Gravieren für","en":"Engrave for"},"choiceNames":{"design":{"de":"Nur den Entwurf","en":"Design only"},"print":{"de":"Entwurf und Druck","en":"Design and print"}}},
-  floor: {"group":"depth","kind":"choice","choices":["flat","tilted","wavy"],"default":"flat","since":"0.2.0","label":{"de":"Böden","en":"Floors"},"choiceNames":{"flat":{"de":"Flach","en":"Flat"},"tilted":{"de":"Geneigt","en":"Tilted"},"wavy":{"de":"Gewellt","en":"Wavy"}}},
-  objective: {"group":"depth","kind":"choice","choices":["contrast","reading","one-light"],"default":"contrast","since":"0.2.0","label":{"de":"Dunkel durch","en":"Darken by"},"choiceNames":{"contrast":{"de":"Tiefe, für jedes Licht","en":"Depth, for any light"},"one-light":{"de":"Schatten einer Lampe (am flachsten)","en":"Shadow of one lamp (shallowest)"},"reading":{"de":"Tiefe, beurteilt in einem unscharfen Bild","en":"Depth, judged in a blurred picture"}}},
+  objective: {"group":"depth","kind":"choice","choices":["contrast","one-light"],"default":"contrast","since":"0.2.0","label":{"de":"Dunkel durch","en":"Darken by"},"choiceNames":{"contrast":{"de":"Tiefe, für jedes Licht","en":"Depth, for any light"},"one-light":{"de":"Schatten einer Lampe (am flachsten)","en":"Shadow of one lamp (shallowest)"}}},
   solver: {"group":"depth","kind":"choice","choices":["fast","paper-steps"],"default":"fast","since":"0.1.0","label":{"de":"Verfahren","en":"Solver"},"choiceNames":{"fast":{"de":"Schnell","en":"Fast"},"paper-steps":{"de":"Wie veröffentlicht","en":"As published"}}},
   maxDepthMm: {"group":"depth","kind":"number","unit":"mm","min":0.1,"max":1000.0,"step":0.1,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Größte Tiefe","en":"Maximum depth"}},
   minWallMm: {"group":"depth","kind":"number","unit":"mm","min":0.0,"max":1000.0,"step":0.1,"default":0.8,"since":"0.1.0","label":{"de":"Restwand","en":"Minimum wall"}},
-  dataContrast: {"group":"reading","kind":"number","min":0.01,"max":0.95,"step":0.01,"default":0.1,"since":"0.1.0","label":{"de":"Kontrast der Daten","en":"Data contrast"}},
-  finderContrast: {"group":"reading","kind":"number","min":0.01,"max":0.95,"step":0.01,"default":0.15,"since":"0.1.0","label":{"de":"Kontrast der Suchmuster","en":"Finder contrast"}},
-  blurModules: {"group":"reading","kind":"number","unit":"modules","min":0.05,"max":2.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Unschärfe","en":"Blur"}},
-  tolerance: {"group":"reading","kind":"number","min":0.001,"max":0.1,"step":0.001,"default":0.005,"since":"0.1.0","label":{"de":"Toleranz","en":"Tolerance"}},
-  maxPasses: {"group":"reading","kind":"number","min":1.0,"max":60.0,"step":1.0,"whole":true,"default":12.0,"since":"0.1.0","label":{"de":"Durchgänge höchstens","en":"Maximum passes"}},
   size: {"group":"placement","kind":"choice-or-number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"choices":["free","oriented","best"],"default":"free","since":"0.1.0","label":{"de":"Größe des Codes","en":"Size of the code"},"choiceNames":{"best":{"de":"Größte, passend gedreht","en":"Largest, turned to fit"},"free":{"de":"Größte, gleich wie gedreht","en":"Largest, any way up"},"number":{"de":"Genau","en":"Exactly"},"oriented":{"de":"Größte, so gedreht","en":"Largest, this way up"}},"partLabels":{"number":{"de":"Breite","en":"Width"}}},
   maxSizeMm: {"group":"placement","kind":"number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"default":60.0,"since":"0.1.0","label":{"de":"Höchstens","en":"At most"}},
   quietZone: {"group":"placement","kind":"switch","default":true,"since":"0.1.0","label":{"de":"Ruhezone von vier Modulen einhalten","en":"Keep a quiet zone of four modules"}},
@@ -67,6 +67,19 @@ export const kSettings = {
   buildUp: {"group":"printing","kind":"choice-or-vector","choices":["as-modelled","code-up","code-upright"],"default":"as-modelled","since":"0.2.0","label":{"de":"Ausrichtung im Drucker","en":"Orientation on the printer"},"choiceNames":{"as-modelled":{"de":"Wie in der Datei","en":"As in the file"},"code-up":{"de":"Liegend, Code nach oben","en":"Lying, code facing up"},"code-upright":{"de":"Stehend, Code senkrecht","en":"Standing, code upright"},"vector":{"de":"Angegeben","en":"Given"}}},
 };
 
+/** @type {readonly RemovedSetting[]} */
+export const kRemovedSettings = [
+  {"key":"raiseEcc","since":"0.2.0","why":{"code":"removed-raise-ecc","values":{"ecc":{"setting":"ecc"},"auto":{"choice":{"key":"ecc","value":"auto"}}}}},
+  {"key":"breakUp","since":"0.2.0","why":{"code":"removed-break-up","values":{}}},
+  {"key":"floor","since":"0.2.0","why":{"code":"removed-floor","values":{}}},
+  {"key":"objective","choice":"reading","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+  {"key":"dataContrast","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+  {"key":"finderContrast","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+  {"key":"blurModules","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+  {"key":"tolerance","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+  {"key":"maxPasses","since":"0.2.0","why":{"code":"removed-reading","values":{}}},
+];
+
 /** @type {Readonly<Record<string, { nozzleMm: number, layerMm: number }>>} */
 export const kProcesses = {
   'fdm-0.4/0.2': {"nozzleMm":0.4,"layerMm":0.2},
@@ -84,7 +97,6 @@ export const kSettingGroups = {
   making: {"de":"Ausgabe","en":"Output"},
   placement: {"de":"Lage","en":"Placement"},
   printing: {"de":"Druck","en":"Printing"},
-  reading: {"de":"Ziel: Lesbarkeit","en":"Reading objective"},
   symbol: {"de":"Symbol","en":"Symbol"},
 };
 
@@ -92,6 +104,5 @@ export const kSettingGroups = {
 export const kUnits = {
   deg: {"de":"°","en":"°"},
   mm: {"de":"mm","en":"mm"},
-  modules: {"de":"Module","en":"modules"},
   skies: {"de":"Himmel","en":"skies"},
 };

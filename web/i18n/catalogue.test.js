@@ -30,7 +30,7 @@ for (const [part, languages] of Object.entries(allParts())) {
   });
 }
 
-test('a text is that of the language chosen', () => {
+test('a text is in the chosen language', () => {
   setLanguage('de');
   assert.equal(text('page.ready'), 'Bereit.');
   setLanguage('en');

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { text } from './catalogue.js';
 import { fillTexts } from './fill.js';
 
-test('an empty element gets its text, with the signs of markup escaped; what has one keeps it', () => {
+test('an empty element gets its text, escaped; a filled one keeps its own', () => {
   assert.equal(
     fillTexts('<p class="a" data-text="guide.size"></p><h2 data-text="guide.light">Kept</h2>'),
     `<p class="a" data-text="guide.size">${text('guide.size')}</p><h2 data-text="guide.light">Kept</h2>`,

@@ -120,7 +120,6 @@ const kGerman = {
   "{} are changed here, for Engrave again alone: the page's own Engrave leaves them out.":
     '{} Werte sind hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite lässt sie aus.',
   direction: 'Richtung',
-  reading: 'Lesbarkeit',
   fast: 'schnell',
   "paper's steps": 'Schritte der Arbeit',
 };

@@ -28,12 +28,12 @@ after(() => setLanguage('en'));
 /** Returns the texts that the engine does not get with the settings. */
 const ownTexts = () => Object.fromEntries(Object.entries(inspectorTexts()).filter(([key]) => !(key in settingTexts())));
 
-test('English is what the module speaks by itself, but for the settings', () => {
+test('The English texts equal the module’s own, except for settings', () => {
   setLanguage('en');
   assert.deepEqual(inspectorTexts(), settingTexts());
 });
 
-test('Every translation belongs to a text of the inspector, and has its values in the same places', () => {
+test('Every translation belongs to a text of the inspector and has the same values', () => {
   setLanguage('de');
   const texts = Object.entries(ownTexts());
   assert.ok(texts.length > 80);
@@ -44,7 +44,7 @@ test('Every translation belongs to a text of the inspector, and has its values i
   }
 });
 
-test('There is a glyph of every letter', () => {
+test('Every letter has a glyph', () => {
   setLanguage('de');
   const letters = new Set(Object.values(inspectorTexts()).join(''));
   assert.deepEqual(
@@ -64,7 +64,7 @@ test('Every text that the inspector writes is translated', () => {
   );
 });
 
-test('So is every channel', () => {
+test('Every channel is translated', () => {
   setLanguage('de');
   const texts = inspectorTexts();
   const channels = /kChannels = \{\{([\s\S]*?)\}\};/.exec(source)?.[1] ?? '';

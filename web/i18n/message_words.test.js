@@ -50,7 +50,7 @@ afterEach(() => {
   setLanguage('en');
 });
 
-test('Nothing is fetched before something is to be told, and then once, in the language chosen', async () => {
+test('Words are fetched with the first message, once, in the chosen language', async () => {
   assert.deepEqual(fetches.asked, []);
   setLanguage('de');
   show();
@@ -62,7 +62,7 @@ test('Nothing is fetched before something is to be told, and then once, in the l
   assert.deepEqual(shown, ['', '', kSentence.de, kSentence.de]);
 });
 
-test('What was told before its words came is told again with them; where nothing was, nothing is written', async () => {
+test('A message shown before its words arrive is written again; an empty place stays empty', async () => {
   show();
   assert.equal(asSentence(shown[0]), '');
   fetches.arrive[0]();
@@ -78,7 +78,7 @@ test('What was told before its words came is told again with them; where nothing
   assert.equal(sentenceOf(kTold, others.now), kSentence.en);
 });
 
-test('Another language is fetched when it is told in; until then the sentence stays in the one before', async () => {
+test('Another language is fetched with its first message; until then the sentence keeps the previous one', async () => {
   show();
   fetches.arrive[0]();
   await settled();
@@ -92,7 +92,7 @@ test('Another language is fetched when it is told in; until then the sentence st
   assert.deepEqual(fetches.asked, ['en', 'de']);
 });
 
-test('A language chosen while another one comes gets its own', async () => {
+test('A language chosen while another one loads gets its own words', async () => {
   show();
   setLanguage('de');
   show();
@@ -104,7 +104,7 @@ test('A language chosen while another one comes gets its own', async () => {
   assert.equal(shown.at(-1), kSentence.de);
 });
 
-test('If they cannot be fetched, the code is shown and what to do; what is told later tries again', async () => {
+test('If the words cannot be fetched, code and advice are shown, and the next message retries', async () => {
   show();
   fetches.fail[0]();
   await settled();
@@ -120,7 +120,7 @@ test('If they cannot be fetched, the code is shown and what to do; what is told 
   assert.equal(shown.at(-1), kSentence.en);
 });
 
-test('Words that do not come in time are shown once they do, and nobody waits for them so long', async () => {
+test('Late words are shown once they arrive, and the wait for them is limited', async () => {
   show();
   const coming = words.come();
   mock.timers.tick(8_000);
@@ -131,7 +131,7 @@ test('Words that do not come in time are shown once they do, and nobody waits fo
   assert.deepEqual(shown, ['', 'no-such-spot index=7', kSentence.en]);
 });
 
-test('If another language cannot be fetched, the sentence stays in the one before', async () => {
+test('If another language cannot be fetched, the sentence stays in the previous one', async () => {
   show();
   fetches.arrive[0]();
   await settled();
@@ -143,7 +143,7 @@ test('If another language cannot be fetched, the sentence stays in the one befor
   assert.deepEqual(fetches.asked, ['en', 'de']);
 });
 
-test('Who waits for them goes on when they are there, and when they cannot be fetched', async () => {
+test('Waiting ends when the words arrive or cannot be fetched', async () => {
   const [first, second] = [words.come(), words.come()];
   fetches.fail[0]();
   await Promise.all([first, second]);
@@ -154,7 +154,7 @@ test('Who waits for them goes on when they are there, and when they cannot be fe
   assert.equal(sentenceOf(kTold, words.now), kSentence.en);
 });
 
-test('The page’s own words come by themselves, and its listeners hear of it', async () => {
+test('The words of the current language load by themselves and notify listeners', async () => {
   let heard = 0;
   onLanguage(() => void (heard += 1));
   assert.equal(sentenceOf(kTold), '');
@@ -163,7 +163,7 @@ test('The page’s own words come by themselves, and its listeners hear of it', 
   assert.equal(heard, 1);
 });
 
-test('The build leaves each language its own words, and what only the command says to nobody', () => {
+test('The build splits the words by language and drops the command’s', () => {
   const codes = Object.keys(catalogue);
   for (const language of /** @type {const} */ (['en', 'de'])) {
     const cut = wordsIn(language);

@@ -16,7 +16,7 @@ const kPageWords = JSON.stringify(Object.values(catalogue), (key, value) => (key
 
 afterEach(() => setLanguage('en'));
 
-test('Sentences and hints are those of the shared cases, in both languages', () => {
+test('Sentences and hints match the shared cases in both languages', () => {
   assert.ok(shared.cases.length > 20);
   for (const { message: told, en, de, hint } of shared.cases) {
     setLanguage('en');
@@ -27,7 +27,7 @@ test('Sentences and hints are those of the shared cases, in both languages', () 
   }
 });
 
-test('A setting is called as its control is, without the unit', () => {
+test('A setting is named like its control, without the unit', () => {
   const words = {
     thin: {
       en: 'Raise {@minWallMm}, not {which} to {pattern}',
@@ -43,7 +43,7 @@ test('A setting is called as its control is, without the unit', () => {
   assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Betrachtungsabstand“ auf Dünnes Plus');
 });
 
-test('The page has the words of every file of messages/ but the command’s', () => {
+test('The page has the words of every file of messages/ except the command’s', () => {
   const all = readdirSync(kFolder)
     .filter((name) => name.endsWith('.json') && name !== 'command.json')
     .map((name) => JSON.parse(readFileSync(new URL(name, kFolder), 'utf8')));
@@ -58,6 +58,6 @@ test('Every setting that a message names has a name on the page', () => {
   );
 });
 
-test('No words of the page speak of the command’s options', () => {
+test('No words of the page mention options of the command', () => {
   assert.doesNotMatch(kPageWords, /--[a-z]/);
 });

@@ -8,7 +8,7 @@ import { choiceLabel, controlLabel, controlName, isKnownSetting, settingTexts } 
 
 after(() => setLanguage('en'));
 
-test('a control is called as the table says, with its unit', () => {
+test('a control is named as in the table, with its unit', () => {
   setLanguage('en');
   assert.equal(controlName('minWallMm'), 'Minimum wall (mm)');
   assert.equal(controlName('rotateDeg'), 'Rotation (°)');
@@ -22,7 +22,7 @@ test('a control is called as the table says, with its unit', () => {
   assert.ok(isKnownSetting('sizeMm') && !isKnownSetting('colour'));
 });
 
-test('choices have names in the language chosen', () => {
+test('choices have names in the chosen language', () => {
   setLanguage('de');
   assert.equal(choiceLabel('pattern', 'thick-plus'), 'Dickes Plus');
   assert.equal(choiceLabel('units', 'in'), 'Zoll');
@@ -37,7 +37,7 @@ test('the module gets every label, choice and group', () => {
   assert.equal(texts['setting:size.number'], 'Breite');
   assert.equal(texts['choice:solver:fast'], 'Schnell');
   assert.equal(texts['group:placement'], 'Lage');
-  assert.equal(texts['unit:modules'], 'Module');
+  assert.equal(texts['unit:skies'], 'Himmel');
   for (const [key, { choices = [], group }] of Object.entries(kSettings)) {
     assert.ok(texts[`setting:${key}`], key);
     assert.ok(texts[`group:${group}`], group);
@@ -45,7 +45,7 @@ test('the module gets every label, choice and group', () => {
   }
 });
 
-test('until the script runs, the page says of its controls what it will say then', () => {
+test('the labels in the HTML equal those that the script writes', () => {
   setLanguage('en');
   const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
   const controls = [...page.matchAll(/<(?:input|select) id="([^"]+)" data-setting="([^"]+)"/g)];

@@ -42,7 +42,7 @@ test('a PNG file holds the pixels it was given, row by row', () => {
   assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [3, 2]);
 });
 
-test('an icon with curves is refused by the name of the command', () => {
+test('an icon with curves is refused, naming the path command', () => {
   assert.throws(
     () =>
       readIcon(

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
 const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
-const kTooMany = /^gallery\//; // pictures that few visitors see twice
+const kTooMany = /^(api|gallery)\//; // pages and pictures that few visitors see twice
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);

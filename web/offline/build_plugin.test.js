@@ -22,9 +22,10 @@ function withFolder(contents, run) {
 /** @param {string} code */
 const versionOf = (code) => /"version":"(\w+)"/.exec(code)?.[1];
 
-test('every file is kept but hidden ones, the worker itself and what only search engines read', () => {
+test('every file is cached except hidden ones, the worker and files for search engines', () => {
   withFolder(
     {
+      'api/index.html': 'l',
       'gallery/x.png': 'p',
       'index.html': 'a',
       'assets/x.js': 'b',

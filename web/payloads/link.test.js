@@ -43,13 +43,13 @@ test('an address without its scheme gets https', () => {
   assert.deepEqual(fixed(' example.org '), ['https://example.org']);
 });
 
-test('spaces in a link are found, within it and at its ends', () => {
+test('spaces within and around a link are found', () => {
   assert.deepEqual(fixed('https://example.org/a b  c'), ['https://example.org/a%20b%20c']);
   assert.deepEqual(fixed('https://example.org/a\n'), ['https://example.org/a']);
   assert.deepEqual(keys('https://example.org/a b'), ['code.link.spaces']);
 });
 
-test('what only begins like a link is said', () => {
+test('a text that only starts like a link is reported', () => {
   for (const text of ['https://', 'https://x', 'http://exa%mple.org', 'https://example.org:99999/']) {
     assert.deepEqual(keys(text), ['code.link.wrong'], text);
   }
@@ -61,7 +61,7 @@ test('a name in other letters can be written in ASCII, and the rest of the link 
   assert.equal(advice.fixed, 'https://xn--bcher-kva.example:8080/Über?x=ü');
 });
 
-test('tracking parameters are left out, and nothing else of the query', () => {
+test('only tracking parameters are removed from the query', () => {
   assert.equal(
     withoutTracking('https://e.org/?utm_source=a&b=%20&fbclid=1&c#d?utm_x=1'),
     'https://e.org/?b=%20&c#d?utm_x=1',
@@ -73,7 +73,7 @@ test('tracking parameters are left out, and nothing else of the query', () => {
   assert.equal(adviseText('https://e.org/?gclid=1')[0].severity, 'note');
 });
 
-test('scheme and host may stand in capitals, the rest must stay', () => {
+test('scheme and host may be upper case, the rest must stay', () => {
   assert.deepEqual(shorterForms('https://en.wikipedia.org/wiki/QR_code'), [
     { text: 'HTTPS://EN.WIKIPEDIA.ORG/wiki/QR_code', key: 'code.shorter.capitals', same: true },
   ]);
@@ -82,7 +82,7 @@ test('scheme and host may stand in capitals, the rest must stay', () => {
   assert.equal(new URL(shorterForms('https://example.org/Path?Q=q#F')[0].text).href, 'https://example.org/Path?Q=q#F');
 });
 
-test('leaving out www. or a marked passage is offered as what it is, another address', () => {
+test('removing www. or a text fragment is offered as another address', () => {
   const forms = shorterForms('https://www.example.org/a#:~:text=some%20words');
   assert.deepEqual(
     forms.map(({ key, same }) => [key, same]),
@@ -100,7 +100,7 @@ test('leaving out www. or a marked passage is offered as what it is, another add
   );
 });
 
-test('no other form is offered of what is no plain link', () => {
+test('nothing is suggested for a text that is not a plain link', () => {
   for (const text of [
     'hello',
     'https://bücher.example/',
@@ -112,7 +112,7 @@ test('no other form is offered of what is no plain link', () => {
   }
 });
 
-test('a scheme is put before a host only', () => {
+test('a scheme is added only to a host', () => {
   assert.equal(withScheme(' example.org/x '), 'https://example.org/x');
   assert.equal(withScheme('http://example.org'), 'http://example.org');
   for (const text of ['', 'localhost', 'two words.org', 'https://']) assert.equal(withScheme(text), undefined, text);

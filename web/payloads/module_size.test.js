@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { tooSmall } from './module_size.js';
 
-test('modules that print need no word, down to the very size', () => {
+test('modules that print give no advice, down to the exact size', () => {
   assert.equal(tooSmall(29, 29 * 0.6, 0.6), undefined);
   assert.equal(tooSmall(29, 40, 0.6), undefined);
 });
 
-test('modules that are too small say what width they need and how many would fit', () => {
+test('too small modules name the width they need and how many would fit', () => {
   // 33 modules of 0.9 mm are 29.7 mm wide. 24 mm has room for 26; the largest symbol within 26 has 25.
   const found = tooSmall(33, 24, 0.9);
   assert.ok(found);
@@ -17,11 +17,11 @@ test('modules that are too small say what width they need and how many would fit
   assert.equal(found.printable, 25);
 });
 
-test('a symbol of the largest size that prints is found at its very width', () => {
+test('the largest printable symbol is found at its exact width', () => {
   assert.equal(tooSmall(29, 25 * 0.6, 0.6)?.printable, 25);
   assert.equal(tooSmall(29, 25 * 0.6 - 1e-3, 0.6)?.printable, 21);
 });
 
-test('where not even the smallest symbol prints, none is named', () => {
+test('if not even the smallest symbol prints, none is named', () => {
   assert.equal(tooSmall(29, 12, 0.6)?.printable, undefined);
 });

@@ -86,7 +86,7 @@ test('every text of every builder is in the catalogue', () => {
   }
 });
 
-test('nothing filled in gives no payload, and says what is needed', () => {
+test('empty fields give no payload and name the missing field', () => {
   for (const content of kContents) {
     const { payload: written, problems } = buildContent(content, emptyValues(content));
     assert.equal(written, '', content.id);
@@ -119,7 +119,7 @@ test('Wi-Fi is written as the format says', () => {
   );
 });
 
-test('Wi-Fi names and passwords come back whatever signs they hold', () => {
+test('Wi-Fi names and passwords survive any characters', () => {
   const special = 'a\\b;c,d"e:f\\;g\\\\';
   assert.equal(
     payload('wifi', { ssid: 'x;y', password: special }),
@@ -132,7 +132,7 @@ test('Wi-Fi names and passwords come back whatever signs they hold', () => {
   });
 });
 
-test('a Wi-Fi name of hexadecimal digits stands between quotation marks, a password never', () => {
+test('a Wi-Fi name of hexadecimal digits is quoted, a password never', () => {
   assert.equal(payload('wifi', { ssid: 'CAFE', password: '12345678' }), 'WIFI:T:WPA;S:"CAFE";P:12345678;;');
   assert.equal(payload('wifi', { ssid: 'CAFE!', password: '12345678' }), 'WIFI:T:WPA;S:CAFE!;P:12345678;;');
   assert.match(payload('wifi', { ssid: 'x', password: 'ab'.repeat(32) }), /P:(ab){32};/);
@@ -158,7 +158,7 @@ test('a WPA password has 8 to 63 printable characters or is a key of 64 digits',
   assert.deepEqual(problems(' 12345678'), ['warning password code.wifi.spaces']);
 });
 
-test('a WEP key has 5 or 13 characters or 10 or 26 digits, and is warned of', () => {
+test('a WEP key has 5 or 13 characters or 10 or 26 digits, and gives a warning', () => {
   const problems = (/** @type {string} */ password) => findings('wifi', { ssid: 'x', security: 'WEP', password });
   for (const good of ['abcde', 'abcdefghijklm', '0123456789', 'ABCDEF0123456789abcdef0123']) {
     assert.deepEqual(problems(good), ['warning security code.wifi.wepIsOpen'], good);
@@ -188,7 +188,7 @@ test('a contact is a vCard 3.0 with its name in both forms', () => {
   );
 });
 
-test('every value of a vCard comes back, with folded lines and escaped signs', () => {
+test('every value of a vCard survives folding and escaping', () => {
   const values = {
     given: 'Zoë; Anne',
     family: 'Müller, geb. Groß',
@@ -227,13 +227,13 @@ test('every value of a vCard comes back, with folded lines and escaped signs', (
   assert.equal(unescapeText(value('NOTE')), values.note);
 });
 
-test('a contact without a name is its organisation, and without both is none', () => {
+test('a contact without a name uses its organisation; without both it is empty', () => {
   assert.match(payload('contact', { organisation: 'ACME' }), /^N:;;;;\r\nFN:ACME\r\nORG:ACME\r$/m);
   assert.equal(payload('contact', { organisation: 'ACME', form: 'mecard' }), 'MECARD:N:ACME;;');
   assert.deepEqual(findings('contact', { phone: '+4912345', family: ' ' }), ['error given code.contact.nameless']);
 });
 
-test('a MeCard is shorter and says the same but for the job title', () => {
+test('a MeCard is shorter and has everything except the job title', () => {
   const values = {
     given: 'Zoë',
     family: 'Müller',
@@ -264,7 +264,7 @@ test('a MeCard is shorter and says the same but for the job title', () => {
   assert.match(card.payload, /URL:https\\:\/\/example/);
 });
 
-test('what cannot be dialled, mailed or opened is an error of its field', () => {
+test('a bad number, address or link is an error of its field', () => {
   const wrong = { given: 'A', phone: 'call me', email: 'a@b@c', website: 'no address' };
   assert.deepEqual(findings('contact', wrong), [
     'error phone code.phone.wrong',
@@ -284,14 +284,14 @@ test('an e-mail has its subject and message percent-encoded', () => {
   assert.equal(url.searchParams.get('body'), 'one\r\ntwo');
 });
 
-test('what is no e-mail address is said', () => {
+test('an invalid e-mail address is reported', () => {
   for (const address of ['a', 'a@', '@b.org', 'a b@example.org', 'a@example', 'a@exam ple.org', 'a@.org', 'a@b..org']) {
     assert.deepEqual(findings('email', { address }), ['error address code.email.wrong'], address);
   }
   assert.deepEqual(findings('email', { address: ' ' }), ['error address code.needed']);
 });
 
-test('a text message keeps its number and every sign of its message', () => {
+test('a text message keeps its number and every character', () => {
   assert.equal(
     payload('sms', { number: '+49 151 / 234-567', message: 'Hi: 5; ok?\nBye' }),
     'SMSTO:+49151234567:Hi: 5; ok?\nBye',
@@ -318,7 +318,7 @@ test('a place is in decimal degrees, with point or comma', () => {
   );
 });
 
-test('a place beyond the poles or the date line is none', () => {
+test('a place beyond the poles or the date line is invalid', () => {
   assert.deepEqual(findings('place', { latitude: '90.1', longitude: '-180.5' }), [
     'error latitude code.place.range',
     'error longitude code.place.range',
@@ -337,7 +337,7 @@ test('an event is in UTC, in summer and in winter', () => {
   );
 });
 
-test('a whole calendar has what iCalendar asks for, and is the same every time', () => {
+test('a calendar has everything that iCalendar requires and is deterministic', () => {
   const values = {
     title: 'Sommerfest; mit Musik, Tanz',
     start: '2027-07-01T18:00',

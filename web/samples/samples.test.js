@@ -58,7 +58,7 @@ test('The volume of the pyramid is a third of its base times its height', () => 
   assert.ok(Math.abs(checkSolid(pyramid()).volume - (120 * 120 * 80) / 3) < 1e-6);
 });
 
-test('A missing triangle is found as three open edges, and filled again to the same volume', () => {
+test('A missing triangle gives three open edges and is filled to the same volume', () => {
   const solid = pyramid();
   const open = { positions: solid.positions, triangles: solid.triangles.slice(1) };
   assert.equal(checkSolid(open).openEdges, 3);
@@ -67,7 +67,7 @@ test('A missing triangle is found as three open edges, and filled again to the s
   assert.ok(Math.abs(filled.volume - checkSolid(solid).volume) < 1e-6);
 });
 
-test('A triangle used twice is found as a non-manifold edge, two tips that touch as a non-manifold vertex', () => {
+test('A duplicate triangle gives a non-manifold edge, two touching tips a non-manifold vertex', () => {
   const solid = pyramid();
   const twice = { positions: solid.positions, triangles: [...solid.triangles, solid.triangles[2]] };
   assert.equal(checkSolid(twice).nonManifoldEdges, 3);

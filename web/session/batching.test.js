@@ -15,7 +15,7 @@ const kInput = /** @type {any} */ ({
   name: '',
   perPlate: 0,
 });
-const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
+const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], warnings: [], version: 2, modules: 25 };
 
 /** @type {any} */ let panel;
 /** @type {import('./work_store.js').WorkStore} */ let store;
@@ -67,7 +67,7 @@ test('Without a list there is one code', async () => {
   assert.deepEqual(batching.settings(), { text: 'mine', preset: 'balanced', pattern: 'none' });
 });
 
-test('The first part of a list is worked on as one code is, with what the list says of it', async () => {
+test('The first part of a list is handled like a single code, with its values from the list', async () => {
   assert.equal(batching.incomplete, true);
   await batching.ready();
   assert.equal(batching.incomplete, false);
@@ -76,7 +76,7 @@ test('The first part of a list is worked on as one code is, with what the list s
   assert.equal(plannedWords(planned[0]), '12 parts, version 2, 25 × 25 modules');
 });
 
-test('A list is planned again when it or the settings are others, and only then', async () => {
+test('A list is planned again only if it or the settings change', async () => {
   await batching.ready();
   await batching.ready();
   assert.equal(wanted.length, 1);
@@ -97,7 +97,7 @@ test('A list is planned again when it or the settings are others, and only then'
   assert.equal(wanted.length, 4);
 });
 
-test('On plates, it is said how many', async () => {
+test('Reports the number of plates', async () => {
   store.update({ batch: { ...kInput, perPlate: 5 } });
   await batching.ready();
   assert.equal(plannedWords(planned[0]), '12 parts on 3 plates, version 2, 25 × 25 modules');
@@ -112,7 +112,7 @@ test('A list with problems has no first part', async () => {
   assert.equal(batching.settings().text, 'mine');
 });
 
-test('A list that cannot be read is a problem; a module that is lost is not', async () => {
+test('An unreadable list is a problem; a lost module is not', async () => {
   answer = new EngineFailure({ kind: 'BadInput', ...message('list-no-rows') });
   await batching.ready();
   assert.deepEqual(
@@ -125,14 +125,14 @@ test('A list that cannot be read is a problem; a module that is lost is not', as
   await assert.rejects(batching.ready(), { code: 'engine-replaced' });
 });
 
-test('Nothing is asked of a module without a list', async () => {
+test('Without a list the module is not called', async () => {
   store.update({ batch: { ...kInput, list: new Uint8Array() } });
   await batching.ready();
   assert.deepEqual([wanted.length, batching.incomplete], [0, true]);
   assert.equal(plannedWords(planned[0]), 'Open, drop or paste a list');
 });
 
-test('While its parts are carved no other list is opened', async () => {
+test('A list does not change while its parts are carved', async () => {
   locked = true;
   await batching.openList(new File(['text\nA\n'], 'b.csv'));
   assert.equal(panel.taken, undefined);
@@ -147,7 +147,7 @@ test('A list that is too large is refused before it is read', async () => {
   assert.equal(panel.taken, undefined);
 });
 
-test('Lists are told from models by their names', () => {
+test('Lists are distinguished from models by name', () => {
   for (const name of ['a.csv', 'a.TSV', 'a.jsonl', 'a.ndjson', 'a.txt'])
     assert.equal(looksLikeList({ name, type: '' }), true, name);
   for (const name of ['a.stl', 'a.json', 'csv']) assert.equal(looksLikeList({ name, type: '' }), false, name);

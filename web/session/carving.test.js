@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { ResultPanel } from '../ui/result_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Carving } from './carving.js';
 import { Jobs } from './jobs.js';
+import { Placing } from './placing.js';
+import { Printing } from './printing.js';
 import { Signal } from './signal.js';
 import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
 
@@ -45,7 +50,7 @@ beforeEach(() => {
   shown = [];
   number = 0;
   steps = [];
-  client = fake({
+  client = fake(EngineClient, {
     engrave: async () => {
       number += 1;
       return true;
@@ -57,15 +62,12 @@ beforeEach(() => {
     setReadings: async (/** @type {string[]} */ texts) => ({ passed: texts.every((one) => one === kText) }),
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
-  placing = fake({ place: async () => {} });
-  placing.moved = new Signal();
-  placing.answers.placement = { symbolMm: 20 };
-  Object.defineProperty(placing, 'placement', { get: () => placing.answers.placement });
-  panel = fake();
-  printing = fake();
+  placing = fake(Placing, { place: async () => {} }, { placement: { symbolMm: 20 }, moved: new Signal() });
+  panel = fake(ResultPanel);
+  printing = fake(Printing);
   printsSeen = 0;
   messages = new FakeMessages();
-  jobs = new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} });
+  jobs = new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} });
   carving = new Carving({
     client,
     jobs,
@@ -84,7 +86,7 @@ beforeEach(() => {
   carving.printed.on(() => void (printsSeen += 1));
 });
 
-test('What is carved is read back, reported and shown', async () => {
+test('A carving is decoded, reported and shown', async () => {
   await carving.engrave();
   assert.equal(made()?.report.text, kText);
   assert.equal(carving.carved?.number, 1);
@@ -92,14 +94,14 @@ test('What is carved is read back, reported and shown', async () => {
   assert.deepEqual(shown.at(-1), [true, true]);
 });
 
-test('Where the code has no place, nothing is carved', async () => {
-  placing.answers.placement = undefined;
+test('Nothing is carved if the code has no place', async () => {
+  placing.placement = undefined;
   await carving.engrave();
   assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('engrave')));
   assert.equal(carving.carved, undefined);
 });
 
-test('Cancelled, what was carved before comes back', async () => {
+test('Cancelling restores the previous carving', async () => {
   await carving.engrave();
   const before = carving.carved;
   client.answers.engrave = async () => false;
@@ -109,7 +111,7 @@ test('Cancelled, what was carved before comes back', async () => {
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
 });
 
-test('Another carving does not begin beside the first', async () => {
+test('A second carving does not start beside the first', async () => {
   const pending = new Pending();
   client.answers.engrave = () => pending.promise;
   const first = carving.engrave();
@@ -120,7 +122,7 @@ test('Another carving does not begin beside the first', async () => {
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
 });
 
-test('A carving that fails leaves nothing, and the next one can begin', async () => {
+test('A failed carving leaves nothing, and the next one can start', async () => {
   client.answers.engrave = async () => {
     throw noRoom();
   };
@@ -131,14 +133,14 @@ test('A carving that fails leaves nothing, and the next one can begin', async ()
   assert.equal(made()?.report.text, kText);
 });
 
-test('After the settings changed, what was carved is said to be older', async () => {
+test('After a change of settings the carving is marked as outdated', async () => {
   await carving.engrave();
   setValues({ preset: 'shallow' });
   store.applied.tell('preset');
   assert.equal(panel.calls.at(-1), 'setOutdated true');
 });
 
-test('What a module carved is gone with it', async () => {
+test('A carving is lost with its module', async () => {
   await carving.engrave();
   const { carved } = carving;
   await carving.dropForGood();
@@ -153,7 +155,7 @@ const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
 /** @param {string} setting @param {string} value */
 const carve = (setting, value) => ({ step: 'carve', carving: 1, change: { setting, value } });
 
-test('What does not read is carved with the next deeper preset', async () => {
+test('A code that does not decode is carved with the next deeper preset', async () => {
   setValues({ preset: 'balanced' });
   steps = [carve('preset', 'robust'), print(2)];
   await carving.engrave();
@@ -161,7 +163,7 @@ test('What does not read is carved with the next deeper preset', async () => {
   assert.equal(made()?.number, 2);
 });
 
-test('What does not read as carved for the print is carved for the design alone, and that is said', async () => {
+test('A code that does not decode when carved for the print is carved for the design, with a message', async () => {
   setValues({ preset: 'balanced', carveFor: 'print' });
   steps = [carve('carveFor', 'design'), print(2)];
   await carving.engrave();
@@ -170,7 +172,7 @@ test('What does not read as carved for the print is carved for the design alone,
   assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
-test('What reads with no preset stays as it was asked for', async () => {
+test('A code that decodes with no preset stays as requested', async () => {
   setValues({ preset: 'balanced' });
   FakeReader.found = '';
   steps = [carve('preset', 'robust'), print(1)];
@@ -180,7 +182,7 @@ test('What reads with no preset stays as it was asked for', async () => {
   assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('useCarving 1')));
 });
 
-test('Cancelled while it is carved deeper, what was asked for stays, as it was carved and read', async () => {
+test('Cancelling a deeper carving keeps the requested one with its readings', async () => {
   setValues({ preset: 'shallow' });
   FakeReader.found = '';
   const deeper = new Pending();
@@ -207,7 +209,7 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   assert.equal(made()?.made.values.preset, 'balanced');
 });
 
-test('The print begins once the result is there, and what it comes to is in the result', async () => {
+test('The print starts with the result and is added to it', async () => {
   /** @type {any} */ let tell;
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
   await carving.engrave();
@@ -230,7 +232,7 @@ const printsAre = (...results) => {
 };
 const kDeeper = [print(1), carve('preset', 'robust')];
 
-test('What barely reads as printed is carved with the next deeper preset, whose print reads', async () => {
+test('A code whose print barely decodes is carved with the next deeper preset whose print decodes', async () => {
   setValues({ preset: 'balanced' });
   printsAre({ passed: false }, { passed: true });
   steps = [...kDeeper, print(2), deliver(2)];
@@ -243,7 +245,7 @@ test('What barely reads as printed is carved with the next deeper preset, whose 
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
 });
 
-test('Where no deeper preset mends the print, the code stays as it was asked for', async () => {
+test('If no deeper preset helps the print, the code stays as requested', async () => {
   for (const second of [{ passed: false }, undefined]) {
     setValues({ preset: 'balanced' });
     number = 0;
@@ -264,7 +266,7 @@ test('Where no deeper preset mends the print, the code stays as it was asked for
   }
 });
 
-test('Cancelled while it is carved deeper for its print, the first result comes back', async () => {
+test('Cancelling a deeper carving for the print restores the first result', async () => {
   setValues({ preset: 'balanced' });
   printsAre({ passed: false });
   steps = [...kDeeper];
@@ -286,7 +288,7 @@ test('Cancelled while it is carved deeper for its print, the first result comes 
   assert.deepEqual(shown.at(-1), [true, true]);
 });
 
-test('What the user has changed since is not carved again for its print', async () => {
+test('A code is not carved again for its print after a change by the user', async () => {
   setValues({ preset: 'balanced' });
   /** @type {any} */ let tell;
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
@@ -297,7 +299,7 @@ test('What the user has changed since is not carved again for its print', async 
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
 });
 
-test('The print of what is given up is given up', async () => {
+test('Dropping a carving stops its print', async () => {
   client.answers.engrave = async (/** @type {any} */ { onPrintable }) => {
     onPrintable({});
     return client.calls.filter((/** @type {string} */ call) => call === 'engrave').length === 1;
@@ -314,7 +316,7 @@ test('The print of what is given up is given up', async () => {
   );
 });
 
-test('The print of what was replaced is told to what was replaced', async () => {
+test('The print of a replaced carving is reported to that carving', async () => {
   /** @type {any[]} */ const tells = [];
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void tells.push(told);
   await carving.engrave();
@@ -328,7 +330,7 @@ test('The print of what was replaced is told to what was replaced', async () => 
   assert.equal(panel.calls.filter((/** @type {string} */ call) => call === 'update').length, updates);
 });
 
-test('What comes back without its print is printed again, what has one is not', async () => {
+test('A restored carving is printed only if it has no print', async () => {
   await carving.engrave();
   const { carved } = carving;
   const begun = () => printing.calls.filter((/** @type {string} */ call) => call.startsWith('begin')).length;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { Batching } from './batching.js';
 import { SettingFields } from '../ui/setting_fields.js';
 import { Editing } from './editing.js';
+import { ModelSession } from './model_session.js';
+import { Placing } from './placing.js';
 import { Signal } from './signal.js';
+import { SpotFinding } from './spot_finding.js';
 import { FakeMessages, fake, storeOf } from './testing.js';
 
 const kDefaults = {
@@ -59,12 +63,10 @@ beforeEach(() => {
   applied = [];
   store.applied.on((field) => void applied.push(field));
   [form, code, batchPanel] = [new FakePanel(), new FakePanel(), new FakePanel()];
-  model = fake();
-  batching = fake({ ready: async () => {} });
-  Object.assign(batching, { changed: new Signal(), isLocked: false });
-  spots = fake();
-  placing = fake();
-  Object.assign(placing, { placed: new Signal(), placement: { symbolMm: 20 } });
+  model = fake(ModelSession);
+  batching = fake(Batching, { ready: async () => {}, isLocked: false }, { changed: new Signal() });
+  spots = fake(SpotFinding);
+  placing = fake(Placing, {}, { placed: new Signal(), placement: { symbolMm: 20 } });
   messages = new FakeMessages();
   editing = new Editing({
     store,
@@ -129,7 +131,7 @@ test('Another work is taken over without being applied; a list whose parts are c
   editing.restore({ text: 'b', values: { preset: 'robust' }, batch: kBatch });
   assert.deepEqual(store.work.values, { ...kDefaults, preset: 'robust' });
   assert.deepEqual([store.work.text, store.work.batch, applied], ['b', kBatch, []]);
-  batching.isLocked = true;
+  batching.answers.isLocked = true;
   editing.restore({ text: 'c', values: {}, batch: undefined });
   assert.deepEqual([store.work.text, store.work.batch], ['c', kBatch]);
 });

@@ -86,17 +86,18 @@ export class Exporting {
   /**
    * Uses the settings from the page's address and keeps the others. They take effect with the next model.
    * @param {URLSearchParams} address
-   * @returns {{ asksForSettings: boolean, refusal?: unknown }}
-   *   `refusal`: error of a setting that cannot be used; then none is used
+   * @returns {{ asksForSettings: boolean, warnings: import('../engine/message.js').Message[], refusal?: unknown }}
+   *   `warnings`: removed settings, which are ignored; `refusal`: error of a setting that cannot be used; then none is
+   *   used
    */
   useAddress(address) {
     try {
-      const asked = settingsFromAddress(address, this.fields_.keys);
+      const { settings: asked, warnings } = settingsFromAddress(address, this.fields_.keys);
       const asksForSettings = Object.keys(asked).length > 0;
       if (asksForSettings) this.write_({ ...this.settingsToSave_, ...asked });
-      return { asksForSettings };
+      return { asksForSettings, warnings };
     } catch (refusal) {
-      return { asksForSettings: true, refusal };
+      return { asksForSettings: true, warnings: [], refusal };
     }
   }
 
@@ -105,7 +106,7 @@ export class Exporting {
    * @param {File} file
    */
   async useSettings(file) {
-    const { settings, model } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
+    const { settings, model, warnings } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
     this.carving_.abort();
     await this.jobs_.untilIdle();
     this.messages_.clearError();
@@ -118,6 +119,7 @@ export class Exporting {
       ? () => text('exports.settingsUsed', { file: file.name })
       : () => text('exports.settingsOtherModel', { file: file.name, model: model.file });
     this.messages_.say(words);
+    this.messages_.warn(warnings);
   }
 
   /**

@@ -16,7 +16,7 @@ function makeHistory() {
   return { history, clock };
 }
 
-test('Each change is undone and redone in its turn', () => {
+test('Changes are undone and redone in order', () => {
   const { history } = makeHistory();
   for (const text of ['a', 'b', 'c']) history.record({ text });
   assert.equal(history.undo()?.text, 'b');
@@ -27,21 +27,21 @@ test('Each change is undone and redone in its turn', () => {
   assert.equal(history.redo(), undefined);
 });
 
-test('The first state is nothing to be undone', () => {
+test('The first state cannot be undone', () => {
   const { history } = makeHistory();
   assert.deepEqual([history.canUndo, history.canRedo], [false, false]);
   history.record({ text: 'a' });
   assert.deepEqual([history.canUndo, history.canRedo], [false, false]);
 });
 
-test('A state like the last is no change', () => {
+test('A state equal to the last is not a change', () => {
   const { history } = makeHistory();
   history.record({ text: 'a' });
   history.record({ text: 'a' });
   assert.equal(history.canUndo, false);
 });
 
-test('A change after an undo takes away what could be redone', () => {
+test('A change after an undo clears the redo list', () => {
   const { history } = makeHistory();
   for (const text of ['a', 'b', 'c']) history.record({ text });
   history.undo();
@@ -50,7 +50,7 @@ test('A change after an undo takes away what could be redone', () => {
   assert.equal(history.undo()?.text, 'b');
 });
 
-test('Quick edits of one field are undone together, slow ones and those of another field are not', () => {
+test('Only quick edits of the same field are undone together', () => {
   const { history, clock } = makeHistory();
   history.record({ text: '' });
   for (const text of ['h', 'he', 'hel']) {
@@ -65,7 +65,7 @@ test('Quick edits of one field are undone together, slow ones and those of anoth
   assert.equal(history.undo()?.text, '');
 });
 
-test('The first edit of a field is never merged into the state before it, nor one after an undo', () => {
+test('The first edit of a field and an edit after an undo are never merged', () => {
   const { history } = makeHistory();
   history.record({ text: 'a' }, 'text');
   history.record({ text: 'ab' }, 'text');
@@ -74,7 +74,7 @@ test('The first edit of a field is never merged into the state before it, nor on
   assert.equal(history.undo()?.text, 'a');
 });
 
-test('Of very many changes the oldest are forgotten', () => {
+test('The oldest of very many changes are dropped', () => {
   const { history } = makeHistory();
   for (let i = 0; i < 500; i += 1) history.record({ text: String(i) });
   let steps = 0;
@@ -82,7 +82,7 @@ test('Of very many changes the oldest are forgotten', () => {
   assert.equal(steps, 199);
 });
 
-test('Of large models no more are held than 512 MiB beside the one that is open', () => {
+test('At most 512 MiB of models are kept besides the open one', () => {
   const { history } = makeHistory();
   const large = () => /** @type {any} */ ({ byteLength: 200 * 1024 * 1024 });
   for (const text of ['a', 'b', 'c', 'd']) history.record({ text, bytes: large() });
@@ -91,7 +91,7 @@ test('Of large models no more are held than 512 MiB beside the one that is open'
   assert.equal(history.undo(), undefined);
 });
 
-test('A model that many states share counts once', () => {
+test('A model shared by many states counts once', () => {
   const { history } = makeHistory();
   const bytes = /** @type {any} */ ({ byteLength: 300 * 1024 * 1024 });
   for (const text of ['a', 'b', 'c', 'd']) history.record({ text, bytes });

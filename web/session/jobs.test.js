@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { messageWords } from '../i18n/message_words.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Jobs } from './jobs.js';
 import { FakeMessages, Pending, fake, replaced, settled } from './testing.js';
 
@@ -13,12 +14,12 @@ import { FakeMessages, Pending, fake, replaced, settled } from './testing.js';
 
 beforeEach(() => {
   messages = new FakeMessages();
-  panel = fake();
+  panel = fake(WorkPanel);
   busy = [];
   jobs = new Jobs({ panel, messages: /** @type {any} */ (messages), onBusy: (now) => void busy.push(now) });
 });
 
-test('One job runs after the other, and what it gives is handed on', async () => {
+test('Jobs run one after the other and return their results', async () => {
   const first = new Pending();
   const second = new Pending();
   /** @type {string[]} */ const begun = [];
@@ -41,7 +42,7 @@ test('One job runs after the other, and what it gives is handed on', async () =>
   assert.deepEqual(busy, [true, false, true, false]);
 });
 
-test('A stage is told in words as soon as they are there, with how far it has come', async () => {
+test('A stage is shown in words once they arrive, with its progress', async () => {
   jobs.showProgress({ stage: message('finding-depth'), fraction: 0.4 });
   await messageWords.come();
   jobs.showProgress({ stage: message('finding-depth'), fraction: 0.5 });
@@ -49,7 +50,7 @@ test('A stage is told in words as soon as they are there, with how far it has co
   assert.match(messages.said[1], /Finding the depth/);
 });
 
-test('Cancelling aborts what runs, and that the module was replaced for it is no fault to tell', async () => {
+test('Cancelling aborts the running job, and a replaced module is not an error', async () => {
   const pending = new Pending();
   /** @type {AbortSignal | undefined} */ let signal;
   const run = jobs.run(
@@ -68,7 +69,7 @@ test('Cancelling aborts what runs, and that the module was replaced for it is no
   assert.equal(jobs.busy, false);
 });
 
-test('A job that fails leaves the next one free to run', async () => {
+test('After a failed job the next one runs', async () => {
   await assert.rejects(
     jobs.run(
       () => 'a',

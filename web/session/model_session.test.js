@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { ModelPanel } from '../ui/model_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
 import { FakeMessages, fake, noRoom, storeOf } from './testing.js';
@@ -18,14 +21,14 @@ const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, u
 
 beforeEach(() => {
   messages = new FakeMessages();
-  client = fake({
+  client = fake(EngineClient, {
     loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) => ({
       engravable: true,
       scaleToMm: scaleToMm || 25.4,
       findings: [],
     }),
   });
-  panel = fake({ scaleToMm: 1 });
+  panel = fake(ModelPanel, { scaleToMm: 1 });
   store = storeOf();
   told = [];
   model = new ModelSession({
@@ -33,21 +36,21 @@ beforeEach(() => {
     panel,
     store,
     messages: /** @type {any} */ (messages),
-    jobs: new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} }),
+    jobs: new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} }),
     onReplacing: () => void told.push('replacing'),
     onLoaded: async () => void told.push('loaded'),
     onFailed: () => void told.push('failed'),
   });
 });
 
-test('A model is there once it is read, with the centre it comes with', async () => {
+test('A model is set once it is read, with its centre', async () => {
   await model.load(kSource, [1, 2, 3]);
   assert.deepEqual(told, ['replacing', 'loaded']);
   assert.equal(model.source?.fileName, 'a.stl');
   assert.deepEqual(chosenCentre(store.work), [1, 2, 3]);
 });
 
-test('A file that cannot be read leaves the model before it, with its centre and upright', async () => {
+test('An unreadable file keeps the previous model, its centre and its up axis', async () => {
   await model.load(kSource, [1, 2, 3]);
   client.answers.loadModel = async () => {
     throw noRoom();
@@ -62,7 +65,7 @@ test('A file that cannot be read leaves the model before it, with its centre and
   assert.equal(told.at(-1), 'failed');
 });
 
-test('In another unit the centre stays where it is on the model, wherever it was moved or undone to', async () => {
+test('In another unit the centre keeps its position on the model, even after moves and undos', async () => {
   await model.load(kSource, [1, 2, 3]);
   store.update(centredAt([4, 5, 6]));
   await model.rescale(10);
@@ -72,13 +75,13 @@ test('In another unit the centre stays where it is on the model, wherever it was
   assert.equal(store.work.centreMm, undefined); // a proposal is not kept
 });
 
-test('The unit that a file states takes the place of none', async () => {
+test('The unit of the file replaces an unknown one', async () => {
   await model.load({ ...kSource, scaleToMm: 0 });
   assert.equal(model.source?.scaleToMm, 25.4);
   assert.equal(model.source?.unitStated, true);
 });
 
-test('A sample that is not there is named together with those there are, and nothing is read', async () => {
+test('An unknown sample is named with the known ones, and nothing is read', async () => {
   const sample = {
     name: 'A',
     file: 'a.stl',

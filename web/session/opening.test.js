@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { CodePanel } from '../ui/code_panel.js';
+import { ModelPanel } from '../ui/model_panel.js';
+import { Batching } from './batching.js';
+import { Editing } from './editing.js';
+import { Exporting } from './exporting.js';
+import { Jobs } from './jobs.js';
+import { ModelSession } from './model_session.js';
 import { Opening } from './opening.js';
 import { Pending, fake, settled } from './testing.js';
+import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
 /** @type {string[]} */ let opened;
@@ -14,18 +22,17 @@ beforeEach(() => {
   restored = undefined;
   const opens = (/** @type {string} */ kind) => async () => void opened.push(kind);
   parts = {
-    panel: fake(),
-    code: Object.assign(fake(), { initialText: 'first' }),
+    panel: fake(ModelPanel),
+    code: fake(CodePanel, {}, { initialText: 'first' }),
     fields: { defaults: { preset: 'balanced' } },
-    model: fake({ openFile: opens('model'), openSample: opens('sample') }),
-    batching: fake({ openList: opens('list') }),
-    editing: fake({ restore: (/** @type {any} */ state) => void (restored = state) }),
-    exporting: fake({ useSettings: opens('settings') }),
-    undo: fake({ asOne: (/** @type {() => Promise<void>} */ action) => action() }),
-    jobs: fake(),
+    model: fake(ModelSession, { source: {}, openFile: opens('model'), openSample: opens('sample') }),
+    batching: fake(Batching, { openList: opens('list') }),
+    editing: fake(Editing, { restore: (/** @type {any} */ state) => void (restored = state) }),
+    exporting: fake(Exporting, { useSettings: opens('settings') }),
+    undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
+    jobs: fake(Jobs),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
-  parts.model.source = {};
   opening = new Opening(parts);
   opening.started = Promise.resolve(true);
 });
@@ -36,7 +43,7 @@ test('A file is opened as what its name says', async () => {
 });
 
 test('Settings without a model are used on the first sample', async () => {
-  parts.model.source = undefined;
+  parts.model.answers.source = undefined;
   await opening.openFile(new File([''], 'a.json'));
   assert.deepEqual(opened, ['sample', 'settings']);
 });

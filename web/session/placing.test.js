@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
 import { message } from '../engine/message.js';
 import { setLanguage } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
+import { PlacePanel } from '../ui/place_panel.js';
 import { Placing } from './placing.js';
 import { FakeMessages, Pending, crashed, fake, noRoom, settled, storeOf } from './testing.js';
 import { centredAt } from './work.js';
@@ -21,7 +23,7 @@ let moved = 0;
 
 beforeEach(() => {
   messages = new FakeMessages();
-  client = fake({
+  client = fake(EngineClient, {
     placement: async () => ({ symbolMm: 20 }),
     setCentre: async (/** @type {number[]} */ mm) => ({ hit: true, centre: mm }),
   });
@@ -34,7 +36,7 @@ beforeEach(() => {
     model,
     store,
     messages: /** @type {any} */ (messages),
-    panel: fake(),
+    panel: fake(PlacePanel),
     batching: { plannedSettings: async () => /** @type {any} */ ({}) },
     jobs: {
       get busy() {
@@ -47,7 +49,7 @@ beforeEach(() => {
 });
 afterEach(() => setLanguage('en'));
 
-test('Without a centre of its own a model begins at the one that the module proposes', async () => {
+test('A model without a centre starts at the module’s proposal', async () => {
   await placing.begin();
   assert.deepEqual(store.work.centreMm, [1, 2, 3]);
   assert.equal(store.work.centreIsGuess, true);
@@ -56,7 +58,7 @@ test('Without a centre of its own a model begins at the one that the module prop
   assert.equal(messages.said.at(-1), 'Ready.');
 });
 
-test('A proposal where the code has no place asks for another; a choice there is an error', async () => {
+test('A proposed centre without room asks for another; a chosen one is an error', async () => {
   client.answers.placement = async () => {
     throw noRoom();
   };
@@ -69,7 +71,7 @@ test('A proposal where the code has no place asks for another; a choice there is
   assert.equal(moved, 1);
 });
 
-test('Who insists on the proposal hears of the error, too', async () => {
+test('Insisting on the proposal reports the error', async () => {
   await placing.begin();
   placing.insist();
   client.answers.placement = async () => {
@@ -79,7 +81,7 @@ test('Who insists on the proposal hears of the error, too', async () => {
   assert.equal(problem().code, 'no-centre');
 });
 
-test('Asked again while it runs, it runs once more, with the newest settings', async () => {
+test('A request during a run causes one more run, with the newest settings', async () => {
   store.update(centredAt([0, 0, 0]));
   const first = new Pending();
   client.answers.placement = () => first.promise;
@@ -94,7 +96,7 @@ test('Asked again while it runs, it runs once more, with the newest settings', a
   assert.equal(messages.said.filter((said) => said === 'Ready.').length, 1, 'said only of the newest');
 });
 
-test('An error that a newer request follows is not shown', async () => {
+test('An error is not shown if a newer request follows', async () => {
   store.update(centredAt([0, 0, 0]));
   const first = new Pending();
   client.answers.placement = () => first.promise;
@@ -107,7 +109,7 @@ test('An error that a newer request follows is not shown', async () => {
   assert.equal(problem(), undefined);
 });
 
-test('A model that cannot be engraved says why, in the language chosen', async () => {
+test('A model that cannot be engraved says why, in the chosen language', async () => {
   model.engravable = false;
   model.info = {
     engravable: false,
@@ -124,7 +126,7 @@ test('A model that cannot be engraved says why, in the language chosen', async (
   assert.equal(problem().found(), 'Es gibt keine Stelle 7');
 });
 
-test('While something is at work, and beside the model, nothing moves', async () => {
+test('Nothing moves during a job or beside the model', async () => {
   store.update(centredAt([0, 0, 0]));
   mayMove = false;
   await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([9, 9, 9]) }));
@@ -134,7 +136,7 @@ test('While something is at work, and beside the model, nothing moves', async ()
   assert.equal(moved, 0);
 });
 
-test('A module that is beyond use is for others to replace', async () => {
+test('A broken module is left for others to replace', async () => {
   store.update(centredAt([0, 0, 0]));
   client.answers.placement = async () => {
     throw crashed();
@@ -142,7 +144,7 @@ test('A module that is beyond use is for others to replace', async () => {
   await assert.rejects(placing.place(), { code: 'engine-crashed' });
 });
 
-test('From the moment that the code is placed anew the page is not said to be ready', async () => {
+test('Placing the code again withdraws the “Ready” message at once', async () => {
   store.update(centredAt([0, 0, 0]));
   await placing.place();
   assert.equal(messages.said.at(-1), 'Ready.');

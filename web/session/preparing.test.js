@@ -53,7 +53,7 @@ afterEach(() => {
   Object.assign(globalThis, { setTimeout: realSetTimeout, clearTimeout: realClearTimeout });
 });
 
-test('A placed code is prepared once the page is used and quiet, whichever comes last', async () => {
+test('A placed code is prepared once the page has been used and is quiet', async () => {
   make().note(true);
   await wait(5000);
   assert.deepEqual(done, [], 'nobody is there');
@@ -70,7 +70,7 @@ test('A placed code is prepared once the page is used and quiet, whichever comes
   assert.deepEqual(done, ['carving', 'reader'], 'once');
 });
 
-test('A pointer beside the model does not hold it up', async () => {
+test('A pointer beside the model does not delay it', async () => {
   make().note(true);
   use();
   overModel = false;
@@ -81,7 +81,7 @@ test('A pointer beside the model does not hold it up', async () => {
   assert.deepEqual(done, ['carving', 'reader']);
 });
 
-test('Each new place is prepared, but not while they follow each other', async () => {
+test('Each new place is prepared, but not during quick successions', async () => {
   const preparing = make();
   use();
   for (let i = 0; i < 5; i += 1) {
@@ -95,7 +95,7 @@ test('Each new place is prepared, but not while they follow each other', async (
   assert.deepEqual(done, ['carving', 'reader', 'carving', 'reader']);
 });
 
-test('Nothing is prepared without a place, or beside other work', async () => {
+test('Nothing is prepared without a place or during other work', async () => {
   const preparing = make();
   use();
   preparing.note(true);
@@ -107,7 +107,7 @@ test('Nothing is prepared without a place, or beside other work', async () => {
   assert.deepEqual(done, []);
 });
 
-test('What goes wrong is for the carving to say', async () => {
+test('Errors are left for the carving to report', async () => {
   const preparing = new Preparing({
     client: { prepareEngrave: () => Promise.reject(new Error('no memory')) },
     prepareReader: () => {},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
 import { Printing } from './printing.js';
 import { Pending, crashed, fake, settled } from './testing.js';
 
@@ -15,7 +16,7 @@ const tell = (/** @type {Printed} */ printed, /** @type {unknown} */ report) => 
 const states = () => told.map(([{ state }]) => state);
 
 beforeEach(() => {
-  client = fake({
+  client = fake(EngineClient, {
     printJob: async () => ({ order: {}, stl: new Uint8Array(3) }),
     setPrintedReadings: async () => ({ passed: true, next: null, report: { text: 'with the print' } }),
   });
@@ -35,7 +36,7 @@ beforeEach(() => {
 
 const print = () => ({ facingDeg: 30, misread: [[1, 2]], pictures: [1, 2], picture: {} });
 
-test('A print is made, read, and told with the report that holds it', async () => {
+test('A print is made, decoded and passed on with its report', async () => {
   const run = printing.begin(7, tell);
   await settled();
   assert.deepEqual(
@@ -51,7 +52,7 @@ test('A print is made, read, and told with the report that holds it', async () =
   assert.ok(client.calls.includes('setPrintedReadings 7 30'));
 });
 
-test('Begun before the carving is done, it is made once, and told how far it is', async () => {
+test('A print started before the carving is done is made once and reports progress', async () => {
   printing.beginEarly(/** @type {any} */ ({ order: {}, stl: new Uint8Array(5) }));
   await settled();
   const run = printing.begin(7, tell);
@@ -69,7 +70,7 @@ test('Begun before the carving is done, it is made once, and told how far it is'
   );
 });
 
-test('One that was begun for a carving that is given up is not told of another', async () => {
+test('A print started for a dropped carving is not used for another', async () => {
   printing.beginEarly(/** @type {any} */ ({ order: {}, stl: new Uint8Array(5) }));
   printing.stop();
   assert.ok(jobs[0].signal.aborted);
@@ -81,20 +82,20 @@ test('One that was begun for a carving that is given up is not told of another',
   assert.equal(jobs[1].job.stl.length, 3);
 });
 
-test('A carving that is not to be printed is told so, whenever that is known', async () => {
+test('A carving without a print is told so, early or late', async () => {
   printing.beginEarly(null);
   await printing.begin(1, tell);
   assert.deepEqual(states(), ['none']);
 });
 
-test('Where no process is chosen, nothing is made', async () => {
+test('Without a process nothing is made', async () => {
   client.answers.printJob = async () => null;
   await printing.begin(1, tell);
   assert.deepEqual(states(), ['none']);
   assert.equal(jobs.length, 0);
 });
 
-test('Stopped, it ends at once and says so, and whatever comes later counts for nothing', async () => {
+test('Stopping ends it at once with a message, and later results are ignored', async () => {
   const run = printing.begin(1, tell);
   await settled();
   printing.stop();
@@ -105,7 +106,7 @@ test('Stopped, it ends at once and says so, and whatever comes later counts for 
   assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('setPrintedReadings')));
 });
 
-test('The next one takes the place of the one that is under way', async () => {
+test('The next print replaces the running one', async () => {
   const first = printing.begin(1, tell);
   await settled();
   /** @type {any[]} */ const others = [];
@@ -117,7 +118,7 @@ test('The next one takes the place of the one that is under way', async () => {
   assert.equal(others.at(-1), 'made');
 });
 
-test('What goes wrong is told as it is, and the engine is not blamed', async () => {
+test('An error is reported as it is, not as an engine failure', async () => {
   const run = printing.begin(1, tell);
   await settled();
   made.reject(crashed());
@@ -127,7 +128,7 @@ test('What goes wrong is told as it is, and the engine is not blamed', async () 
   assert.equal(last.error.code, 'engine-crashed');
 });
 
-test('A print of a carving that is gone is told to nobody', async () => {
+test('The print of a lost carving is dropped', async () => {
   client.answers.setPrintedReadings = async () => null;
   const run = printing.begin(1, tell);
   made.resolve(print());
@@ -135,7 +136,7 @@ test('A print of a carving that is gone is told to nobody', async () => {
   assert.deepEqual(states(), ['under-way']);
 });
 
-test('Other ways are printed one after the other, and what each comes to is told', async () => {
+test('Other processes are tried one after the other, and each result is reported', async () => {
   client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({
     level: change.buildUp ? 'good' : 'bad',
   });
@@ -153,7 +154,7 @@ test('Other ways are printed one after the other, and what each comes to is told
   });
 });
 
-test('Stopped, what was tried so far stays', async () => {
+test('Stopping keeps the trials so far', async () => {
   client.answers.judgePrint = async () => ({ level: 'good' });
   /** @type {any[]} */ const trials = [];
   client.answers.otherPrints = async () => [{ buildUp: 'code-up' }, { buildUp: 'code-upright' }];
@@ -166,7 +167,7 @@ test('Stopped, what was tried so far stays', async () => {
   assert.deepEqual(trials.at(-1), { tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }], all: 2 });
 });
 
-test('A trial that goes wrong is told with what was tried so far, and the engine is not blamed', async () => {
+test('A failed trial is reported with the trials so far, not as an engine failure', async () => {
   made.promise.catch(() => {});
   made.reject(crashed());
   /** @type {any[]} */ const trials = [];

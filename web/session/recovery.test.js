@@ -20,7 +20,7 @@ beforeEach(() => {
   recovery = new Recovery(/** @type {any} */ (messages), () => replace());
 });
 
-test('What goes wrong is shown, and the module stays', async () => {
+test('An error is shown, and the module stays', async () => {
   await recovery.guard(async () => {
     throw noRoom();
   });
@@ -28,7 +28,7 @@ test('What goes wrong is shown, and the module stays', async () => {
   assert.equal(replacements, 0);
 });
 
-test('A fault of ours is shown with what it said', async () => {
+test('A bug is shown with its text', async () => {
   await recovery.guard(async () => {
     throw new TypeError('x is no function');
   });
@@ -36,7 +36,7 @@ test('A fault of ours is shown with what it said', async () => {
   assert.equal(messages.problem.values.detail.term, 'x is no function');
 });
 
-test('Work that ended because the module was replaced says nothing', async () => {
+test('Work that ended because of a replaced module shows nothing', async () => {
   await recovery.guard(async () => {
     throw replaced();
   });
@@ -44,7 +44,7 @@ test('Work that ended because the module was replaced says nothing', async () =>
   assert.deepEqual(messages.said, []);
 });
 
-test('A module that is beyond use is replaced, once for all who were waiting', async () => {
+test('A broken module is replaced once for all pending work', async () => {
   const replacing = new Pending();
   replace = () => {
     replacements += 1;
@@ -65,19 +65,19 @@ test('A module that is beyond use is replaced, once for all who were waiting', a
   assert.ok(messages.said.some((words) => /Restarting/.test(words)));
 });
 
-test('Graphics that are lost are made anew, without an error', async () => {
+test('Lost graphics are rebuilt without an error', async () => {
   await recovery.recoverFrom({ event: 'contextlost' });
   assert.equal(replacements, 1);
   assert.equal(messages.problem, undefined);
 });
 
-test('After three replacements in a short time the page gives up, and says what helps', async () => {
+test('After three replacements in a short time the page gives up and gives advice', async () => {
   for (let i = 0; i < 4; i += 1) await recovery.recoverFrom({ event: 'contextlost' });
   assert.equal(replacements, 3);
   assert.notEqual(messages.problem.help(), '');
 });
 
-test('A module that hangs, and one that gets too little memory, is replaced, and it is said which', async () => {
+test('A module that hangs or runs out of memory is replaced, with the matching message', async () => {
   await messageWords.come();
   const error = hung(120_000);
   await recovery.recoverFrom({ event: 'failure', error });

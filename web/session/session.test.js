@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { BatchPanel } from '../ui/batch_panel.js';
+import { CodePanel } from '../ui/code_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
+import { ViewTools } from '../view/view_tools.js';
+import { Batching } from './batching.js';
+import { Carving } from './carving.js';
+import { Placing } from './placing.js';
 import { Session } from './session.js';
 import { Signal } from './signal.js';
+import { SpotFinding } from './spot_finding.js';
 import { fake, storeOf } from './testing.js';
+import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
 /** @type {string[]} */ let order; // of what a new model leads to
@@ -15,21 +24,20 @@ beforeEach(() => {
   const store = storeOf();
   store.applied.on(() => void order.push('applied'));
   const noted = (/** @type {string} */ name) => async () => void order.push(name);
-  const batching = fake({ ready: noted('planned') });
-  Object.assign(batching, { changed: new Signal(), incomplete: false });
+  const batching = fake(Batching, { ready: noted('planned'), incomplete: false }, { changed: new Signal() });
   parts = {
     store,
     batching,
     model: { engravable: true },
     jobs: { busy: false, cancel: noted('cancelled') },
-    spots: fake(),
-    placing: fake({ begin: noted('placed') }),
-    carving: fake({ drop: noted('dropped'), engrave: noted('carved') }),
-    undo: fake({ asOne: (/** @type {() => Promise<void>} */ action) => action() }),
-    code: Object.assign(fake(), { incomplete: false }),
-    batchPanel: fake(),
-    workPanel: fake({ listen: (/** @type {any} */ listener) => void (user = listener) }),
-    tools: fake(),
+    spots: fake(SpotFinding),
+    placing: fake(Placing, { begin: noted('placed') }),
+    carving: fake(Carving, { drop: noted('dropped'), engrave: noted('carved') }),
+    undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
+    code: fake(CodePanel, { incomplete: false }),
+    batchPanel: fake(BatchPanel),
+    workPanel: fake(WorkPanel, { listen: (/** @type {any} */ listener) => void (user = listener) }),
+    tools: fake(ViewTools),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
   session = new Session(parts);
@@ -53,10 +61,10 @@ test('Without a model that can be engraved, and while a job runs, nothing can be
 test('What is missing is shown instead of engraving', async () => {
   await user.onEngrave();
   assert.deepEqual(order, ['planned', 'carved']);
-  parts.code.incomplete = true;
+  parts.code.answers.incomplete = true;
   await user.onEngrave();
   assert.deepEqual(parts.code.calls, ['reveal']);
-  parts.batching.incomplete = true;
+  parts.batching.answers.incomplete = true;
   await user.onEngrave();
   assert.deepEqual(parts.batchPanel.calls, ['reveal']);
   assert.equal(order.filter((step) => step === 'carved').length, 1);

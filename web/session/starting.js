@@ -48,14 +48,15 @@ export class Starting {
 
   /** Opens the page's first model, and does what the address asks for. @param {URLSearchParams} address */
   async open_(address) {
-    const { exporting, model, batchCarving, kept, carving } = this.options_;
-    const { asksForSettings, refusal } = exporting.useAddress(address);
+    const { exporting, model, batchCarving, kept, carving, messages } = this.options_;
+    const { asksForSettings, warnings, refusal } = exporting.useAddress(address);
     await model.openSample(address.get('sample') ?? undefined);
     const isOffered = await batchCarving.offer();
     // An address that asks for something takes precedence over the last visit's work.
     await kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
     if (refusal) throw refusal;
     if (address.get('engrave') === '1') await carving.engrave();
+    messages.warn(warnings);
   }
 
   /**

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
-import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
+import { Carving } from './carving.js';
+import { Continuing } from './continuing.js';
+import { ModelSession } from './model_session.js';
+import { Placing } from './placing.js';
 import { Signal } from './signal.js';
+import { SpotFinding } from './spot_finding.js';
+import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 import { centredAt, chosenCentre } from './work.js';
 
@@ -40,28 +45,29 @@ beforeEach(() => {
     values: { preset: 'balanced' },
   });
   store.update(centredAt([1, 0, 0]));
-  model = fake({
-    load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
-      store.update({ source, ...centredAt(centreMm) });
-    },
+  model = fake(ModelSession, {
+    load: async (/** @type {any} */ source, /** @type {any} */ centreMm) =>
+      store.update({ source, ...centredAt(centreMm) }),
   });
-  placing = fake({
+  placing = fake(Placing, {
     put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => store.update(centredAt(mm, isGuess)),
   });
-  carving = fake({
-    restore: async (/** @type {any} */ carved) => {
-      carving.answers.carved = carved;
-      return carved !== undefined;
+  carving = fake(
+    Carving,
+    {
+      restore: async (/** @type {any} */ carved) => {
+        carving.carved = carved;
+        return carved !== undefined;
+      },
     },
-  });
-  Object.defineProperty(carving, 'carved', { get: () => carving.answers.carved });
-  carving.finished = new Signal();
+    { carved: undefined, finished: new Signal() },
+  );
   messages = new FakeMessages();
   undo = new Undo({
     model,
     placing,
     carving,
-    spots: fake(),
+    spots: fake(SpotFinding),
     messages: /** @type {any} */ (messages),
     jobs: /** @type {any} */ ({
       get busy() {
@@ -70,7 +76,7 @@ beforeEach(() => {
     }),
     store,
     editing: { restore: ({ text, values }) => store.update({ text, values }) },
-    kept: fake(),
+    kept: fake(Continuing),
     guard: (action) => action().then(() => {}),
   });
   undo.record();
@@ -84,7 +90,7 @@ after(() => {
   });
 });
 
-test('A text is undone and redone, and the code placed anew', async () => {
+test('A text is undone and redone, and the code placed again', async () => {
   store.update({ text: 'b' });
   undo.record('text');
   undo.undo();
@@ -96,7 +102,7 @@ test('A text is undone and redone, and the code placed anew', async () => {
   assert.equal(store.work.text, 'b');
 });
 
-test('A centre goes back to where it was, and stays the module’s if it was', async () => {
+test('Undo restores a centre and whether it was proposed', async () => {
   store.update(centredAt([2, 0, 0]));
   undo.record('centre');
   undo.undo();
@@ -105,7 +111,7 @@ test('A centre goes back to where it was, and stays the module’s if it was', a
   assert.deepEqual(model.calls, []);
 });
 
-test('Another model is loaded again, with the centre chosen on it', async () => {
+test('Undo reloads the previous model with its chosen centre', async () => {
   const before = store.work.source;
   const source = /** @type {any} */ ({ bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' });
   store.update({ source, ...centredAt([9, 9, 9], true) });
@@ -116,14 +122,14 @@ test('Another model is loaded again, with the centre chosen on it', async () => 
   assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
 });
 
-test('A carving comes back if the module still has it; else that is said', async () => {
-  carving.answers.carved = { number: 1 };
+test('A carving is restored if the module still has it; else a message says so', async () => {
+  carving.carved = { number: 1 };
   undo.record();
-  carving.answers.carved = { number: 2 };
+  carving.carved = { number: 2 };
   undo.record();
   undo.undo();
   await settled();
-  assert.equal(carving.answers.carved.number, 1);
+  assert.equal(carving.carved.number, 1);
   assert.deepEqual(messages.said, []);
   carving.answers.restore = async () => false;
   undo.redo();
@@ -131,7 +137,7 @@ test('A carving comes back if the module still has it; else that is said', async
   assert.equal(messages.said.length, 1);
 });
 
-test('What happens together is undone together', async () => {
+test('Combined changes are undone together', async () => {
   await undo.asOne(async () => {
     store.update({ text: 'b' });
     undo.record('text');
@@ -143,7 +149,7 @@ test('What happens together is undone together', async () => {
   assert.deepEqual([store.work.text, store.work.values], ['a', { preset: 'balanced' }]);
 });
 
-test('What is replaced while another change goes on can be brought back', async () => {
+test('A state replaced during another change can be restored', async () => {
   const placed = new Pending();
   const loading = undo.asOne(async () => {
     store.update({ text: 'b' });
@@ -161,7 +167,7 @@ test('What is replaced while another change goes on can be brought back', async 
   assert.equal(store.work.text, 'b');
 });
 
-test('The buttons wait while something is at work, and while a state comes back', async () => {
+test('The buttons are disabled during jobs and while a state is restored', async () => {
   store.update({ text: 'b' });
   undo.record();
   assert.equal(elements.undo.disabled, false);

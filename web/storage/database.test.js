@@ -12,7 +12,7 @@ afterEach(() => {
   else delete (/** @type {any} */ (globalThis).indexedDB);
 });
 
-test('Where the browser denies it, nothing is kept, and nobody is bothered', async () => {
+test('Without browser storage nothing is kept, silently', async () => {
   Object.defineProperty(globalThis, 'indexedDB', {
     configurable: true,
     get: () => {
@@ -29,7 +29,7 @@ test('Where the browser denies it, nothing is kept, and nobody is bothered', asy
   assert.equal(await last.recall(), undefined);
 });
 
-test('The password of a network is not handed over to be kept', async () => {
+test('The password of a network is not stored', async () => {
   /** @type {any[]} */ const written = [];
   const store = { get: async () => undefined, put: async (/** @type {any} */ values) => written.push(values) > 0 };
   const last = new LastWork(store, holdsSecret);

@@ -63,7 +63,7 @@ async function keep(last, work) {
   await last.flush();
 }
 
-test('what the page opened with is not kept, what was changed on it is', async () => {
+test('the opening state is not kept, changes are', async () => {
   const { store, last } = visit();
   await keep(last, opened);
   assert.equal(await last.recall(), undefined);
@@ -71,20 +71,20 @@ test('what the page opened with is not kept, what was changed on it is', async (
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, text: 'other' });
 });
 
-test('what was chosen before the page had opened anything is kept', async () => {
+test('a choice before the page has opened anything is kept', async () => {
   const { last } = visit({ start: false });
   await keep(last, opened);
   assert.deepEqual(await last.recall(), opened);
 });
 
-test('a file comes back with its bytes, unit, axis, text, settings and centre', async () => {
+test('a file is restored with bytes, unit, axis, text, settings and centre', async () => {
   const { store, last } = visit();
   const work = own();
   await keep(last, work);
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), work);
 });
 
-test('a change of the settings does not write the file again', async () => {
+test('a change of settings does not write the file again', async () => {
   const { store, last } = visit();
   const work = own();
   await keep(last, work);
@@ -93,7 +93,7 @@ test('a change of the settings does not write the file again', async () => {
   assert.deepEqual(await last.recall(), { ...work, text: 'c' });
 });
 
-test('of several changes in a row only the last is written', async () => {
+test('only the last of several quick changes is written', async () => {
   const { store, last } = visit();
   for (const text of ['b', 'bc', 'bcd']) last.note({ ...opened, text });
   assert.equal(store.values.size, 0);
@@ -101,14 +101,14 @@ test('of several changes in a row only the last is written', async () => {
   assert.equal((await last.recall())?.text, 'bcd');
 });
 
-test('another file of the same name and size takes the place of the first', async () => {
+test('another file of the same name and size replaces the first', async () => {
   const { last } = visit();
   await keep(last, own());
   await keep(last, { ...own(), bytes: Uint8Array.of(4, 5, 6) });
   assert.deepEqual((await last.recall())?.bytes, Uint8Array.of(4, 5, 6));
 });
 
-test('a text that holds a password is never written, the rest is', async () => {
+test('a text with a password is never written, the rest is', async () => {
   const { store, last } = visit({ isSecret: (text) => text.startsWith('WIFI:') });
   await keep(last, { ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
   assert.doesNotMatch(JSON.stringify([...store.values]), /secret/);
@@ -116,7 +116,7 @@ test('a text that holds a password is never written, the rest is', async () => {
   assert.deepEqual(await last.recall(), { ...rest, values: { preset: 'robust' } });
 });
 
-test('a full storage keeps nothing, rather than half of it, and what was there before is not offered', async () => {
+test('a full storage keeps nothing instead of half, and the earlier work is not offered', async () => {
   const { store, last } = visit();
   await keep(last, { ...opened, text: 'before' });
   store.full = true;
@@ -125,28 +125,28 @@ test('a full storage keeps nothing, rather than half of it, and what was there b
   assert.equal(store.values.size, 0);
 });
 
-test('a file beyond the bound is not kept', async () => {
+test('a file above the size limit is not kept', async () => {
   const { last } = visit();
   const bytes = /** @type {Uint8Array} */ ({ length: kMaxBytes + 1 });
   await keep(last, { ...own(), bytes });
   assert.equal(await last.recall(), undefined);
 });
 
-test('a file whose settings were kept by another window is not mixed with them', async () => {
+test('a file is not mixed with settings from another window', async () => {
   const { store, last } = visit();
   await keep(last, own());
   store.values.get('last model').id += 1;
   assert.equal(await last.recall(), undefined);
 });
 
-test('what was forgotten is not offered', async () => {
+test('discarded work is not offered', async () => {
   const { last } = visit();
   await keep(last, own());
   await last.forget();
   assert.equal(await last.recall(), undefined);
 });
 
-test('discarding the last visit’s work leaves what this visit has put in its place', async () => {
+test('discarding the last visit’s work keeps the work of this visit', async () => {
   const { store, last: before } = visit();
   await keep(before, own());
 
@@ -171,14 +171,14 @@ const batchOf = (list) => ({
   perPlate: 0,
 });
 
-test('the list of a batch comes back; another list of the same length takes its place', async () => {
+test('the list of a batch is restored; another list of the same length replaces it', async () => {
   const { store, last } = visit();
   await keep(last, { ...opened, batch: batchOf('text\nA\n') });
   await keep(last, { ...opened, batch: batchOf('text\nB\n') });
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, batch: batchOf('text\nB\n') });
 });
 
-test('a list in which a text holds a secret is not kept', async () => {
+test('a list with a secret in a text is not kept', async () => {
   const { last } = visit({ isSecret: (text) => /^\s*WIFI:/.test(text) });
   for (const list of ['text\nWIFI:S:a;P:b;;\n', 'id,text\n1,WIFI:S:a;P:b;;\n', '{"text": "WIFI:S:a;P:b;;"}\n']) {
     await keep(last, { ...opened, batch: batchOf(list) });

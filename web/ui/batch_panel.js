@@ -143,6 +143,11 @@ export class BatchPanel {
         : [];
       showFindings(this.problems_, [
         ...problems.map((problem) => ({ severity: 'blocking', found: sentenceOf(problem), help: hintOf(problem) })),
+        ...(plan?.warnings ?? []).map((warning) => ({
+          severity: 'warning',
+          found: sentenceOf(warning),
+          help: hintOf(warning),
+        })),
         ...unused,
       ]);
       this.first_.hidden = first === undefined;

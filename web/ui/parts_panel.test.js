@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { durationOf } from './parts_panel.js';
 
-test('What is left is said as people say it', () => {
+test('The remaining time is worded as people say it', () => {
   const minute = 60_000,
     hour = 60 * minute;
   const said = /** @type {[number, string][]} */ ([

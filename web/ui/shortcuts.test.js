@@ -6,7 +6,7 @@ import { kShortcuts, shortcutOf } from './shortcuts.js';
 
 const none = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
 
-test('Every shortcut works a control that the page has', () => {
+test('Every shortcut operates a control of the page', () => {
   const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
   assert.deepEqual(
     kShortcuts.map(({ control }) => control).filter((id) => !page.includes(` id="${id}"`)),
@@ -21,7 +21,7 @@ test('Ctrl and ⌘ with Z undo, with Shift they redo, with Alt they do nothing',
   assert.equal(shortcutOf({ ...none, key: 'z' }), undefined);
 });
 
-test('A letter counts alone, a sign however the keyboard makes it', () => {
+test('A letter counts without modifiers, a sign with any', () => {
   assert.equal(shortcutOf({ ...none, key: 'e' })?.control, 'engrave');
   assert.equal(shortcutOf({ ...none, key: 'e', ctrlKey: true }), undefined);
   assert.equal(shortcutOf({ ...none, key: 'E', shiftKey: true }), undefined);

@@ -5,7 +5,7 @@ import { visibleFaces } from './cube_geometry.js';
 
 const round = (/** @type {number[]} */ values) => values.map((v) => Math.round(v * 1000) / 1000 + 0);
 
-test('From the front only the front is seen, upright and as it is', () => {
+test('From the front only the front is visible, upright', () => {
   const faces = visibleFaces(
     [
       [1, 0, 0],
@@ -21,7 +21,7 @@ test('From the front only the front is seen, upright and as it is', () => {
   assert.deepEqual(round(faces[0].matrix), [20, 0, 0, 20, 0, 0]);
 });
 
-test('From above the top has the back at its upper edge', () => {
+test('From above, the back is at the upper edge of the top', () => {
   const [top] = visibleFaces(
     [
       [1, 0, 0],
@@ -34,7 +34,7 @@ test('From above the top has the back at its upper edge', () => {
   assert.deepEqual(round(top.matrix), [10, 0, 0, 10, 0, 0]);
 });
 
-test('From a corner three faces are seen, whose middles lie where the cube’s do', () => {
+test('From a corner three faces are visible, centred where the cube’s are', () => {
   const s = Math.SQRT1_2;
   const t = 1 / Math.sqrt(3);
   const faces = visibleFaces(

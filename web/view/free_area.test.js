@@ -3,18 +3,18 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { freeArea } from './free_area.js';
 
-test('Without anything in the way the whole stage but its margin is free', () => {
+test('Without obstacles the whole stage except its margin is free', () => {
   assert.deepEqual(freeArea({ width: 900, height: 800 }, []), { x: 12, y: 12, width: 876, height: 776 });
 });
 
-test('Beside a toolbar at the upper right there is room for a window at the upper left', () => {
+test('A toolbar at the upper right leaves room for a window at the upper left', () => {
   const area = freeArea({ width: 904, height: 800 }, [{ x: 500, y: 12, width: 392, height: 36 }]);
   assert.deepEqual([area.x, area.y], [12, 12]);
   assert.ok(area.x + area.width <= 500 - 12);
   assert.ok(area.height >= 720);
 });
 
-test('On a phone the area lies under the toolbar and over the hint', () => {
+test('On a phone the area is between toolbar and hint', () => {
   const area = freeArea({ width: 360, height: 400 }, [
     { x: 40, y: 12, width: 308, height: 44 },
     { x: 60, y: 350, width: 240, height: 34 },
@@ -22,7 +22,7 @@ test('On a phone the area lies under the toolbar and over the hint', () => {
   assert.deepEqual(area, { x: 12, y: 68, width: 336, height: 270 });
 });
 
-test('No area meets an obstacle, wherever they are', () => {
+test('No area overlaps an obstacle', () => {
   let seed = 7;
   const random = (/** @type {number} */ most) => {
     seed = (seed * 48271) % 2147483647;

@@ -28,7 +28,7 @@ const at = (x, y, more = {}) => ({
   ...more,
 });
 
-test('A press that hardly moves is a click, and turns nothing', () => {
+test('A press that hardly moves is a click and turns nothing', () => {
   assert.deepEqual(
     heard((reader) => {
       reader.pointer('pointerdown', at(10, 10));
@@ -39,7 +39,7 @@ test('A press that hardly moves is a click, and turns nothing', () => {
   );
 });
 
-test('A drag turns by all of its movement, the part before it was known to be a drag included', () => {
+test('A drag turns by its whole movement, including the part before it was recognised', () => {
   assert.deepEqual(
     heard((reader) => {
       reader.pointer('pointerdown', at(10, 10));
@@ -51,7 +51,7 @@ test('A drag turns by all of its movement, the part before it was known to be a 
   );
 });
 
-test('A drag that comes back to its start is no click', () => {
+test('A drag that returns to its start is not a click', () => {
   const calls = heard((reader) => {
     reader.pointer('pointerdown', at(10, 10));
     for (const x of [20, 30, 20, 10]) reader.pointer('pointermove', at(x, 10));
@@ -75,7 +75,7 @@ test('The right button, the middle one and Shift pan, and never click', () => {
   }
 });
 
-test('Two fingers that part zoom by the ratio of their distances about their middle, and lifting them is no click', () => {
+test('Two fingers zoom around their middle by the ratio of their distances, and lifting them is not a click', () => {
   const finger = (/** @type {number} */ id) => ({ pointerId: id, pointerType: 'touch' });
   assert.deepEqual(
     heard((reader) => {
@@ -102,7 +102,7 @@ test('A cancelled pointer clicks nothing', () => {
   );
 });
 
-test('The wheel zooms in upwards, by lines as by pixels', () => {
+test('Turning the wheel up zooms in, by lines or pixels', () => {
   const wheel = { ctrlKey: false, offsetX: 3, offsetY: 4 };
   const [[, byPixels], [, byLines]] = heard((reader) => {
     reader.wheel({ ...wheel, deltaY: -48, deltaMode: 0 });

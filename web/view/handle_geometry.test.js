@@ -52,7 +52,7 @@ test('A square seen from the front is mapped by its edges', () => {
   near(toSquare([200, 100]), [0, 0.5]);
 });
 
-test('Every point of a square in perspective is found where a pinhole sees it, and back', () => {
+test('Points of a square are projected like a pinhole camera does, and back', () => {
   const { toScreen, toSquare } = squareMaps(inPerspective());
   for (const [u, v] of /** @type {Point[]} */ ([
     [0, 0],
@@ -66,7 +66,7 @@ test('Every point of a square in perspective is found where a pinhole sees it, a
   }
 });
 
-test('The turning handle stands off the upper edge, whichever way the code is turned', () => {
+test('The turning handle is beyond the upper edge for every rotation', () => {
   const { move, turn, size } = handlePositions(kUpright);
   near(move, [200, 150]);
   near(turn, [200, 16]);
@@ -92,7 +92,7 @@ test('Rotations snap to quarter turns within five degrees, and stay within half 
   assert.ok(Object.is(snappedRotation(-2), 0), 'no minus zero in a field');
 });
 
-test('A drag around the middle turns anticlockwise as angles grow', () => {
+test('A drag around the middle turns anticlockwise for growing angles', () => {
   assert.equal(Math.round(turnBetween([1, 0], [0, 1])), 90);
   assert.equal(Math.round(turnBetween([0, 1.3], [0.5, 0.5])), -45);
 });
@@ -130,7 +130,7 @@ test('Two fingers turn and scale by the line between them', () => {
   );
 });
 
-test('Sizes are rounded as a user would type them and stay in range', () => {
+test('Sizes are rounded like typed ones and stay in range', () => {
   assert.equal(roundedSize(34.27, 5, 1000), 34.5);
   assert.equal(roundedSize(9.87, 5, 1000), 9.9);
   assert.equal(roundedSize(2, 5, 1000), 5);

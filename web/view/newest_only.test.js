@@ -8,7 +8,7 @@ const settled = () =>
     setTimeout(resolve);
   });
 
-test('While one task runs only the newest of the others waits', async () => {
+test('While one task runs, only the newest other one waits', async () => {
   /** @type {number[]} */ const begun = [];
   /** @type {(() => void)[]} */ const ends = [];
   const queue = new NewestOnly((/** @type {number} */ task) => {
@@ -27,7 +27,7 @@ test('While one task runs only the newest of the others waits', async () => {
   assert.deepEqual(begun, [1, 3]);
 });
 
-test('What waits can be forgotten', async () => {
+test('A waiting task can be dropped', async () => {
   /** @type {number[]} */ const begun = [];
   const queue = new NewestOnly(async (/** @type {number} */ task) => {
     begun.push(task);

@@ -59,6 +59,7 @@ export const method = {
     source: 'Source',
     sourceWhat:
       'The method follows Papp, Hoffmann and Papp, “Embedding QR Code onto Triangulated Meshes using Horizon Based Ambient Occlusion” (2022). QRelief adds exact size limits, a faster depth search, checked solids, and test decoding.',
+    library: 'The C++ library for developers',
     tryIt: 'Open this model in the app',
   },
   de: {
@@ -118,6 +119,7 @@ export const method = {
     source: 'Quelle',
     sourceWhat:
       'Das Verfahren folgt Papp, Hoffmann und Papp, „Embedding QR Code onto Triangulated Meshes using Horizon Based Ambient Occlusion“ (2022). QRelief fügt genaue Grenzen der Größe, eine schnellere Tiefensuche, geprüfte Körper und das Probelesen hinzu.',
+    library: 'Die C++-Bibliothek für Entwickler (auf Englisch)',
     tryIt: 'Dieses Modell in der App öffnen',
   },
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/reading_search.h"
+#include "study/methods/reading_search.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "math/tolerance.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kModules = 21;
@@ -53,7 +53,7 @@ class ReadingSearchTest : public testing::Test {
   SubmoduleMask mask_;
 };
 
-TEST_F(ReadingSearchTest, WithoutBlurTheDepthIsThatOfTheClosedForm) {
+TEST_F(ReadingSearchTest, MatchesTheClosedFormWithoutBlur) {
   darken(10, 10);
   ReadingSearch search = start({.dataContrast = 0.4, .blurModules = 0.01});
   run(search);
@@ -66,7 +66,7 @@ TEST_F(ReadingSearchTest, WithoutBlurTheDepthIsThatOfTheClosedForm) {
   EXPECT_EQ(search.doneFraction(), 1);
 }
 
-TEST_F(ReadingSearchTest, APatternThatCarvesLessOfAModuleIsCarvedDeeper) {
+TEST_F(ReadingSearchTest, CarvesDeeperIfThePatternCoversLessOfAModule) {
   darken(5, 5);
   darken(5, 15, 1, 4);
   ReadingSearch search = start({.dataContrast = 0.2});
@@ -76,7 +76,7 @@ TEST_F(ReadingSearchTest, APatternThatCarvesLessOfAModuleIsCarvedDeeper) {
   EXPECT_GT(search.depths().depth(27, 77), 1.1 * search.depths().depth(27, 27));
 }
 
-TEST_F(ReadingSearchTest, AModuleAmongDarkOnesNeedsLessBecauseTheBlurBringsTheirShadow) {
+TEST_F(ReadingSearchTest, CarvesModulesAmongDarkOnesLessDeep) {
   darken(3, 3);
   for (int row = 12; row < 15; ++row)
     for (int column = 12; column < 15; ++column) darken(row, column);
@@ -86,7 +86,7 @@ TEST_F(ReadingSearchTest, AModuleAmongDarkOnesNeedsLessBecauseTheBlurBringsTheir
   EXPECT_NEAR(contrast(search, 13, 13), 0.2, 0.02);
 }
 
-TEST_F(ReadingSearchTest, FindersHaveTheirOwnContrast) {
+TEST_F(ReadingSearchTest, FinderPatternsHaveTheirOwnContrast) {
   darken(3, 3);
   symbol_.roles[3 * kModules + 3] = ModuleRole::Finder;
   darken(15, 15);
@@ -115,4 +115,4 @@ TEST_F(ReadingSearchTest, LightModulesStayUncarved) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -8,7 +8,7 @@
 #include "depth/depth_solver.h"
 #include "depth/light_neighbours.h"
 
-namespace qrelief {
+namespace qrelief::study {
 
 /// Shapes of the dark modules' floors [Papp 2021]. In a section from the symbol's top (left) to its bottom, two modules
 /// each:
@@ -89,4 +89,4 @@ class ShapedFloorSearch final : public DepthSolver {
   bool finished_ = false;
 };
 
-}  // namespace qrelief
+}  // namespace qrelief::study

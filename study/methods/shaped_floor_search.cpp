@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/shaped_floor_search.h"
+#include "study/methods/shaped_floor_search.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "depth/submodule_luminances.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
@@ -136,4 +136,4 @@ std::size_t ShapedFloorSearch::limitedCount() const {
   return count;
 }
 
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -7,7 +7,7 @@
 #include "depth/depth_solver.h"
 #include "depth/light_neighbours.h"
 
-namespace qrelief {
+namespace qrelief::study {
 
 struct ReadingOptions {
   double dataContrast = 0.1;     ///< a dark module must look darker than its surroundings by this fraction, 0 … 1
@@ -66,4 +66,4 @@ class ReadingSearch final : public DepthSolver {
   bool finished_ = false;
 };
 
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/reading_search.h"
+#include "study/methods/reading_search.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
@@ -151,4 +151,4 @@ std::size_t ReadingSearch::limitedCount() const {
   return count;
 }
 
-}  // namespace qrelief
+}  // namespace qrelief::study

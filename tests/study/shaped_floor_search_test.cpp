@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/shaped_floor_search.h"
+#include "study/methods/shaped_floor_search.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "depth/submodule_luminances.h"
 #include "math/tolerance.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr double kSymbolMm = 25;
@@ -63,7 +63,7 @@ class ShapedFloorSearchTest : public testing::Test {
   PocketSky sky_;
 };
 
-TEST(FloorWeight, RisesEvenlyAndEveryOtherRowOfAWaveIsMirrored) {
+TEST(FloorWeight, RisesEvenlyAndMirrorsEveryOtherRowOfAWave) {
   for (int step = 0; step < 5; ++step) {
     EXPECT_EQ(floorWeight(FloorShape::Flat, 3, step, 5), 1);
     EXPECT_DOUBLE_EQ(floorWeight(FloorShape::Tilted, 3, step, 5), (step + 1) / 5.0);
@@ -75,7 +75,7 @@ TEST(FloorWeight, RisesEvenlyAndEveryOtherRowOfAWaveIsMirrored) {
   EXPECT_DOUBLE_EQ(floorWeight(FloorShape::Tilted, 0, 2, 3), 1);
 }
 
-TEST_F(ShapedFloorSearchTest, EveryModuleIsDarkEnoughAndNoDeeperThanItMustBeByMuch) {
+TEST_F(ShapedFloorSearchTest, MakesEveryModuleDarkEnoughAndHardlyDeeperThanNecessary) {
   for (const FloorShape shape : {FloorShape::Flat, FloorShape::Tilted, FloorShape::Wavy}) {
     const ShapedFloorSearch search = run(shape);
     EXPECT_LT(search.iterations(), 40) << floorShapeName(shape);
@@ -100,7 +100,7 @@ TEST_F(ShapedFloorSearchTest, EveryModuleIsDarkEnoughAndNoDeeperThanItMustBeByMu
   }
 }
 
-TEST_F(ShapedFloorSearchTest, DepthsOfAModuleGrowRowByRowAndOfAWaveBackAgain) {
+TEST_F(ShapedFloorSearchTest, DepthsGrowRowByRowAndShrinkAgainInAWave) {
   for (const FloorShape shape : {FloorShape::Tilted, FloorShape::Wavy}) {
     const DepthField depths = run(shape).depths();
     for (int row = 0; row < symbol_.size; ++row)
@@ -115,7 +115,7 @@ TEST_F(ShapedFloorSearchTest, DepthsOfAModuleGrowRowByRowAndOfAWaveBackAgain) {
   }
 }
 
-TEST_F(ShapedFloorSearchTest, EachSubmoduleStopsAtItsLimitAndModulesThatStayTooBrightAreCounted) {
+TEST_F(ShapedFloorSearchTest, StopsAtTheLimitsAndCountsModulesThatStayTooBright) {
   constexpr double kLimit = 0.105;
   const ShapedFloorSearch search = run(FloorShape::Tilted, kLimit);
   EXPECT_LT(search.iterations(), 40);
@@ -130,4 +130,4 @@ TEST_F(ShapedFloorSearchTest, LightModulesStayUncarved) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

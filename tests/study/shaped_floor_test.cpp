@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes with shaped floors, from the request to the light on the mesh.
+// Codes with shaped floors, from the search to the light on the mesh.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "carving/embed.h"
-#include "depth/shaped_floor_search.h"
 #include "math/tolerance.h"
 #include "mesh/ray_tree.h"
 #include "pipeline/engrave.h"
-#include "report/report.h"
+#include "study/methods/shaped_floor_search.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "verification/path_tracer.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 class ShapedFloorTest : public GlTest {
@@ -22,6 +20,8 @@ class ShapedFloorTest : public GlTest {
   ShapedFloorTest() {
     model_ = EngravableModel::upload(*prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {}));
     request_.text = "QRELIEF";
+    request_.modulePattern = ModulePattern::ThickPlus;
+    request_.finderPattern = FinderPattern::ThickPlusSharp;
     request_.symbol.version = 1;
     request_.placement.centreMm = {0, 0, 5};
     request_.placement.upHint = {0, 1, 0};
@@ -30,9 +30,14 @@ class ShapedFloorTest : public GlTest {
   }
 
   EngraveResult carved(FloorShape floor) const {
-    EngraveRequest request = request_;
-    request.floor = floor;
-    auto result = engrave(model_, request);
+    const ShapedFloorOptions options{.shape = floor, .contrast = request_.contrastAsked()};
+    EngraveJob::Known known;
+    known.makeSearch = [options](CarvingTarget target) {
+      return std::make_unique<ShapedFloorSearch>(std::move(target), options);
+    };
+    auto job = EngraveJob::create(model_, request_, known);
+    EXPECT_TRUE(job.has_value()) << job.error().message;
+    auto result = runToEnd(**job);
     EXPECT_TRUE(result.has_value()) << result.error().message;
     return std::move(*result);
   }
@@ -70,7 +75,7 @@ class ShapedFloorTest : public GlTest {
   EngraveRequest request_;
 };
 
-TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
+TEST_F(ShapedFloorTest, EveryShapeIsASolidWithTheRequestedContrast) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult result = carved(floor);
     EXPECT_TRUE(result.solidity.solid()) << floorShapeName(floor);
@@ -80,7 +85,7 @@ TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
   }
 }
 
-TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMoreSoUnderALampFromAbove) {
+TEST_F(ShapedFloorTest, AShapedFloorIsDarkerThanAFlatOneOfItsMeanDepth) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult shaped = carved(floor);
     EngraveResult flat = shaped;
@@ -101,19 +106,7 @@ TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMo
   }
 }
 
-TEST_F(ShapedFloorTest, TheReportSaysWhichFloorAndThatThePrintWasNotAsked) {
-  request_.floor = FloorShape::Tilted;
-  request_.carveFor = CarveFor::Print;
-  const auto result = engrave(model_, request_);
-  ASSERT_TRUE(result.has_value());
-  EXPECT_EQ(result->timingsMs.forPrint, 0);
-  const auto json = nlohmann::json::parse(makeReport(request_, *model_, *result, {}));
-  EXPECT_EQ(json["depth"]["floor"], "tilted");
-  EXPECT_EQ(json["depth"]["solver"], "shaped-floor");
-  EXPECT_EQ(json["depth"]["carvedFor"], "design");
-}
-
-TEST_F(ShapedFloorTest, NoSubmodulePassesTheGreatestDepth) {
+TEST_F(ShapedFloorTest, NoSubmoduleExceedsTheMaximumDepth) {
   request_.maxDepthMm = 0.2;
   const EngraveResult result = carved(FloorShape::Wavy);
   EXPECT_LE(summarise(result.depths).maxMm, 0.2 + 1e-9);
@@ -121,4 +114,4 @@ TEST_F(ShapedFloorTest, NoSubmodulePassesTheGreatestDepth) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/model_file.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/clock.h"
+#include "io/read_model.h"
+
+namespace qrelief {
+
+Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
+  if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
+    return fail(ErrorKind::BadUsage, message("scale-unusable", with::number<"scale">(scaleToMm)));
+  const auto start = Clock::now();
+  auto soup = readModel(bytes, fileName);
+  if (!soup) return tl::unexpected(soup.error());
+  bytes = {};  // frees the file: file and model need not be in memory at once
+  ModelFile file;
+  file.format = soup->format;
+  file.scaleToMm = scaleToMm > 0 ? scaleToMm : soup->unitMm.value_or(1);
+  file.warnings = soup->warnings;
+  for (ModelPart& part : soup->parts) file.partNames.push_back(std::move(part.name));
+  file.loadMs = millisecondsSince(start);
+
+  const auto preparing = Clock::now();
+  auto prepared = prepareModel(*soup, {.scaleToMm = file.scaleToMm});
+  if (!prepared) return tl::unexpected(prepared.error());
+  file.prepared = std::move(*prepared);
+  file.prepareMs = millisecondsSince(preparing);
+  return file;
+}
+
+Json describeModel(const std::string& format, double scaleToMm, const std::vector<Message>& warnings,
+                   const PreparedModel& prepared) {
+  return {{"format", format},
+          {"scaleToMm", scaleToMm},
+          {"triangles", prepared.mesh.triangles.size()},
+          {"vertices", prepared.mesh.positions.size()},
+          {"sizeMm", jsonOf(boundingBox(prepared.mesh).size())},
+          {"shells", prepared.shells},
+          {"engravable", prepared.engravable().has_value()},
+          {"findings", jsonOf(warnings, prepared.findings)}};
+}
+
+}  // namespace qrelief

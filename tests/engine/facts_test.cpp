@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/facts.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/symbol_facts.h"
+#include "io/write_stl.h"
+#include "settings/setting_json.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+Json modelOf(const std::vector<std::uint8_t>& bytes, double scaleToMm) {
+  return Json::parse(Facts().model(bytes, "box.stl", scaleToMm));
+}
+
+TEST(Facts, DescribeAModelInMillimetres) {
+  const Json answer = modelOf(writeStl(shapes::box({1, 2, 3})), 10);
+  ASSERT_EQ(answer["ok"], true) << answer;
+  const Json& model = answer["model"];
+  EXPECT_EQ(model["format"], "STL (binary)");
+  EXPECT_EQ(model["scaleToMm"], 10);
+  EXPECT_EQ(model["triangles"], 12);
+  EXPECT_EQ(model["vertices"], 8);
+  EXPECT_EQ(model["sizeMm"], Json({10, 20, 30}));
+  EXPECT_EQ(model["shells"], 1);
+  EXPECT_EQ(model["engravable"], true);
+  EXPECT_EQ(model["findings"], Json::array());
+  EXPECT_FALSE(model.contains("centre"));
+}
+
+TEST(Facts, RefuseAFileThatIsCutOffAndAScaleThatIsNone) {
+  auto bytes = writeStl(shapes::box({1, 2, 3}));
+  EXPECT_EQ(modelOf(bytes, -1)["error"]["code"], "scale-unusable");
+  bytes.resize(bytes.size() - 30);
+  EXPECT_EQ(modelOf(bytes, 1)["error"]["code"], "stl-cut-off");
+}
+
+TEST(Facts, DescribeTheSymbolOfSettingsAndNameAnUnknownOne) {
+  const std::string settings = R"({"text": "https://example.org", "ecc": "H"})";
+  EXPECT_EQ(Facts().symbol(settings), describeSymbol(*requestFromJson(settings)));
+  EXPECT_EQ(Json::parse(Facts().symbol(R"({"colour": 1})"))["error"]["kind"], "BadUsage");
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine for other programs: an EngineClient without a view, and a carver that decodes every result.
+import { Carver } from '../batch/carver.js';
+import { EngineClient } from '../engine/client.js';
+import { EngineFailure, internal } from '../engine/engine_error.js';
+import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
+import { message } from '../engine/message.js';
+
+/**
+ * Settings by key, see options.md. A missing key has its default. The top of the code is not among them: see `up`
+ * of `loadModel`.
+ * @typedef {Partial<import('../engine/types.js').Settings> & Partial<Record<import('../generated/settings.js').SettingKey, unknown>>} Settings
+ */
+/** @typedef {[number, number, number]} Point  mm, in the model's coordinates */
+/** @typedef {import('../engine/types.js').EngraveProgress} Progress  `fraction`: 0 … 1 of its stage or attempt */
+/**
+ * Options of a job. Aborting rejects its promise with the signal's reason.
+ * @typedef {{ signal?: AbortSignal, onProgress?: (progress: Progress) => void }} JobOptions
+ */
+/** @typedef {'stl' | 'obj' | 'ply' | '3mf' | '3mf-inlay'} Format  `3mf-inlay`: with the body that fills the pockets */
+/**
+ * A finished engraving. `settings`: it was carved with; a deeper preset if the one you chose did not decode.
+ * @typedef {{ verdict: import('../engine/types.js').Verdict, report: import('../engine/types.js').Report, settings: Settings }} Engraved
+ */
+
+/**
+ * One engraving module in its own worker, with one model. Its verbs run one after the other. Every failure rejects with
+ * an EngineError.
+ */
+export class Engine {
+  /**
+   * Starts an engine. Needs WebGL 2 with float render targets, in a page or in a worker.
+   * @returns {Promise<Engine>}
+   */
+  static async start() {
+    if (typeof OffscreenCanvas !== 'function' && typeof document !== 'object')
+      throw new EngineFailure(internal(message('no-webgl2')));
+    const engine = new Engine();
+    const { problems } = await engine.client_.start();
+    if (problems.length === 0) return engine;
+    engine.end();
+    throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
+  }
+
+  /** Call `Engine.start` instead. */
+  constructor() {
+    this.client_ = new EngineClient({
+      makeCanvas: makeHiddenCanvas,
+      onEvent: ({ event }) => {
+        if (event === 'contextlost' || event === 'failure') this.end();
+      },
+      onReplaced: () => this.end(),
+      draws: false,
+    });
+    /** @type {Settings} */ this.settings_ = {};
+  }
+
+  /**
+   * Ends the worker, even a busy one. Every pending and later verb rejects with the code `engine-replaced`. An engine
+   * also ends by itself if its module crashes, or needs more than 4 s to obey an aborted job.
+   */
+  end() {
+    this.client_.end();
+  }
+
+  /**
+   * Loads, checks and repairs a model. Proposes a centre for the code.
+   * @param {Uint8Array} bytes  of an STL, OBJ, PLY, OFF or 3MF file
+   * @param {string} fileName   its extension tells the format
+   * @param {{ scaleToMm?: number, up?: import('../engine/types.js').UpAxis }} [options]
+   *   `scaleToMm`: file units → mm; default: as the file says (3MF), else 1; `up`: the model's upward axis, to which the
+   *   top of the code points; default: z
+   * @returns {Promise<import('../engine/types.js').ModelInfo>}
+   */
+  async loadModel(bytes, fileName, { scaleToMm = 0, up = 'z' } = {}) {
+    await this.client_.setUpAxis(up);
+    return this.client_.loadModel(bytes, fileName, scaleToMm);
+  }
+
+  /**
+   * Sets all settings of the next search or engraving.
+   * @param {Settings} settings
+   */
+  async configure(settings) {
+    await this.client_.configure(asFull(settings));
+    this.settings_ = { ...settings };
+  }
+
+  /**
+   * Describes the symbol that the settings give.
+   * @returns {Promise<import('../engine/types.js').SymbolFacts>}
+   */
+  symbol() {
+    return this.client_.symbol(asFull(this.settings_));
+  }
+
+  /**
+   * Searches for the best spots.
+   * @param {JobOptions} [options]
+   * @returns {Promise<import('../engine/types.js').Spots>}  best first
+   */
+  async findSpots(options) {
+    const job = jobOf(options);
+    const spots = await this.client_.findSpots(job);
+    job.signal.throwIfAborted();
+    return /** @type {import('../engine/types.js').Spots} */ (spots);
+  }
+
+  /**
+   * Chooses a spot of the last search, with the viewing direction that was found for it.
+   * @param {number} index
+   */
+  async chooseSpot(index) {
+    await this.client_.chooseSpot(index);
+  }
+
+  /**
+   * Chooses the surface point nearest to a point as the centre of the code.
+   * @param {Point} centre
+   * @returns {Promise<Point>}  the surface point
+   */
+  async setCentre(centre) {
+    const { centre: found } = await this.client_.setCentre(centre);
+    if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
+    return found;
+  }
+
+  /**
+   * Finds direction and size of the code at the centre, as an engraving will.
+   * @returns {Promise<import('../engine/types.js').Placement>}
+   */
+  placement() {
+    return this.client_.placement();
+  }
+
+  /**
+   * Engraves the code at the centre and decodes the result. Carves with a deeper preset while the code does not decode
+   * (unless `keepPreset` is set).
+   * @param {JobOptions & { simulatesPrint?: boolean }} [options]
+   *   `simulatesPrint`: also simulate the print, and carve deeper if its print barely decodes; default: true
+   * @returns {Promise<Engraved>}
+   */
+  async engrave({ simulatesPrint = true, ...options } = {}) {
+    const job = jobOf(options);
+    job.signal.throwIfAborted();
+    const carver = new Carver({ client: this.client_ });
+    const settings = await carver.carve(asFull(this.settings_), simulatesPrint, job);
+    const report = await this.client_.report();
+    return { verdict: report.verification.verdict, report, settings };
+  }
+
+  /**
+   * Writes the engraved model, after it was read back and compared.
+   * @param {Format} format
+   * @returns {Promise<Uint8Array<ArrayBuffer>>}
+   */
+  exportModel(format) {
+    return this.client_.exportModel(format);
+  }
+}
+
+/**
+ * @typedef {object} EngraveOptions
+ * @property {Settings} settings       `text` at least
+ * @property {string} [fileName]       its extension tells the format; default: model.stl
+ * @property {number} [scaleToMm]      see `Engine.loadModel`
+ * @property {import('../engine/types.js').UpAxis} [up]
+ * @property {Point} [centre]          default: the best spot
+ * @property {Format[]} [formats]      default: STL
+ * @property {boolean} [simulatesPrint]
+ * @property {AbortSignal} [signal]
+ * @property {(progress: Progress) => void} [onProgress]
+ */
+
+/**
+ * Engraves a code into a model, in an engine of its own.
+ * @param {Uint8Array} bytes  of the model's file
+ * @param {EngraveOptions} options
+ * @returns {Promise<Engraved & { files: Partial<Record<Format, Uint8Array<ArrayBuffer>>> }>}
+ */
+export async function engrave(bytes, options) {
+  const { settings, fileName = 'model.stl', scaleToMm, up, centre, formats = ['stl'], signal } = options;
+  signal?.throwIfAborted();
+  const engine = await Engine.start();
+  const end = () => engine.end();
+  signal?.addEventListener('abort', end, { once: true });
+  try {
+    await engine.configure(settings);
+    await engine.loadModel(bytes, fileName, { scaleToMm, up });
+    if (centre) {
+      await engine.setCentre(centre);
+    } else {
+      await engine.findSpots(options);
+      await engine.chooseSpot(0);
+    }
+    const engraved = await engine.engrave(options);
+    /** @type {Partial<Record<Format, Uint8Array<ArrayBuffer>>>} */ const files = {};
+    for (const format of formats) files[format] = await engine.exportModel(format);
+    return { ...engraved, files };
+  } catch (thrown) {
+    signal?.throwIfAborted(); // the end of the engine is only how it was aborted
+    throw thrown;
+  } finally {
+    signal?.removeEventListener('abort', end);
+    engine.end();
+  }
+}
+
+/** Completes the options of a job. @param {JobOptions} [options] @returns {Required<JobOptions>} */
+const jobOf = ({ signal = new AbortController().signal, onProgress = () => {} } = {}) => ({ signal, onProgress });
+
+/** The module completes settings itself. @param {Settings} settings */
+const asFull = (settings) => /** @type {import('../engine/types.js').Settings} */ (settings);

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything of the module that needs no graphics: models, symbols, and the plans of batches.
+import { parseAnswer } from '../engine/answers.js';
+import { makePlanVerbs } from '../engine/batch_verbs.js';
+import { loadModule } from '../engine/module.js';
+
+/** @typedef {import('./engine.js').Settings} Settings */
+/**
+ * A wanted batch, see `planBatch`. `text`, `name`: templates, needed where the list has no such column; `count`: number
+ * of rows without a list; `perPlate`: rows per plate; default: one file per row.
+ * @typedef {{ settings?: Settings, text?: string, name?: string, count?: number, perPlate?: number }} WantedBatch
+ */
+
+/** The verbs run in the thread of the caller. Every failure throws an EngineError. */
+export class Planner {
+  /**
+   * Loads a module for the planner.
+   * @param {import('../engine/module.js').Compile} [compile]
+   * @returns {Promise<Planner>}
+   */
+  static async load(compile) {
+    return new Planner((await loadModule(compile)).module);
+  }
+
+  /** Call `loadPlanner` instead. @param {import('../engine/types.js').QReliefModule} module */
+  constructor(module) {
+    this.facts_ = new module.Facts();
+    this.verbs_ = makePlanVerbs(() => new module.PlannedBatch());
+  }
+
+  /**
+   * Reads, checks and repairs a model.
+   * @param {Uint8Array} bytes
+   * @param {string} fileName
+   * @param {{ scaleToMm?: number }} [options]  see `Engine.loadModel`
+   * @returns {Omit<import('../engine/types.js').ModelInfo, 'centre'>}
+   */
+  model(bytes, fileName, { scaleToMm = 0 } = {}) {
+    return parseAnswer(this.facts_.model(bytes, fileName, scaleToMm)).model;
+  }
+
+  /**
+   * Describes the symbol that the settings give.
+   * @param {Settings} settings
+   * @returns {import('../engine/types.js').SymbolFacts}
+   */
+  symbol(settings) {
+    return parseAnswer(this.facts_.symbol(JSON.stringify(settings))).symbol;
+  }
+
+  /**
+   * Reads a list (CSV or JSON lines) and checks it as a whole. The other verbs refer to its rows.
+   * @param {Uint8Array} list  ignored if there is a `count`
+   * @param {WantedBatch} [wanted]
+   * @returns {import('../engine/types.js').BatchPlan}
+   */
+  planBatch(list, { settings = {}, text = '', name = '', count = 0, perPlate = 0 } = {}) {
+    const shared = /** @type {import('../engine/types.js').Settings} */ (settings);
+    return this.verbs_.planBatch(list, { settings: shared, text, name, count, perPlate });
+  }
+
+  /**
+   * Returns a row of the plan.
+   * @param {number} index  from 0
+   * @returns {import('../engine/types.js').BatchRow}
+   */
+  batchRow(index) {
+    return this.verbs_.batchRow(index);
+  }
+}
