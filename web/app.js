@@ -53,7 +53,7 @@ import { Legend } from './view/legend.js';
 import { View } from './view/view.js';
 import { ViewTools } from './view/view_tools.js';
 
-/** Creates the panels, which know no other part of the page. */
+/** Creates the panels. They know no other part of the page. */
 function makePanels() {
   const legend = new Legend();
   const stage = byId('view', HTMLElement);

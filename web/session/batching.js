@@ -37,7 +37,8 @@ export class Batching {
     this.store_ = store;
     this.fields_ = fields;
     this.isLocked_ = isLocked;
-    /** Tells the new plan; undefined: one code. @type {Signal<[Planned | undefined]>} */ this.changed = new Signal();
+    /** Announces the new plan; undefined: one code. @type {Signal<[Planned | undefined]>} */ this.changed =
+      new Signal();
     /** @type {Planned | undefined} */ this.planned = undefined;
     /** @type {Promise<void> | undefined} */ this.planning_ = undefined;
   }

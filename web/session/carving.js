@@ -46,11 +46,11 @@ export class Carving {
     this.fields_ = fields;
     this.batching_ = batching;
     this.guard_ = guard;
-    /** Tells that a carving begins. @type {Signal<[]>} */ this.started = new Signal();
-    /** Tells that a carving has ended with a result. @type {Signal<[]>} */ this.finished = new Signal();
-    /** Tells whether a carved model exists, and whether it is shown. @type {Signal<[boolean, boolean]>} */
+    /** Announces the start of a carving. @type {Signal<[]>} */ this.started = new Signal();
+    /** Announces a new result. @type {Signal<[]>} */ this.finished = new Signal();
+    /** Announces whether a carved model exists and whether it is shown. @type {Signal<[boolean, boolean]>} */
     this.changed = new Signal();
-    /** Tells that the carved model's print is simulated. @type {Signal<[]>} */ this.printed = new Signal();
+    /** Announces the simulated print of the carved model. @type {Signal<[]>} */ this.printed = new Signal();
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes the work as its user edits it, and places the code anew after each complete edit.
+// Applies the user's edits to the work, and places the code again after each complete edit.
 import { text } from '../i18n/catalogue.js';
 import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { plannedWords } from './batching.js';
@@ -53,7 +53,7 @@ export class Editing {
     );
   }
 
-  /** Tells that an edit is complete, and places the code anew. @param {string} [field]  edited field */
+  /** Announces a complete edit, and places the code again. @param {string} [field]  edited field */
   async apply(field) {
     this.messages_.clearError();
     this.code_.refresh();

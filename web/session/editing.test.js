@@ -83,7 +83,7 @@ beforeEach(() => {
   });
 });
 
-test('A text is in the work with each letter, and is applied when typing pauses', async () => {
+test('Each letter changes the work; a pause applies the text', async () => {
   code.user.onInput('ab');
   assert.equal(store.work.text, 'ab');
   assert.deepEqual([applied, placing.calls], [[], []]);
@@ -91,7 +91,7 @@ test('A text is in the work with each letter, and is applied when typing pauses'
   assert.deepEqual([applied, placing.calls], [['text'], ['place']]);
 });
 
-test('A setting that is edited brings others once the edit is complete', async () => {
+test('A complete edit of a setting changes its dependent settings', async () => {
   form.user.onInput('process', 'resin-0.05');
   assert.deepEqual([store.work.values.process, store.work.values.nozzle], ['resin-0.05', '0.4']);
   await form.user.onChange('process', 'resin-0.05');
@@ -99,13 +99,13 @@ test('A setting that is edited brings others once the edit is complete', async (
   assert.deepEqual(applied, ['process']);
 });
 
-test('The handles set the size, and the spots are dropped before the code is placed', async () => {
+test('The handles set the size and drop the suggested spots', async () => {
   await editing.adjust({ symbolMm: 21.5 });
   assert.deepEqual([store.work.values.size, store.work.values['size-mm']], ['fixed', '21.5']);
   assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget'], ['place']]);
 });
 
-test('Another list is in the work before it is planned', async () => {
+test('A list changes the work before it is planned', async () => {
   /** @type {any} */ let planned;
   batching.answers.ready = async () => void (planned ??= store.work.batch);
   await batchPanel.user.onChange(kBatch);
@@ -113,7 +113,7 @@ test('Another list is in the work before it is planned', async () => {
   assert.deepEqual(applied, ['parts']);
 });
 
-test('A remedy changes its setting and says so; without a setting, or without a place, it does not', async () => {
+test('A remedy changes its setting and reports it; a remedy without a setting suggests spots', async () => {
   const remedy = /** @type {any} */ ({ change: { setting: 'preset', value: 'robust' } });
   let said = 0;
   messages.say = () => void (said += 1);
@@ -127,7 +127,7 @@ test('A remedy changes its setting and says so; without a setting, or without a 
   assert.deepEqual([applied.length, said], [2, 1]);
 });
 
-test('Another work is taken over without being applied; a list whose parts are carved stays', () => {
+test('Restoring a work does not apply it, and keeps a list whose parts are carved', () => {
   editing.restore({ text: 'b', values: { preset: 'robust' }, batch: kBatch });
   assert.deepEqual(store.work.values, { ...kDefaults, preset: 'robust' });
   assert.deepEqual([store.work.text, store.work.batch, applied], ['b', kBatch, []]);
@@ -136,7 +136,7 @@ test('Another work is taken over without being applied; a list whose parts are c
   assert.deepEqual([store.work.text, store.work.batch], ['c', kBatch]);
 });
 
-test('A stored work comes back with its sample or its file; a text that was left out stays', async () => {
+test('A stored work restores its sample or file, and keeps the current text if it has none', async () => {
   /** @type {any[]} */ const opened = [];
   model.answers.openSample = async (/** @type {any[]} */ ...options) => void opened.push(options);
   model.answers.load = async (/** @type {any[]} */ ...options) => void opened.push(options);
@@ -152,7 +152,7 @@ test('A stored work comes back with its sample or its file; a text that was left
   ]);
 });
 
-test('The code panel shows where the code is placed', () => {
+test('The code panel shows the placement', () => {
   placing.placed.tell({ symbolMm: 20 });
   placing.placed.tell(undefined);
   assert.deepEqual(code.shown, [{ symbolMm: 20 }, undefined]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens what the user chooses: a sample, a file of a model, of settings or of a list, or the page's first state.
+// Opens samples and files (models, settings, lists), and returns to the page's first state.
 import { looksLikeSettings } from '../export/settings_file.js';
 import { looksLikeList } from './batching.js';
 

@@ -37,18 +37,18 @@ beforeEach(() => {
   opening.started = Promise.resolve(true);
 });
 
-test('A file is opened as what its name says', async () => {
+test('The name of a file decides how it is opened', async () => {
   for (const name of ['a.stl', 'a.csv', 'a.json']) await opening.openFile(new File([''], name));
   assert.deepEqual(opened, ['model', 'list', 'settings']);
 });
 
-test('Settings without a model are used on the first sample', async () => {
+test('Settings without a model open the first sample', async () => {
   parts.model.answers.source = undefined;
   await opening.openFile(new File([''], 'a.json'));
   assert.deepEqual(opened, ['sample', 'settings']);
 });
 
-test('A file that is chosen early waits for the module; without one it is not opened', async () => {
+test('An early file waits for the module; without a module it is not opened', async () => {
   const started = new Pending();
   opening.started = started.promise;
   const opens = opening.openFile(new File([''], 'a.stl'));
@@ -63,7 +63,7 @@ test('A file that is chosen early waits for the module; without one it is not op
   assert.deepEqual(opened, ['model']);
 });
 
-test('Starting over restores what the page opened with, as one change', async () => {
+test('Starting over restores the first text and the defaults as one change', async () => {
   await opening.startOver();
   assert.deepEqual(restored, { text: 'first', values: { preset: 'balanced' }, batch: undefined });
   assert.deepEqual(opened, ['sample']);

@@ -32,8 +32,8 @@ export class Placing {
     this.panel_ = panel;
     this.batching_ = batching;
     this.jobs_ = jobs;
-    /** Tells that another centre is chosen. @type {Signal<[]>} */ this.moved = new Signal();
-    /** Tells the new placement. @type {Signal<[Placement | undefined]>} */ this.placed = new Signal();
+    /** Announces another centre. @type {Signal<[]>} */ this.moved = new Signal();
+    /** Announces the new placement. @type {Signal<[Placement | undefined]>} */ this.placed = new Signal();
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     this.again_ = false;

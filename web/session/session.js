@@ -45,7 +45,7 @@ export class Session {
     await placing.begin();
   }
 
-  /** Enables what a model and no running job allow. */
+  /** Enables the controls that need a model and no running job. */
   allow() {
     const { jobs, model, undo, workPanel, spots, tools } = this.options_;
     const { busy } = jobs;

@@ -43,13 +43,13 @@ beforeEach(() => {
   session = new Session(parts);
 });
 
-test('A new model drops the carving before the code is placed on it', async () => {
+test('A new model drops the carving before placing the code', async () => {
   await session.useModel();
   assert.deepEqual(order, ['dropped', 'applied', 'placed']);
   assert.deepEqual(parts.spots.calls, ['allow true', 'clear']);
 });
 
-test('Without a model that can be engraved, and while a job runs, nothing can be begun', () => {
+test('Engraving is disabled during jobs and on unsuitable models', () => {
   session.allow();
   parts.jobs.busy = true;
   session.allow();
@@ -58,7 +58,7 @@ test('Without a model that can be engraved, and while a job runs, nothing can be
   assert.deepEqual(parts.workPanel.calls, ['listen', 'allowEngrave true', 'allowEngrave false', 'allowEngrave false']);
 });
 
-test('What is missing is shown instead of engraving', async () => {
+test('Missing input is revealed instead of engraving', async () => {
   await user.onEngrave();
   assert.deepEqual(order, ['planned', 'carved']);
   parts.code.answers.incomplete = true;
@@ -70,7 +70,7 @@ test('What is missing is shown instead of engraving', async () => {
   assert.equal(order.filter((step) => step === 'carved').length, 1);
 });
 
-test('The button says that only the first part is engraved', () => {
+test('With a list the button names the first part', () => {
   parts.batching.changed.tell({});
   parts.batching.changed.tell(undefined);
   assert.deepEqual(parts.workPanel.calls.slice(1), ['nameEngrave batch.engraveFirst', 'nameEngrave page.engrave']);

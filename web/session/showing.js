@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows the work in the panels: after each change, the panels of the parts that have changed.
+// Shows the work in the panels. A change updates only the panels of the changed parts.
 import { showCarving } from '../ui/carve_panel.js';
 
 /**

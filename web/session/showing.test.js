@@ -28,7 +28,7 @@ beforeEach(() => {
   });
 });
 
-test('A panel shows its part of the work when that changes, and only then', () => {
+test('A panel is updated only if its part of the work changes', () => {
   store.update({ text: 'b' });
   store.update({ centreIsGuess: true });
   store.update(centredAt([1, 2, 3]));
@@ -42,13 +42,13 @@ test('A panel shows its part of the work when that changes, and only then', () =
   ]);
 });
 
-test('Without a centre its fields keep what they hold', () => {
+test('Without a centre the fields keep their values', () => {
   store.update(centredAt([1, 2, 3]));
   store.update(centredAt(undefined));
   assert.deepEqual(shown, [['place', [1, 2, 3]]]);
 });
 
-test('One line sums up the carving, from the start', () => {
+test('One line sums up the carving from the start', () => {
   assert.match(summary.textContent, /^Balanced.*0\.4/);
   store.update({ values: { preset: 'robust', nozzle: '' } });
   assert.match(summary.textContent, /^Robust.*\?/);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A signal: tells its listeners that something has happened, so that the sender need not know them.
+// A signal that objects created later can listen to: the sender does not know its listeners.
 
 /** @template {unknown[]} Values */
 export class Signal {
@@ -7,7 +7,7 @@ export class Signal {
     /** @type {((...values: Values) => void)[]} */ this.listeners_ = [];
   }
 
-  /** Calls a listener each time from now on, after earlier listeners. @param {(...values: Values) => void} listener */
+  /** Adds a listener; listeners are called in this order. @param {(...values: Values) => void} listener */
   on(listener) {
     this.listeners_.push(listener);
   }

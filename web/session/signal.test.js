@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Signal } from './signal.js';
 
-test('A signal tells all listeners, the earliest first, and none that comes later', () => {
+test('A signal tells its listeners in order, and none that registers later', () => {
   /** @type {Signal<[number, string]>} */ const signal = new Signal();
   /** @type {any[]} */ const told = [];
   signal.tell(0, 'a');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Connects the view with the work: shows the carved model, and passes on what the user does in the view.
+// Connects the view with the work: shows the carved model, and passes on the user's input in the view.
 
 /**
  * @typedef {object} ViewingOptions

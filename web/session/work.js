@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The work: all inputs of the carving. What follows from a work, and the changes that make the next one.
+// The work: all inputs of the carving. Also values computed from a work, and changes that make the next one.
 
 /** @typedef {import('./model_session.js').Source} Source */
 /** @typedef {[number, number, number]} Point */

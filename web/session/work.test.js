@@ -13,7 +13,7 @@ const kWork = {
 };
 const kBatch = /** @type {any} */ ({ from: 'count', list: new Uint8Array(), count: 3 });
 
-test('Works are the same if all that a carving takes from them is', () => {
+test('Works with the same inputs of a carving are the same', () => {
   const source = /** @type {any} */ (kWork.source);
   assert.equal(sameWork(kWork, { ...kWork, values: { ...kWork.values }, centreMm: [1, 2, 3] }), true);
   assert.equal(sameWork(kWork, { ...kWork, source: { ...source, fileName: 'b.stl' } }), true);
@@ -30,13 +30,13 @@ test('Works are the same if all that a carving takes from them is', () => {
     assert.equal(sameWork(kWork, { ...kWork, ...change }), false, JSON.stringify(change));
 });
 
-test('A centre that the module proposed is not the user’s', () => {
+test('A proposed centre is not a chosen one', () => {
   assert.deepEqual(chosenCentre(kWork), [1, 2, 3]);
   assert.equal(chosenCentre({ ...kWork, ...centredAt([1, 2, 3], true) }), undefined);
   assert.deepEqual(centredAt(undefined, true), { centreMm: undefined, centreIsGuess: false });
 });
 
-test('A file is stored with its bytes, a sample by its name, and a guessed centre not at all', () => {
+test('A file is stored with its bytes, a sample by its id, and a proposed centre not at all', () => {
   const place = { fileName: 'a.stl', scaleToMm: 10, upAxis: 'y' };
   assert.deepEqual(storedWork(kWork), {
     ...place,
@@ -57,7 +57,7 @@ test('A file is stored with its bytes, a sample by its name, and a guessed centr
   assert.equal(storedWork({ ...kWork, source: undefined }), undefined);
 });
 
-test('The handles fix the rotation and the size', () => {
+test('The handles set rotation and size', () => {
   assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'free' }), { rotate: '15' });
   assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'best' }), { rotate: '15', size: 'oriented' });
   assert.deepEqual(valuesByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 'fixed', 'size-mm': '21.5' });

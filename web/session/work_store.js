@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds the current work. It never changes a work: each change makes the next one, and listeners compare the two.
+// Holds the current work. A work is immutable: each change makes the next work, and listeners compare the two.
 import { Signal } from './signal.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -8,10 +8,10 @@ export class WorkStore {
   /** @param {Work} work */
   constructor(work) {
     this.work_ = frozen(work);
-    /** Tells of each change: the work after and before it. A listener must not change it. @type {Signal<[Work, Work]>} */
+    /** Announces each change with the work after and before it. A listener must not change the work. @type {Signal<[Work, Work]>} */
     this.changed = new Signal();
     /**
-     * Tells that an edit is complete, while `changed` tells of every typed letter. Its value is the edited field, if any.
+     * Announces a complete edit, while `changed` announces every typed letter. Its value is the edited field, if any.
      * @type {Signal<[string | undefined]>}
      */
     this.applied = new Signal();
@@ -23,7 +23,7 @@ export class WorkStore {
   }
 
   /**
-   * Replaces the work by one with these changes. Tells nobody if nothing is different.
+   * Replaces the work by one with these changes. An update without a difference is not announced.
    * @param {Partial<Work> | ((work: Work) => Partial<Work>)} change
    */
   update(change) {

@@ -19,7 +19,7 @@ beforeEach(() => {
   store.changed.on((work, before) => void told.push([work.text, before.text]));
 });
 
-test('A change makes another work and leaves the one before it', () => {
+test('A change makes the next work and leaves the previous one', () => {
   const before = store.work;
   store.update({ text: 'b' });
   assert.equal(before.text, 'a');
@@ -28,19 +28,19 @@ test('A change makes another work and leaves the one before it', () => {
   assert.deepEqual(told, [['b', 'a']]);
 });
 
-test('A change may follow from the work', () => {
+test('A change can be computed from the work', () => {
   store.update(({ text }) => ({ text: `${text}${text}` }));
   assert.equal(store.work.text, 'aa');
 });
 
-test('What is the same already tells nobody', () => {
+test('An update without a difference tells nobody', () => {
   const before = store.work;
   store.update({ text: 'a', values: before.values });
   assert.equal(store.work, before);
   assert.deepEqual(told, []);
 });
 
-test('A work cannot be written to', () => {
+test('A work is immutable', () => {
   const work = /** @type {any} */ (store.work);
   assert.throws(() => (work.text = 'b'), TypeError);
   assert.throws(() => (work.values.preset = 'robust'), TypeError);
@@ -48,7 +48,7 @@ test('A work cannot be written to', () => {
   assert.throws(() => /** @type {any} */ (store.work.values.preset = 'shallow'), TypeError);
 });
 
-test('A listener that changes the work is refused, and later changes are not', () => {
+test('A listener must not change the work; later changes still work', () => {
   let isEager = true;
   store.changed.on(() => {
     if (isEager) store.update({ text: 'c' });

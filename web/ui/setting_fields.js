@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of the settings' controls: the engine's settings that they stand for, and the values after a change.
+// Values of the settings' controls: converts them into the engine's settings and back, and computes them after a change.
 import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
@@ -99,7 +99,7 @@ export class SettingFields {
 }
 
 /**
- * Returns the settings that a choice changes along with itself: a process sets its printer, and an objective without
+ * Returns the settings that a choice also changes: a process sets its printer, and an objective without
  * lamps clears the lamps.
  * @param {Change} change
  * @returns {Record<string, string>}  by setting

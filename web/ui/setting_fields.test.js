@@ -122,7 +122,7 @@ const fields = new SettingFields(kControls, kDefaults);
 /** @param {import('../storage/last_work.js').Values} change */
 const settings = (change) => fields.settings({ ...kDefaults, ...change }, 'a');
 
-test('The values add up to the settings that they stand for, and back', () => {
+test('Values and settings convert into each other', () => {
   assert.deepEqual(fields.valuesFor(settings({})), kDefaults);
   assert.deepEqual(fields.settings(held({ size: 31.5, ecc: 'Q' }), 'a'), {
     ...fields.settings(held(), 'a'),
@@ -137,12 +137,12 @@ test('The values add up to the settings that they stand for, and back', () => {
   assert.deepEqual(light, [{ azimuthDeg: 90, elevationDeg: 45, strength: 1 }]);
 });
 
-test('A field that may be empty is left out if it is', () => {
+test('An empty optional field is left out', () => {
   const given = settings({ contrast: '', version: '', ecc: 'auto' });
   for (const key of ['contrast', 'version', 'light', 'ecc']) assert.equal(key in given, false, key);
 });
 
-test('A missing number, one that is none, and one out of range are refused with the range', () => {
+test('A missing, malformed or out-of-range number is refused with the range', () => {
   const range = { from: { number: 0 }, to: { number: 1000 } };
   const wall = { setting: { setting: 'minWallMm' }, ...range };
   assert.throws(() => settings({ 'min-wall': '' }), { code: 'control-not-a-number', values: wall });
@@ -155,7 +155,7 @@ test('A missing number, one that is none, and one out of range are refused with 
   assert.throws(() => settings({ light: '90' }), { code: 'setting-no-lamps' });
 });
 
-test('A width that is refused has the label that its field has', () => {
+test('A refused width is named like its field', () => {
   const labelOf = (/** @type {import('../storage/last_work.js').Values} */ change) => {
     try {
       return settings(change);
@@ -167,7 +167,7 @@ test('A width that is refused has the label that its field has', () => {
   assert.equal(labelOf({ size: 'free', 'size-mm': '' }), 'maxSizeMm');
 });
 
-test('A setting changes with what it brings; its default is the automatic choice', () => {
+test('A changed setting changes its dependent settings; an empty choice becomes automatic', () => {
   const after = (/** @type {string} */ setting, /** @type {string} */ value) =>
     fields.after({ ...kDefaults, light: '90,45,1' }, { setting, value });
   assert.equal(after('preset', 'robust').preset, 'robust');
@@ -180,7 +180,7 @@ test('A setting changes with what it brings; its default is the automatic choice
   assert.throws(() => after('blurModules', '1'), /no control/);
 });
 
-test('Restored values replace those of their controls, and no others', () => {
+test('Only possible values of known controls are restored', () => {
   const now = { ...kDefaults, preset: 'robust', nozzle: '0.25' };
   const restored = fields.restored(now, { preset: 'shallow', contrast: '?', mask: '3', size: 'fixed', gone: 'x' });
   assert.deepEqual(restored, { ...now, preset: 'shallow', contrast: '', mask: '3', size: 'fixed' });
