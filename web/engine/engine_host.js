@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas: in the worker, or in the page where there is no OffscreenCanvas.
-import { copyOf, parseAnswer } from './answers.js';
-import { makeBatchVerbs } from './batch_verbs.js';
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
 import { message } from './message.js';
 import { loadModule } from './module.js';
+import { callsOf } from './module_calls.js';
+import { kBatchVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
 
-/** @typedef {import('./types.js').Engine} Engine */
 /** @typedef {import('./types.js').HostEvent} HostEvent */
+/** @typedef {import('./types.js').PrintChange} PrintChange */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
+/** @typedef {import('./verbs.js').JobProgress} JobProgress */
 /**
  * A job of the module that runs in steps.
- * @typedef {{ start: () => string, advance: () => string, cancel: () => void, watch?: (progress: import('./types.js').EngraveProgress) => void }} Job
+ * @typedef {{ start: () => JobProgress | { stage?: undefined }, advance: () => JobProgress, cancel: () => void, watch?: (progress: JobProgress) => void }} Job
  *   `watch`: called between slices
  */
 
@@ -57,7 +58,10 @@ function onNextFrame(run) {
   else setTimeout(run, 16);
 }
 
-/** Translates verbs to calls of the module, draws on demand, and runs jobs in slices. */
+/**
+ * Answers the verbs of the page: the module's own, and those of kHostVerbs by its methods. Draws on demand, and runs jobs
+ * in slices.
+ */
 export class EngineHost {
   /**
    * @param {object} options
@@ -71,7 +75,9 @@ export class EngineHost {
   constructor({ module, loadInspector, canvas, gl, notify, draws }) {
     this.module_ = module;
     this.loadInspector_ = loadInspector;
-    /** @type {Engine} */ this.engine_ = new module.Engine();
+    this.object_ = new module.Engine();
+    this.engine_ = callsOf(this.object_, { ...kPageVerbs, ...kInnerVerbs });
+    /** @type {import('./verbs.js').Calls<typeof kBatchVerbs> | undefined} */ this.batch_ = undefined;
     this.canvas_ = canvas;
     this.gl_ = gl;
     /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
@@ -113,188 +119,238 @@ export class EngineHost {
     return host;
   }
 
-  /** All verbs that the page may call by name. */
-  verbs = {
-    capabilities: () => JSON.parse(this.engine_.capabilities()),
+  /**
+   * Answers a verb of the page.
+   * @param {string} verb
+   * @param {any[]} given
+   * @returns {any}
+   */
+  answer(verb, given) {
+    const own = /** @type {Record<string, (...given: any[]) => any>} */ (/** @type {unknown} */ (this));
+    if (kHostVerbs.some((known) => known === verb)) return own[verb](...given);
+    const calls = verb in kBatchVerbs ? this.planned_() : this.engine_;
+    try {
+      return /** @type {Record<string, (...given: any[]) => any>} */ (calls)[verb](...given);
+    } finally {
+      const row = /** @type {Record<string, import('./verbs.js').Verb<any>>} */ (kPageVerbs)[verb];
+      if (row?.draws) this.invalidate_(); // after a failure, too: a failed placement removes the square
+    }
+  }
 
-    /** @param {Uint8Array} bytes @param {string} fileName @param {number} scaleToMm */
-    loadModel: (bytes, fileName, scaleToMm) => {
-      const { model } = parseAnswer(this.engine_.loadModel(bytes, fileName, scaleToMm));
-      this.invalidate_();
-      return model;
-    },
+  planned_() {
+    this.batch_ ??= callsOf(new this.module_.PlannedBatch(), kBatchVerbs);
+    return this.batch_;
+  }
 
-    /** @param {ViewSize} size */
-    resize: ({ width, height, devicePixelRatio }) => {
-      this.size_ = { width, height, devicePixelRatio };
-      this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
-      this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
-      this.engine_.resize(width, height, devicePixelRatio);
-      this.pixelRatio_ = devicePixelRatio;
-      this.giveGlyphs_();
-      this.drawFrame_(); // immediately: resizing cleared the canvas
-    },
+  /** Sets the size of the canvas and draws at once, because that cleared it. @param {ViewSize} size */
+  resize({ width, height, devicePixelRatio }) {
+    this.size_ = { width, height, devicePixelRatio };
+    this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
+    this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
+    this.engine_.resize(width, height, devicePixelRatio);
+    this.pixelRatio_ = devicePixelRatio;
+    this.giveGlyphs_();
+    this.drawFrame_();
+  }
 
-    /** @param {import('./types.js').Settings} settings */
-    configure: (settings) => {
-      parseAnswer(this.engine_.configure(JSON.stringify(settings)));
-      this.invalidate_();
-    },
+  /**
+   * Puts the centre at a position on the canvas.
+   * @param {number} x
+   * @param {number} y
+   * @returns {import('./types.js').PickResult}
+   */
+  pick(x, y) {
+    if (this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y))) return { hit: false };
+    return this.drawn_(this.engine_.pick(x, y));
+  }
 
-    /** @param {import('./types.js').Settings} settings */
-    symbol: (settings) => parseAnswer(this.engine_.symbol(JSON.stringify(settings))).symbol,
+  /**
+   * Previews the code at an estimated placement.
+   * @param {number} x
+   * @param {number} y
+   * @returns {Promise<import('./types.js').HoverResult>}
+   */
+  async hover(x, y) {
+    const asked = (this.hovers_ += 1);
+    while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
+    if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
+    const found = this.engine_.hover(x, y);
+    this.drawFrame_();
+    return found;
+  }
 
-    /** @param {number} x @param {number} y */
-    pick: (x, y) =>
-      this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y))
-        ? { hit: false }
-        : this.drawn_(JSON.parse(this.engine_.pick(x, y))),
+  endHover() {
+    this.hovers_ += 1;
+    this.drawn_(this.engine_.endHover());
+  }
 
-    /** @param {number} x @param {number} y @param {number} z */
-    setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
+  /**
+   * Finds the exact placement of the preview.
+   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
+   */
+  async settle() {
+    const { hovers_: asked } = this;
+    this.engine_.startSettling();
+    for (;;) {
+      const sliceEnd = performance.now() + kSettleSliceMs;
+      do {
+        const found = this.engine_.advanceSettling();
+        if (found.done) return this.drawn_(found);
+      } while (performance.now() < sliceEnd);
+      await yieldToMessages();
+      if (this.hovers_ !== asked) return null;
+    }
+  }
 
-    /** @param {number} x @param {number} y */
-    hover: async (x, y) => {
-      const asked = (this.hovers_ += 1);
-      while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
-      if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
-      const found = parseAnswer(this.engine_.hover(x, y));
-      this.drawFrame_();
-      return found;
-    },
-    endHover: () => {
-      this.hovers_ += 1;
-      this.drawn_(this.engine_.endHover());
-    },
-    settle: () => this.settle_(),
-    /** @param {number} x @param {number} y */
-    moveCode: (x, y) => this.drawn_(parseAnswer(this.engine_.moveCode(x, y))),
-    /** @param {number} rotateDeg @param {number} symbolMm */
-    adjustCode: (rotateDeg, symbolMm) => this.drawn_(parseAnswer(this.engine_.adjustCode(rotateDeg, symbolMm)).code),
+  /**
+   * Searches for the best spots.
+   * @returns {Promise<import('./types.js').Spots | null>}  null if cancelled
+   */
+  async findSpots() {
+    const isDone = await this.runJob_({
+      start: () => this.engine_.startSpotSearch(),
+      advance: () => this.engine_.advanceSpotSearch(),
+      cancel: () => this.engine_.cancelSpotSearch(),
+    });
+    return isDone ? this.engine_.spots() : null;
+  }
 
-    placement: () => {
-      try {
-        return parseAnswer(this.engine_.placement()).placement;
-      } finally {
-        this.invalidate_(); // a failed placement removes the square
-      }
-    },
+  /** Does work that the next carving needs, unless a job runs. */
+  async prepareEngrave() {
+    while (!this.job_ && !this.engine_.prepareEngrave()) await yieldToMessages();
+  }
 
-    findSpots: async () => ((await this.findSpots_()) ? parseAnswer(this.engine_.spots()) : null),
-    /** @param {number} index */
-    chooseSpot: (index) => this.drawn_(parseAnswer(this.engine_.chooseSpot(index))),
-    /** @param {boolean} shown */
-    showSizes: (shown) => this.drawn_(this.engine_.showSizes(shown)),
-    /** @param {number} index @param {number} width @param {number} height */
-    spotPicture: (index, width, height) => {
-      const picture = this.engine_.spotPicture(index, width, height);
-      return { width: picture.width, height: picture.height, pixels: picture.pixels.slice() };
-    },
-    /** @param {boolean} shown @param {number} offset */
-    showSection: (shown, offset) => this.drawn_(this.engine_.showSection(shown, offset)),
-    /** @param {boolean} shown */
-    showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown))),
+  /**
+   * Carves the code.
+   * @param {import('./types.js').PlanOptions} [plan]
+   * @param {boolean} [withOverrides]  use the inspector's settings
+   * @param {boolean} [printsEarly]    send the print job as soon as the file is written
+   * @returns {Promise<boolean>}  false: cancelled
+   */
+  engrave(plan = {}, withOverrides = false, printsEarly = false) {
+    let isTold = !printsEarly;
+    return this.runJob_({
+      start: () => this.engine_.startEngrave(plan, withOverrides),
+      advance: () => {
+        const progress = this.engine_.advance();
+        if (!isTold && progress.printable) {
+          isTold = true;
+          this.notify_({ event: 'printable', job: this.printJob() });
+        }
+        return progress;
+      },
+      watch: ({ stage }) => this.tellSearch_(stage),
+      cancel: () => this.engine_.cancel(),
+    });
+  }
 
-    prepareEngrave: async () => {
-      while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
-    },
-    /**
-     * @param {import('./client.js').PlanOptions} [plan]
-     * @param {boolean} [withOverrides]  use the inspector's settings
-     * @param {boolean} [printsEarly]    send the print job as soon as the file is written
-     */
-    engrave: (plan = {}, withOverrides = false, printsEarly = false) => this.engrave_(plan, withOverrides, printsEarly),
-    nextStep: () => parseAnswer(this.engine_.nextStep()),
-    cancel: () => {
-      this.job_?.cancel();
-      this.job_ = undefined;
-      this.engine_.showCarved(false); // the job may have finished just now
-      this.drawn_(this.engine_.showSizes(false));
-    },
-    memory: () => this.memory_(),
+  cancel() {
+    this.job_?.cancel();
+    this.job_ = undefined;
+    this.engine_.showCarved(false); // the job may have finished just now
+    this.drawn_(this.engine_.showSizes(false));
+  }
 
-    carving: () => this.engine_.carving(),
-    /** @param {number} number */
-    useCarving: (number) => this.drawn_(this.engine_.useCarving(number)),
-    report: () => parseAnswer(this.engine_.report()),
-    readerImage: () => copyOf(this.engine_.readerImage()),
-    /** @param {import('./types.js').JobMapName} name */
-    jobMap: (name) => this.engine_.jobMap(name),
-    readingPictures: () => this.engine_.readingPictures().map(copyOf),
-    /** @param {string[]} texts @param {string} reader */
-    setReadings: (texts, reader) => parseAnswer(this.engine_.setReadings(JSON.stringify(texts), reader)),
-    /** @param {import('./types.js').PrintChange} changed @returns {import('./types.js').PrintJob | null} */
-    printJob: (changed) => {
-      const { order } = parseAnswer(this.engine_.printOrder(JSON.stringify(changed)));
-      return order && { order, stl: this.engine_.stlToPrint().slice() };
-    },
-    /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
-    setPrintedReadings: (number, texts, facingDeg) => {
-      if (this.engine_.carving() !== number) return null;
-      const { passed } = parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
-      return { passed, report: parseAnswer(this.engine_.report()) };
-    },
-    /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
-    otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),
-    /**
-     * @param {number} number  of the carving
-     * @param {import('./types.js').PrintChange} changed
-     * @param {string[]} texts
-     * @param {number} facingDeg
-     */
-    judgePrint: (number, changed, texts, facingDeg) =>
-      this.engine_.carving() === number
-        ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints
-        : null,
-    startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
-    viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
-    /** @param {boolean} read */
-    noteViewTrial: (read) => parseAnswer(this.engine_.noteViewTrial(read)),
-    /** @param {string} format */
-    exportModel: (format) => {
-      const bytes = this.engine_.exportModel(format);
-      if (bytes.length > 0) return bytes.slice();
-      throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
-    },
+  /** @returns {import('./types.js').MemoryUse} */
+  memory() {
+    const { GL, HEAPU8 } = this.module_;
+    const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
+    const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
+    const glKinds = Object.fromEntries(
+      Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]),
+    );
+    const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
+    return { usedBytes: this.object_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
+  }
 
-    ...makeBatchVerbs(
-      () => this.engine_,
-      () => new this.module_.PlannedBatch(),
-    ),
+  /**
+   * Returns the print job of the carving.
+   * @param {PrintChange} [changed]  changes to the settings of the carving
+   * @returns {import('./types.js').PrintJob | null}  null: no print process is chosen
+   */
+  printJob(changed = {}) {
+    const order = this.engine_.printOrder(changed);
+    return order && { order, stl: this.engine_.stlToPrint() };
+  }
 
-    picture: () => this.picture_(),
+  /**
+   * Returns other ways to print a carving that are worth trying, the cheapest first.
+   * @param {number} number  of the carving
+   * @returns {PrintChange[]}  empty if the carving is not the current one
+   */
+  otherPrints(number) {
+    return this.engine_.carving() === number ? this.engine_.otherPrints() : [];
+  }
 
-    /** @param {boolean} dark */
-    setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
-    /** @param {import('./types.js').UpAxis} axis */
-    setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
-    /** @param {boolean} carved */
-    showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
-    /** Loads the inspector without showing it. Call this before all other inspector verbs. */
-    openInspector: async () => {
-      await this.loadInspector_();
-      this.engine_.openInspector();
-    },
-    /** @param {boolean} shown */
-    setInspector: (shown) => {
-      this.inspectorShown_ = shown;
-      this.inspectorFrames_ = 0;
-      this.inspectorTakes_ = false;
-      this.inspectorState_ = '';
-      this.inspectorStill_ = false;
-      this.drawn_(this.engine_.showInspector(shown));
-      this.giveGlyphs_();
-    },
-    /** @param {Record<string, string>} texts  translations, by English text */
-    inspectorTexts: (texts) => this.drawn_(this.engine_.inspectorTexts(JSON.stringify(texts))),
-    /** @param {{ x: number, y: number, width: number, height: number }} area  that no control covers */
-    inspectorArea: ({ x, y, width, height }) => this.drawn_(this.engine_.inspectorArea(x, y, width, height)),
-    /** @param {ViewAction} action */
-    act: (action) => this.act_(action),
-  };
+  /**
+   * Judges a print made with changed settings.
+   * @param {number} number     of the carving that was printed
+   * @param {PrintChange} changed
+   * @param {string[]} texts    text decoded in each try on the print's pictures
+   * @param {number} facingDeg  see Print
+   * @returns {import('./types.js').Aspect | null}  null if the carving is not the current one
+   */
+  judgePrint(number, changed, texts, facingDeg) {
+    return this.engine_.carving() === number ? this.engine_.judgePrint(changed, texts, facingDeg) : null;
+  }
+
+  /**
+   * Reports the decoded texts of a print's pictures.
+   * @param {number} number     of the carving that was printed
+   * @param {string[]} texts    text decoded in each try, '' if none
+   * @param {number} facingDeg  see Print
+   * @returns {import('./types.js').PrintedResult | null}  null if the carving is not the current one
+   */
+  setPrintedReadings(number, texts, facingDeg) {
+    if (this.engine_.carving() !== number) return null;
+    const passed = this.engine_.setPrintedReadings(texts, facingDeg);
+    return { passed, report: this.engine_.report() };
+  }
+
+  /** Returns the carved model as a file. @param {string} format  see Engine::exportModel() */
+  exportModel(format) {
+    return written(this.engine_.exportModel(format), format);
+  }
+
+  /** Returns the plate as 3MF and empties it. @param {string} title */
+  exportPlate(title) {
+    return written(this.engine_.exportPlate(title), '3mf');
+  }
+
+  /** Refines the view for up to kPictureMs and returns it as PNG. */
+  async picture() {
+    this.resize(this.size_); // redraws: the presented frame can no longer be read
+    const until = performance.now() + kPictureMs;
+    do this.waitForFrame_();
+    while (!this.lost_ && performance.now() < until && this.engine_.draw());
+    const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
+    return new Uint8Array(await blob.arrayBuffer());
+  }
+
+  /** Loads the inspector without showing it. Call this before all other inspector verbs. */
+  async openInspector() {
+    await this.loadInspector_();
+    this.engine_.openInspector();
+  }
+
+  /** @param {boolean} shown */
+  setInspector(shown) {
+    this.inspectorShown_ = shown;
+    this.inspectorFrames_ = 0;
+    this.inspectorTakes_ = false;
+    this.inspectorState_ = '';
+    this.inspectorStill_ = false;
+    this.drawn_(this.engine_.showInspector(shown));
+    this.giveGlyphs_();
+  }
+
+  /** @param {import('./types.js').Area} area  of the canvas that no control covers */
+  inspectorArea({ x, y, width, height }) {
+    this.drawn_(this.engine_.inspectorArea(x, y, width, height));
+  }
 
   /** @param {ViewAction} action */
-  act_(action) {
+  act(action) {
     if (action.kind === 'pointer') {
       if (!this.inspectorShown_) return;
       this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
@@ -322,55 +378,11 @@ export class EngineHost {
     this.invalidate_();
   }
 
-  /** @param {import('./client.js').PlanOptions} plan @param {boolean} withOverrides @param {boolean} printsEarly */
-  engrave_(plan, withOverrides, printsEarly) {
-    let isTold = !printsEarly;
-    return this.runJob_({
-      start: () => this.engine_.startEngrave(JSON.stringify(plan), withOverrides),
-      advance: () => {
-        const answer = this.engine_.advance();
-        if (!isTold && parseAnswer(answer).printable) {
-          isTold = true;
-          this.notify_({ event: 'printable', job: this.verbs.printJob({}) });
-        }
-        return answer;
-      },
-      watch: ({ stage }) => this.tellSearch_(stage),
-      cancel: () => this.engine_.cancel(),
-    });
-  }
-
   /** Sends the current maps of a depth search. @param {import('./types.js').EngraveProgress['stage']} stage */
   tellSearch_(stage) {
     if (stage?.code !== 'finding-depth') return;
     const [luminance, depths] = [this.engine_.jobMap('search-luminance'), this.engine_.jobMap('search-depths')];
     if (luminance && depths) this.notify_({ event: 'search', search: { luminance, depths } });
-  }
-
-  findSpots_() {
-    return this.runJob_({
-      start: () => this.engine_.startSpotSearch(),
-      advance: () => this.engine_.advanceSpotSearch(),
-      cancel: () => this.engine_.cancelSpotSearch(),
-    });
-  }
-
-  /**
-   * Finds the exact placement of the code under the pointer.
-   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
-   */
-  async settle_() {
-    const { hovers_: asked } = this;
-    parseAnswer(this.engine_.startSettling());
-    for (;;) {
-      const sliceEnd = performance.now() + kSettleSliceMs;
-      do {
-        const found = parseAnswer(this.engine_.advanceSettling());
-        if (found.done) return this.drawn_(found);
-      } while (performance.now() < sliceEnd);
-      await yieldToMessages();
-      if (this.hovers_ !== asked) return null;
-    }
   }
 
   /**
@@ -384,14 +396,14 @@ export class EngineHost {
     try {
       const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) =>
         this.notify_({ event: 'progress', progress: { stage, fraction } });
-      const begun = parseAnswer(job.start());
+      const begun = job.start();
       if (begun.stage) tell(begun);
       let told = begun.stage?.code;
       for (let done = false; !done;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
         do {
-          progress = parseAnswer(job.advance());
+          progress = job.advance();
           if (progress.stage?.code !== told) tell(progress); // even if the previous stage ended in the same slice
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
@@ -407,28 +419,6 @@ export class EngineHost {
       if (this.job_ === job) this.job_ = undefined;
       this.invalidate_();
     }
-  }
-
-  /** @returns {import('./types.js').MemoryUse} */
-  memory_() {
-    const { GL, HEAPU8 } = this.module_;
-    const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
-    const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
-    const glKinds = Object.fromEntries(
-      Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]),
-    );
-    const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
-    return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
-  }
-
-  /** Refines the view for up to kPictureMs and returns it as PNG. */
-  async picture_() {
-    this.verbs.resize(this.size_); // redraws: the presented frame can no longer be read
-    const until = performance.now() + kPictureMs;
-    do this.waitForFrame_();
-    while (!this.lost_ && performance.now() < until && this.engine_.draw());
-    const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
-    return new Uint8Array(await blob.arrayBuffer());
   }
 
   /**
@@ -457,12 +447,13 @@ export class EngineHost {
    */
   tellInspector_() {
     const state = this.engine_.inspectorState();
-    const still = state === this.inspectorState_;
+    const text = JSON.stringify(state);
+    const still = text === this.inspectorState_;
     if (!still) this.invalidate_();
     if (still && this.inspectorStill_) return;
-    this.inspectorState_ = state;
+    this.inspectorState_ = text;
     this.inspectorStill_ = still;
-    this.notify_({ event: 'inspector', state: { ...JSON.parse(state), still } });
+    this.notify_({ event: 'inspector', state: { ...state, still } });
   }
 
   /** Requests a frame. Requests before the next frame are merged. */
@@ -494,9 +485,10 @@ export class EngineHost {
   /** Reports the view state if it has changed. */
   tellView_() {
     const state = this.engine_.viewState();
-    if (state === this.viewState_) return;
-    this.viewState_ = state;
-    this.notify_({ event: 'view', state: JSON.parse(state) });
+    const text = JSON.stringify(state);
+    if (text === this.viewState_) return;
+    this.viewState_ = text;
+    this.notify_({ event: 'view', state });
   }
 
   drawFrame_() {
@@ -514,6 +506,17 @@ export class EngineHost {
       this.notify_({ event: 'failure', error: describeThrown(thrown) });
     }
   }
+}
+
+/**
+ * Returns the bytes of a file.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {string} format
+ * @throws {EngineFailure} if the module has written none
+ */
+function written(bytes, format) {
+  if (bytes.length > 0) return bytes;
+  throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
 }
 
 /** @param {HTMLCanvasElement | OffscreenCanvas} canvas @returns {Promise<Blob>} */

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs of the module, one row each: what a row is called, the C++ method is called, too. From the rows come the
+// bindings (wasm/list_verbs.js), the calls of the host (module_calls.js), and the methods of the client (client.js) with
+// their types. A row's type is the verb as JavaScript calls it: objects travel to the module as JSON, and its JSON answers
+// arrive as objects.
+
+/** @typedef {import('./types.js').Aspect} Aspect */
+/** @typedef {import('./types.js').CodeFacts} CodeFacts */
+/** @typedef {import('./types.js').ColourImage} ColourImage */
+/** @typedef {import('./types.js').EngraveProgress & { done: boolean }} JobProgress */
+/** @typedef {import('./types.js').GreyImage} GreyImage */
+/** @typedef {import('./types.js').HoverResult} HoverResult */
+/** @typedef {import('./types.js').PickResult} PickResult */
+/** @typedef {import('./types.js').PrintChange} PrintChange */
+/** @typedef {JobProgress & Pick<import('./types.js').Print, 'facingDeg' | 'misread'>} PrintProgress */
+/** @typedef {import('./types.js').Settings} Settings */
+
+/**
+ * @template {(...given: any[]) => any} Call
+ * @typedef {object} Verb
+ * @property {'InspectedEngine'} [of]  the C++ class, if it is not the class of the table
+ * @property {string} [part]           the field of the answer that the caller gets; default: the answer
+ * @property {boolean} [draws]         the verb changes the picture
+ * @property {Call} [call]             never set; keeps the type
+ */
+
+/**
+ * The functions of a table.
+ * @template Rows
+ * @typedef {{ [Name in keyof Rows]: Rows[Name] extends Verb<infer Call> ? Call : never }} Calls
+ */
+
+/** Verbs of the engine that the page calls. The C++ class is Engine. */
+export const kPageVerbs = {
+  /** @type {Verb<() => import('./types.js').Capabilities>} */
+  capabilities: {},
+  /**
+   * Loads a model from a file; the bytes remain usable.
+   * @type {Verb<(bytes: Uint8Array, fileName: string, scaleToMm: number) => import('./types.js').ModelInfo>}
+   */
+  loadModel: { part: 'model', draws: true },
+  /** @type {Verb<(settings: Settings) => void>} */
+  configure: { draws: true },
+  /**
+   * Returns the symbol that these settings engrave.
+   * @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>}
+   */
+  symbol: { part: 'symbol' },
+  /** @type {Verb<(x: number, y: number, z: number) => PickResult>} */
+  setCentre: { draws: true },
+  /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
+  placement: { part: 'placement', draws: true },
+  /** @type {Verb<(x: number, y: number) => HoverResult>} */
+  moveCode: { draws: true },
+  /** @type {Verb<(rotateDeg: number, symbolMm: number) => CodeFacts>} */
+  adjustCode: { part: 'code', draws: true },
+  /** Places the code at one of the spots found last. @type {Verb<(index: number) => PickResult>} */
+  chooseSpot: { draws: true },
+  /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
+  spotPicture: {},
+
+  /** Returns what to do next for the engraving. @type {Verb<() => import('./types.js').EngraveStep>} */
+  nextStep: {},
+  /**
+   * Returns the number of the finished carving that can be reported and exported; 0: none.
+   * @type {Verb<() => number>}
+   */
+  carving: {},
+  /** Restores the last carving or the one before it; false: it is gone. @type {Verb<(number: number) => boolean>} */
+  useCarving: { draws: true },
+  /** @type {Verb<() => import('./types.js').Report>} */
+  report: {},
+  /** @type {Verb<() => GreyImage>} */
+  readerImage: {},
+  /**
+   * Returns a map of the last engraving; null before the first one.
+   * @type {Verb<(name: import('./types.js').JobMapName) => import('./types.js').JobMap | null>}
+   */
+  jobMap: {},
+  /** Draws the pictures to decode. @type {Verb<() => GreyImage[]>} */
+  readingPictures: {},
+  /**
+   * Reports the text that each try on the reading pictures decoded, '' if none, and the decoder's name.
+   * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
+   */
+  setReadings: {},
+  /**
+   * Starts test-decoding the code from other viewing directions and distances; returns the number of trials at most.
+   * @type {Verb<() => number>}
+   */
+  startViewTrials: { part: 'all' },
+  /** Draws the pictures of the next trial; decoding one of them is enough. @type {Verb<() => GreyImage[]>} */
+  viewTrialPictures: {},
+  /** Reports the outcome of the trial. @type {Verb<(read: boolean) => import('./types.js').ViewTrialProgress>} */
+  noteViewTrial: {},
+  /**
+   * Describes the current carving for the manifest.
+   * @type {Verb<(totalMs: number) => import('./types.js').DescribedRow>}
+   */
+  describeRow: {},
+  /** Begins a plate for that many copies; discards an earlier one. @type {Verb<(copies: number) => void>} */
+  startPlate: {},
+  /** Puts the current carving on the plate; places count from 0. @type {Verb<(place: number, id: string) => void>} */
+  addToPlate: {},
+
+  /** @type {Verb<(dark: boolean) => void>} */
+  setTheme: { of: 'InspectedEngine', draws: true },
+  /** Sets the model's up axis, along which the code's top points. @type {Verb<(axis: import('./types.js').UpAxis) => void>} */
+  setUpAxis: { draws: true },
+  /** @type {Verb<(carved: boolean) => void>} */
+  showCarved: { draws: true },
+  /** Shows or hides the largest possible code sizes as colours on the model. @type {Verb<(shown: boolean) => void>} */
+  showSizes: { draws: true },
+  /** Shows or hides a section through the code, at -1 … 1 from its centre. @type {Verb<(shown: boolean, offset: number) => void>} */
+  showSection: { draws: true },
+  /**
+   * Shows or hides the depths as colours on the carved model. Returns the depth of the last colour and of the deepest
+   * pocket; 0 without a carved model.
+   * @type {Verb<(shown: boolean) => { topMm: number, deepestMm: number }>}
+   */
+  showDepths: { draws: true },
+  /** Sets the translations of the inspector, by English text. @type {Verb<(texts: Record<string, string>) => void>} */
+  inspectorTexts: { of: 'InspectedEngine', draws: true },
+};
+
+/** Verbs of the engine that only the host calls. The C++ class is Engine. */
+export const kInnerVerbs = {
+  /** @type {Verb<(x: number, y: number) => PickResult>} */
+  pick: {},
+  /** @type {Verb<(x: number, y: number) => HoverResult>} */
+  hover: {},
+  /** @type {Verb<() => void>} */
+  endHover: {},
+  /** @type {Verb<() => void>} */
+  startSettling: {},
+  /** @type {Verb<() => HoverResult & { done: boolean }>} */
+  advanceSettling: {},
+  /** @type {Verb<() => { stage?: undefined }>} */
+  startSpotSearch: {},
+  /** @type {Verb<() => JobProgress>} */
+  advanceSpotSearch: {},
+  /** @type {Verb<() => void>} */
+  cancelSpotSearch: {},
+  /** @type {Verb<() => import('./types.js').Spots>} */
+  spots: {},
+  /** @type {Verb<() => boolean>} */
+  prepareEngrave: { part: 'done' },
+  /** @type {Verb<(plan: import('./types.js').PlanOptions, withOverrides: boolean) => JobProgress>} */
+  startEngrave: { of: 'InspectedEngine' },
+  /** @type {Verb<() => JobProgress & { printable: boolean }>} */
+  advance: {},
+  /** @type {Verb<() => void>} */
+  cancel: {},
+  /** @type {Verb<(changed: PrintChange) => object | null>} */
+  printOrder: { part: 'order' },
+  /** @type {Verb<() => Uint8Array<ArrayBuffer>>} */
+  stlToPrint: {},
+  /** @type {Verb<(texts: string[], facingDeg: number) => boolean>} */
+  setPrintedReadings: { part: 'passed' },
+  /** @type {Verb<() => PrintChange[]>} */
+  otherPrints: { part: 'others' },
+  /** @type {Verb<(changed: PrintChange, texts: string[], facingDeg: number) => Aspect>} */
+  judgePrint: { part: 'prints' },
+  /** @type {Verb<(format: string) => Uint8Array<ArrayBuffer>>} */
+  exportModel: {},
+  /** @type {Verb<(title: string) => Uint8Array<ArrayBuffer>>} */
+  exportPlate: {},
+
+  /** @type {Verb<(width: number, height: number, devicePixelRatio: number) => void>} */
+  resize: { of: 'InspectedEngine' },
+  /** @type {Verb<(dx: number, dy: number) => void>} */
+  orbit: {},
+  /** @type {Verb<(dx: number, dy: number) => void>} */
+  pan: {},
+  /** @type {Verb<(factor: number, x: number, y: number) => void>} */
+  zoom: {},
+  /** @type {Verb<() => void>} */
+  fit: {},
+  /** @type {Verb<(name: import('./types.js').StandardView) => void>} */
+  standardView: {},
+  /** @type {Verb<() => void>} */
+  readerView: {},
+  /** @type {Verb<() => void>} */
+  faceCode: {},
+  /** @type {Verb<() => void>} */
+  faceSection: {},
+  /** @type {Verb<() => import('./types.js').ViewState>} */
+  viewState: {},
+  /** Returns true if another call would improve the picture. @type {Verb<() => boolean>} */
+  draw: { of: 'InspectedEngine' },
+
+  /** @type {Verb<() => void>} */
+  openInspector: { of: 'InspectedEngine' },
+  /** @type {Verb<(shown: boolean) => void>} */
+  showInspector: { of: 'InspectedEngine' },
+  /** @type {Verb<(x: number, y: number, width: number, height: number) => void>} */
+  inspectorArea: { of: 'InspectedEngine' },
+  /** @type {Verb<(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void>} */
+  inspectorGlyphs: { of: 'InspectedEngine' },
+  /** @type {Verb<(x: number, y: number, buttons: number, wheel: number) => boolean>} */
+  inspectorPointer: { of: 'InspectedEngine' },
+  /** @type {Verb<(key: string, control: boolean, shift: boolean) => void>} */
+  inspectorKey: { of: 'InspectedEngine' },
+  /** @type {Verb<(x: number, y: number) => boolean>} */
+  inspectorPick: { of: 'InspectedEngine' },
+  /** @type {Verb<() => import('./types.js').InspectorState>} */
+  inspectorState: { of: 'InspectedEngine' },
+};
+
+/** Verbs for batches, which the page calls. The C++ class is PlannedBatch. */
+export const kBatchVerbs = {
+  /**
+   * Reads a list, which remains usable, and checks it as a whole. The other batch verbs refer to its rows.
+   * @type {Verb<(list: Uint8Array, wanted: import('./types.js').WantedBatch) => import('./types.js').BatchPlan>}
+   */
+  planBatch: {},
+  /** @type {Verb<(from: number, countAtMost: number) => import('./types.js').BatchRowName[]>} */
+  batchRows: { part: 'rows' },
+  /** @type {Verb<(index: number) => import('./types.js').BatchRow>} */
+  batchRow: { part: 'row' },
+  /**
+   * Returns all settings of a row as one text, to hash for the manifest. `placed`: further inputs of the row's file.
+   * @type {Verb<(index: number, placed: { centre: number[], others: string }) => string>}
+   */
+  batchRowToHash: { part: 'text' },
+  /** Formats a manifest line, without line break. @type {Verb<(entry: import('./types.js').ManifestEntry) => string>} */
+  manifestLine: { part: 'line' },
+  /** Converts manifest lines to CSV. @type {Verb<(lines: string, withHeader: boolean) => string>} */
+  manifestCsv: { part: 'csv' },
+};
+
+/** Verbs of one simulated print. The C++ class is PrintedCode. */
+export const kPrintVerbs = {
+  /** @type {Verb<(stl: Uint8Array, order: object) => PrintProgress>} */
+  start: {},
+  /** @type {Verb<() => PrintProgress>} */
+  advance: {},
+  /** @type {Verb<() => GreyImage[]>} */
+  readingPictures: {},
+  /** @type {Verb<() => GreyImage>} */
+  picture: {},
+};
+
+/** Verbs that the host adds for the page, as methods of its own. */
+export const kHostVerbs = /** @type {const} */ ([
+  'resize',
+  'pick',
+  'hover',
+  'endHover',
+  'settle',
+  'findSpots',
+  'prepareEngrave',
+  'engrave',
+  'cancel',
+  'memory',
+  'printJob',
+  'otherPrints',
+  'judgePrint',
+  'setPrintedReadings',
+  'exportModel',
+  'exportPlate',
+  'picture',
+  'openInspector',
+  'setInspector',
+  'inspectorArea',
+  'act',
+]);
