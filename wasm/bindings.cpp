@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module's only interface to JavaScript: the verbs of web/engine/verbs.js, by name. The build makes wasm/verbs.h from
-// that table.
+// The module's only interface to JavaScript: the verbs of web/engine/verbs.js, by name. The build makes wasm/verbs.h
+// from that table.
 #include <GLES3/gl3.h>
 #include <emscripten/bind.h>
 #include <emscripten/html5_webgl.h>

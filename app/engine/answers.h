@@ -32,6 +32,8 @@ std::string answer(const Progress& progress, const Json& more = Json::object());
 Json jsonOf(Vec3 v);
 
 inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};
+inline const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
+inline const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
 
 /// Lists the parser's warnings, then the findings about the model, each as {"severity", "code", "values"}.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);

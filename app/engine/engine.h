@@ -59,51 +59,48 @@ class Engine {
   /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
   std::string hover(double x, double y);
   void endHover();
-  /// Starts finding the exact place of the hovered code. The next hover ends the search.
-  std::string startSettling();
-  /// Does one bounded piece of that work. Returns {done} or {done: true, code}; an error where no code fits.
-  std::string advanceSettling();
   /// Shows the placed code at about another position, until pick or placement. Returns {hit, code}. Off the model, the
   /// code stays where it is.
   std::string moveCode(double x, double y);
   /// Shows the code turned and resized, until placement. Returns {code}; BadUsage if there is no code.
   std::string adjustCode(double rotateDeg, double symbolMm);
 
-  /// Starts searching for the best spots for the settings. Ends an earlier search.
-  std::string startSpotSearch();
-  /// Does one bounded piece of work. Returns {stage, fraction, done}. When done, the model shows the sizes.
-  std::string advanceSpotSearch();
-  void cancelSpotSearch();
-  /// Returns {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and the
-  /// reasons why a code may not print or decode there. `topMm` is the size that has the last colour of the map. Empty
-  /// before a search is done.
-  std::string spots() const;
   /// Makes the spot the centre of the code, with the direction found for it. Returns {centre}.
   std::string chooseSpot(std::size_t index);
   /// Shows the largest sizes as colours on the model, if they are known.
   void showSizes(bool shown);
 
-  /// Does one bounded piece of the work that the next engraving begins with, so that the engraving has less to do.
-  /// Returns {done}. There is nothing to do (done) while other work is running or no code is placed.
-  std::string prepareEngrave();
-  /// Starts an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage, fraction, done} of
-  /// the first piece of work.
-  /// @param options     {"next": carve with the change of nextStep(), "print": look at prints, "fixed": [keys of
-  /// settings
-  ///                    that must not change]}; all may be missing: false, true, none
+  /// Starts a job. An earlier one of that name ends.
+  /// @param job  "engrave": an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage,
+  ///                 fraction, done} of the first piece of work
+  ///             "spots": the search for the best spots for the settings
+  ///             "settling": the search for the exact place of the hovered code; the next hover ends it
+  ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
+  ///                 with viewTrialPictures() and noteViewTrial() for its steps. Returns {tried, all}
+  /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
+  ///                    [keys of settings that must not change]}; all may be missing: false, true, none
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
   ///                    empty: as configured
-  std::string startEngrave(const std::string& options = "{}",
-                           const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  std::string startJob(const std::string& job, const std::string& options = "{}",
+                       const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  /// Does one bounded piece of work of a job.
+  /// @param job  "engrave": returns {stage, fraction, done, printable}. When done, there is a carved model to show
+  ///                 (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work
+  ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
+  ///                 concerns: [message]}], topMm}, and the model shows the sizes. Best first, with the largest size
+  ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
+  ///                 last colour of the map
+  ///             "settling": returns {done} or {done: true, code}; an error where no code fits
+  ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
+  ///                 is never started. Returns {done}. There is nothing to do (done) while other work is running or no
+  ///                 code is placed
+  std::string advanceJob(const std::string& job);
+  /// Ends "engrave" or "spots".
+  void cancelJob(const std::string& job);
   /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
   /// {step: "deliver", carving}. `carving` is the number of the carving to print or to deliver, or of the best one so
   /// far. Call it after setReadings(), after setPrintedReadings(), or if a carving fails.
   std::string nextStep() const;
-  /// Does one bounded piece of work. Returns {stage, fraction, done, printable}. When done, there is a carved model to
-  /// show (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
-  std::string advance();
-  void cancel();
-
   /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }
   /// Restores and shows a finished engraving of this model: the last one or the previous one.
@@ -147,9 +144,6 @@ class Engine {
   /// in batch/manifest.h, and the failed checks. @param totalMs  of all its work
   std::string describeRow(double totalMs) const;
 
-  /// Starts the test of the other angles from which the code decodes (verification/view_trials.h). Returns {tried,
-  /// all}.
-  std::string startViewTrials();
   /// Draws the next trial; it passes if one of its pictures decodes. Empty if it cannot be drawn.
   std::vector<GreyImage> viewTrialPictures();
   /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
@@ -219,6 +213,13 @@ class Engine {
   const gl::Capabilities& gl() const { return gl_; }
 
  private:
+  std::string startEngrave(const std::string& options, const std::function<EngraveRequest(EngraveRequest)>& overridden);
+  std::string startSpotSearch();
+  std::string advanceEngrave();
+  std::string advanceSpotSearch();
+  std::string advanceSettling();
+  std::string advancePreparation();
+
   // Parts of the answers to the page.
   std::string describeModel() const;
   std::string describePlacement() const;

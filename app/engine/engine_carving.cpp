@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements the verbs that engrave, print, report and export.
+// Implements the verbs that use a carving: plan, print, report and export it.
 #include <algorithm>
 
 #include "base/parse_json.h"
@@ -13,47 +13,11 @@
 namespace qrelief {
 namespace {
 
-const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
-
 Json jsonOf(const std::optional<SettingChange>& change) {
   return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
 }
 
 }  // namespace
-
-std::string Engine::prepareEngrave() {
-  bool isDone = true;
-  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
-    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
-    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
-  }
-  return textOf({{"ok", true}, {"done", isDone}});
-}
-
-std::string Engine::startEngrave(const std::string& options,
-                                 const std::function<EngraveRequest(EngraveRequest)>& overridden) {
-  const Result<Json> given = parseJson(options);
-  if (!given) return answer(given.error());
-  const bool isNext = given->value("next", false);
-  if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
-    return answer(ErrorKind::BadUsage, message("not-engraving"));
-  scene_.show(Scene::Surface::Sizes, false);
-  scene_.show(Scene::Surface::Carved, false);
-  carvings_.setAside();
-  updateView();
-  if (!model_) return answer(kNoModel);
-  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
-  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
-  if (overridden) request = overridden(std::move(request));
-  if (!isNext)
-    carvings_.follow({request,
-                      {.looksAtPrint = given->value("print", true),
-                       .mayChange = !overridden,
-                       .fixed = given->value("fixed", std::vector<std::string>())}});
-  const PlacementSearch* const placed = overridden ? nullptr : placedCode_.found(request, wanted_.symbol());
-  const auto started = carvings_.start(ground(), std::move(request), placed);
-  return started ? answer(*started) : answer(started.error());
-}
 
 std::string Engine::nextStep() const {
   const EngravePlan* const plan = carvings_.plan();
@@ -67,20 +31,6 @@ std::string Engine::nextStep() const {
                  {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
                  {"change", plan->step() == EngravePlan::Step::Carve ? jsonOf(plan->change()) : Json()}});
 }
-
-std::string Engine::advance() {
-  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
-  const Result<Progress> progress = carvings_.advance();
-  if (!progress) return answer(progress.error());
-  if (progress->done) {
-    const EngraveResult& result = *carvings_.result();
-    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
-    updateView();
-  }
-  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
-}
-
-void Engine::cancel() { carvings_.cancel(); }
 
 bool Engine::useCarving(int number) {
   if (!carvings_.use(number)) return false;
@@ -169,11 +119,6 @@ std::string Engine::describeRow(double totalMs) const {
                  {"passed", row.verdict.passed()},
                  {"failed", std::move(failed)},
                  {"details", Json::parse(row.details)}});
-}
-
-std::string Engine::startViewTrials() {
-  if (!carvings_.result()) return answer(kNoResult);
-  return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});
 }
 
 std::vector<GreyImage> Engine::viewTrialPictures() {

@@ -8,12 +8,6 @@
 #include "projection/flatness.h"
 
 namespace qrelief {
-namespace {
-
-const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
-
-}  // namespace
-
 PlacementTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
 
 bool Engine::takesCode() const {
@@ -87,19 +81,6 @@ void Engine::endHover() {
   scene_.setGhost(nullptr);
 }
 
-std::string Engine::startSettling() {
-  return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
-}
-
-std::string Engine::advanceSettling() {
-  if (!placedCode_.isSettling()) return answer(kNoCode);
-  const Result<bool> settled = placedCode_.settle(task());
-  if (!settled) return answer(settled.error());
-  if (!*settled) return textOf({{"ok", true}, {"done", false}});
-  scene_.setGhost(placedCode_.hovered());
-  return describeCode(*placedCode_.hovered());
-}
-
 std::string Engine::moveCode(double x, double y) {
   const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
   if (!at) return textOf({{"ok", true}, {"hit", false}});
@@ -117,40 +98,6 @@ std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
   placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
   scene_.setDecal(placedCode_.code());
   return describeCode(*placedCode_.code());
-}
-
-std::string Engine::startSpotSearch() {
-  offers_.forget();
-  showSizes(false);
-  if (!model_) return answer(kNoModel);
-  if (!wanted_.symbol()) return answer(wanted_.symbol().error());
-  const Status started = offers_.start(task());
-  return started ? done() : answer(started.error());
-}
-
-std::string Engine::advanceSpotSearch() {
-  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
-  const Result<Progress> progress = offers_.advance();
-  if (!progress) return answer(progress.error());
-  if (progress->done) showSizes(true);
-  return answer(*progress);
-}
-
-void Engine::cancelSpotSearch() {
-  if (offers_.isRunning()) offers_.forget();
-}
-
-std::string Engine::spots() const {
-  Json spots = Json::array();
-  for (const OfferedSpot& spot : offers_.spots()) {
-    Json concerns = Json::array();
-    for (const Message& concern : spot.concerns) concerns.push_back(jsonOf(concern));
-    spots.push_back({{"centre", jsonOf(spot.centreMm)},
-                     {"aimToleranceDeg", spot.aimToleranceDeg},
-                     {"sizeMm", offers_.offeredMm(spot)},
-                     {"concerns", concerns}});
-  }
-  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
 }
 
 std::string Engine::chooseSpot(std::size_t index) {

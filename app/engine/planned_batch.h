@@ -11,7 +11,7 @@
 namespace qrelief {
 
 /// The rows of a batch, as the page asks for them, and the lines of its manifest. Needs neither a model nor a GL
-/// context: Engine::configure() and startEngrave() carve the rows. Answers have the form that Engine describes.
+/// context: Engine::configure() and startJob() carve the rows. Answers have the form that Engine describes.
 class PlannedBatch {
  public:
   /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], version, modules}.

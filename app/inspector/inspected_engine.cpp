@@ -21,10 +21,10 @@ void InspectedEngine::setTheme(bool dark) {
   if (window_) window_->setTheme(dark);
 }
 
-std::string InspectedEngine::startEngrave(const std::string& options, bool withOverrides) {
-  if (!withOverrides || !window_) return engine_.startEngrave(options);
-  return engine_.startEngrave(options,
-                              [&](EngraveRequest page) { return window_->overrides().appliedTo(std::move(page)); });
+std::string InspectedEngine::startJob(const std::string& job, const std::string& options) {
+  if (!window_ || !nlohmann::json::parse(options).value("withOverrides", false)) return engine_.startJob(job, options);
+  return engine_.startJob(job, options,
+                          [&](EngraveRequest page) { return window_->overrides().appliedTo(std::move(page)); });
 }
 
 bool InspectedEngine::draw() {

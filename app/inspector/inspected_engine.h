@@ -26,10 +26,9 @@ class InspectedEngine {
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
-  /// Starts an engraving.
-  /// @param options        see Engine::startEngrave()
-  /// @param withOverrides  use the inspector's settings where they differ from the page's
-  std::string startEngrave(const std::string& options, bool withOverrides);
+  /// Starts a job, see Engine::startJob(). `options` of "engrave" has also {"withOverrides"}: use the inspector's
+  /// settings where they differ from the page's.
+  std::string startJob(const std::string& job, const std::string& options);
   /// @returns true if another call would improve the picture
   bool draw();
 

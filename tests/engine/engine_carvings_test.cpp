@@ -31,9 +31,9 @@ class EngineCarvingsTest : public GlTest {
     return carveBy("{}");
   }
   int carveBy(const std::string& options) {
-    EXPECT_EQ(Json::parse(engine_->startEngrave(options))["ok"], true);
+    EXPECT_EQ(Json::parse(engine_->startJob("engrave", options))["ok"], true);
     for (;;) {
-      const Json progress = Json::parse(engine_->advance());
+      const Json progress = Json::parse(engine_->advanceJob("engrave"));
       if (progress["ok"] != true) ADD_FAILURE() << progress;
       if (progress["ok"] != true || progress["done"] == true) return engine_->carving();
     }
@@ -120,7 +120,7 @@ TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
 
 TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneDecodes) {
   EXPECT_EQ(Json::parse(engine_->nextStep())["ok"], false);
-  EXPECT_EQ(Json::parse(engine_->startEngrave(R"({"next": true})"))["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave", R"({"next": true})"))["ok"], false);
   const int first = carve("plan");
   std::vector<std::string> changes;
   Json step;
@@ -156,10 +156,10 @@ TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {
 TEST_F(EngineCarvingsTest, ACarvingThatIsCancelledLeavesTheOneBeforeIt) {
   const int first = carve("kept");
   engine_->configure(R"({"text": "cancelled", "size": 30})");
-  engine_->startEngrave();
-  engine_->advance();
+  engine_->startJob("engrave");
+  engine_->advanceJob("engrave");
   EXPECT_FALSE(engine_->useCarving(first));  // not while another one runs
-  engine_->cancel();
+  engine_->cancelJob("engrave");
   EXPECT_EQ(engine_->carving(), 0);
   ASSERT_TRUE(engine_->useCarving(first));
   EXPECT_EQ(reportedText(), "kept");

@@ -79,7 +79,7 @@ TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["severity"] == "blocking"; }));
   engine_->configure(kSettings);
   EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
-  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], false);
 }
 
 TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
@@ -117,8 +117,8 @@ TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
 
 TEST_F(EngineTest, WhatIsMissingIsNamed) {
   expectError(engine_->placement(), "BadUsage", "no-model");
-  expectError(engine_->startEngrave(), "BadUsage", "no-model");
-  expectError(engine_->advance(), "BadUsage", "not-engraving");
+  expectError(engine_->startJob("engrave"), "BadUsage", "no-model");
+  expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
   expectError(engine_->report(), "BadUsage", "nothing-engraved");
   EXPECT_TRUE(engine_->exportModel("stl").empty());
   EXPECT_EQ(engine_->readerImage().width, 0);
@@ -131,11 +131,11 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
   std::set<std::string> stages;
   double fraction = 0;
   for (bool done = false; !done;) {
-    const Json progress = Json::parse(engine_->advance());
+    const Json progress = Json::parse(engine_->advanceJob("engrave"));
     ASSERT_EQ(progress["ok"], true) << progress;
     EXPECT_GE(progress["fraction"].get<double>(), fraction);
     fraction = progress["fraction"];
@@ -164,19 +164,19 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
 
   engine_->pick(200, 150);  // a new spot: the result can still be exported
   EXPECT_FALSE(engine_->exportModel("stl").empty());
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving discards it
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);  // a new engraving discards it
   EXPECT_TRUE(engine_->exportModel("stl").empty());
 }
 
 TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   const auto prepare = [&] {
     int steps = 1;
-    while (!Json::parse(engine_->prepareEngrave())["done"].get<bool>()) ++steps;
+    while (!Json::parse(engine_->advanceJob("preparation"))["done"].get<bool>()) ++steps;
     return steps;
   };
-  const auto start = [&] { return Json::parse(engine_->startEngrave())["stage"]["code"].get<std::string>(); };
+  const auto start = [&] { return Json::parse(engine_->startJob("engrave"))["stage"]["code"].get<std::string>(); };
   const auto finish = [&] {
-    while (!Json::parse(engine_->advance())["done"].get<bool>()) {
+    while (!Json::parse(engine_->advanceJob("engrave"))["done"].get<bool>()) {
     }
     return engine_->exportModel("stl");
   };
@@ -211,11 +211,11 @@ TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
-  engine_->advance();
-  engine_->cancel();
-  expectError(engine_->advance(), "BadUsage", "not-engraving");
-  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  engine_->startJob("engrave");
+  engine_->advanceJob("engrave");
+  engine_->cancelJob("engrave");
+  expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
 }
 
 TEST_F(EngineTest, TextsThatAreNoUtf8DoNotBreakTheAnswer) {
@@ -236,14 +236,14 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
 TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
-  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
-  for (bool done = false; !done;) {
-    const Json progress = Json::parse(engine_->advanceSpotSearch());
-    ASSERT_EQ(progress["ok"], true) << progress;
-    done = progress["done"];
+  expectError(engine_->chooseSpot(0), "BadUsage", "no-such-spot");
+  ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
+  Json found;
+  for (bool done = false; !done; done = found["done"]) {
+    EXPECT_FALSE(found.contains("spots"));
+    found = Json::parse(engine_->advanceJob("spots"));
+    ASSERT_EQ(found["ok"], true) << found;
   }
-  const Json found = Json::parse(engine_->spots());
   ASSERT_FALSE(found["spots"].empty());
   EXPECT_TRUE(found["spots"][0]["concerns"].empty());
   EXPECT_EQ(found["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
@@ -260,14 +260,14 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
 }
 
 TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
-  expectError(engine_->startSpotSearch(), "BadUsage", "no-model");
+  expectError(engine_->startJob("spots"), "BadUsage", "no-model");
   ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->advanceSpotSearch())["ok"], true);
-  engine_->cancelSpotSearch();
-  expectError(engine_->advanceSpotSearch(), "BadUsage", "not-finding-spots");
-  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+  ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advanceJob("spots"))["ok"], true);
+  engine_->cancelJob("spots");
+  expectError(engine_->advanceJob("spots"), "BadUsage", "not-finding-spots");
+  expectError(engine_->chooseSpot(0), "BadUsage", "no-such-spot");
 }
 
 TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
@@ -278,10 +278,10 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   ASSERT_EQ(about["hit"], true) << about;
   EXPECT_EQ(about["onCode"], false);
   EXPECT_EQ(about["code"]["exact"], false);
-  ASSERT_EQ(Json::parse(engine_->startSettling())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startJob("settling"))["ok"], true);
   Json found;
   for (bool done = false; !done; done = found["done"]) {
-    found = Json::parse(engine_->advanceSettling());
+    found = Json::parse(engine_->advanceJob("settling"));
     ASSERT_EQ(found["ok"], true) << found;
   }
   EXPECT_EQ(found["code"]["exact"], true);
@@ -291,18 +291,18 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   const Json placed = Json::parse(engine_->placement());
   EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
   EXPECT_EQ(Json::parse(engine_->hover(200, 150))["onCode"], true);
-  expectError(engine_->startSettling(), "BadUsage", "no-code-placed");
+  expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
 }
 
 TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
+  engine_->startJob("engrave");
   EXPECT_FALSE(engine_->jobMap("search-depths").has_value());
   double deepest = 0, darkest = 1;
   for (bool done = false; !done;) {
-    done = Json::parse(engine_->advance())["done"];
+    done = Json::parse(engine_->advanceJob("engrave"))["done"];
     const auto depths = engine_->jobMap("search-depths"), light = engine_->jobMap("search-luminance");
     ASSERT_EQ(depths.has_value(), light.has_value());
     if (!depths) continue;
@@ -378,8 +378,8 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
-  engine_->startSpotSearch();
-  while (!Json::parse(engine_->advanceSpotSearch())["done"]) {
+  engine_->startJob("spots");
+  while (!Json::parse(engine_->advanceJob("spots"))["done"]) {
   }
   const ColourImage picture = engine_->spotPicture(0, 96, 96);
   ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
@@ -388,8 +388,8 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
 
   EXPECT_EQ(Json::parse(engine_->showDepths(true))["topMm"], 0);
   engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
-  while (!Json::parse(engine_->advance())["done"]) {
+  engine_->startJob("engrave");
+  while (!Json::parse(engine_->advanceJob("engrave"))["done"]) {
   }
   const Json colours = Json::parse(engine_->showDepths(true)), depth = Json::parse(engine_->report())["depth"];
   const double top = colours["topMm"], most = depth["p95Mm"];

@@ -21,9 +21,9 @@ class PrintedCodeTest : public GlTest {
   void carve(double sizeMm, const std::string& process) {
     const Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};
     engine_->configure(settings.dump());
-    ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+    ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
     for (Json progress; progress["done"] != true;) {
-      progress = Json::parse(engine_->advance());
+      progress = Json::parse(engine_->advanceJob("engrave"));
       ASSERT_EQ(progress["ok"], true) << progress;
     }
   }
@@ -104,19 +104,19 @@ TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
 TEST_F(PrintedCodeTest, ACarvingIsPrintableBeforeItIsDone) {
   engine_->configure(R"({"text": "QRELIEF", "version": 1, "size": 25.2})");
   EXPECT_TRUE(engine_->stlToPrint().empty());
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
   Json progress;
   do {
     EXPECT_TRUE(engine_->stlToPrint().empty());
     EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);
-    progress = Json::parse(engine_->advance());
+    progress = Json::parse(engine_->advanceJob("engrave"));
     ASSERT_EQ(progress["ok"], true) << progress;
   } while (progress["printable"] != true);
   EXPECT_EQ(progress["done"], false);
   const std::vector<std::uint8_t> stl = engine_->stlToPrint();
   const std::string order = engine_->printOrder("{}");
   EXPECT_EQ(Json::parse(order)["ok"], true);
-  while (progress["done"] != true) progress = Json::parse(engine_->advance());
+  while (progress["done"] != true) progress = Json::parse(engine_->advanceJob("engrave"));
   EXPECT_EQ(engine_->stlToPrint(), stl);
   EXPECT_EQ(engine_->printOrder("{}"), order);
   EXPECT_FALSE(stl.empty());

@@ -37,12 +37,13 @@ class InspectorModelTest : public GlTest {
   }
   static void TearDownTestSuite() { engine_.reset(); }
   static void engrave(const RequestOverrides* overrides) {
-    ASSERT_EQ(Json::parse(engine_->startEngrave(
-                  "{}", overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
-                                  : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
-              true);
+    ASSERT_EQ(
+        Json::parse(engine_->startJob("engrave", "{}",
+                                      overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
+                                                : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
+        true);
     for (bool done = false; !done;) {
-      const Json progress = Json::parse(engine_->advance());
+      const Json progress = Json::parse(engine_->advanceJob("engrave"));
       ASSERT_EQ(progress["ok"], true) << progress;
       done = progress["done"];
     }

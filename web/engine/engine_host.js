@@ -11,11 +11,13 @@ import { kBatchVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
 /** @typedef {import('./types.js').PrintChange} PrintChange */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
-/** @typedef {import('./verbs.js').JobProgress} JobProgress */
+/** @typedef {import('./verbs.js').JobAnswers} JobAnswers */
 /**
- * A job of the module that runs in steps.
- * @typedef {{ start: () => JobProgress | { stage?: undefined }, advance: () => JobProgress, cancel: () => void, watch?: (progress: JobProgress) => void }} Job
- *   `watch`: called between slices
+ * A job of the module that runs in steps, with progress for the page. `onStep`: gets the answer of each step;
+ * `onSlice`: is called between slices.
+ * @template {'engrave' | 'spots'} Name
+ * @typedef {{ name: Name, options?: import('./verbs.js').JobOptions, onStep?: (progress: JobAnswers[Name]) => void,
+ *   onSlice?: (progress: JobAnswers[Name]) => void }} Job
  */
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']); // actions that the inspector's window intercepts
@@ -84,7 +86,7 @@ export class EngineHost {
     this.notify_ = notify;
     this.draws_ = draws;
     this.frameRequested_ = false;
-    /** @type {Job | undefined} */ this.job_ = undefined;
+    /** @type {Job<any> | undefined} */ this.job_ = undefined;
     this.lost_ = false;
     this.inspectorShown_ = false;
     this.inspectorFrames_ = 0; // since it was opened
@@ -190,11 +192,11 @@ export class EngineHost {
    */
   async settle() {
     const { hovers_: asked } = this;
-    this.engine_.startSettling();
+    this.engine_.startJob('settling', {});
     for (;;) {
       const sliceEnd = performance.now() + kSettleSliceMs;
       do {
-        const found = this.engine_.advanceSettling();
+        const found = this.engine_.advanceJob('settling');
         if (found.done) return this.drawn_(found);
       } while (performance.now() < sliceEnd);
       await yieldToMessages();
@@ -206,18 +208,13 @@ export class EngineHost {
    * Searches for the best spots.
    * @returns {Promise<import('./types.js').Spots | null>}  null if cancelled
    */
-  async findSpots() {
-    const isDone = await this.runJob_({
-      start: () => this.engine_.startSpotSearch(),
-      advance: () => this.engine_.advanceSpotSearch(),
-      cancel: () => this.engine_.cancelSpotSearch(),
-    });
-    return isDone ? this.engine_.spots() : null;
+  findSpots() {
+    return this.runJob_({ name: 'spots' });
   }
 
   /** Does work that the next carving needs, unless a job runs. */
   async prepareEngrave() {
-    while (!this.job_ && !this.engine_.prepareEngrave()) await yieldToMessages();
+    while (!this.job_ && !this.engine_.advanceJob('preparation').done) await yieldToMessages();
   }
 
   /**
@@ -227,25 +224,31 @@ export class EngineHost {
    * @param {boolean} [printsEarly]    send the print job as soon as the file is written
    * @returns {Promise<boolean>}  false: cancelled
    */
-  engrave(plan = {}, withOverrides = false, printsEarly = false) {
+  async engrave(plan = {}, withOverrides = false, printsEarly = false) {
     let isTold = !printsEarly;
-    return this.runJob_({
-      start: () => this.engine_.startEngrave(plan, withOverrides),
-      advance: () => {
-        const progress = this.engine_.advance();
-        if (!isTold && progress.printable) {
-          isTold = true;
-          this.notify_({ event: 'printable', job: this.printJob() });
-        }
-        return progress;
+    const last = await this.runJob_({
+      name: 'engrave',
+      options: { ...plan, withOverrides },
+      onStep: ({ printable }) => {
+        if (isTold || !printable) return;
+        isTold = true;
+        this.notify_({ event: 'printable', job: this.printJob() });
       },
-      watch: ({ stage }) => this.tellSearch_(stage),
-      cancel: () => this.engine_.cancel(),
+      onSlice: ({ stage }) => this.tellSearch_(stage),
     });
+    return last !== null;
+  }
+
+  /**
+   * Starts test-decoding the code from other viewing directions and distances.
+   * @returns {number}  trials at most
+   */
+  startViewTrials() {
+    return this.engine_.startJob('view-trials', {}).all ?? 0;
   }
 
   cancel() {
-    this.job_?.cancel();
+    if (this.job_) this.engine_.cancelJob(this.job_.name);
     this.job_ = undefined;
     this.engine_.showCarved(false); // the job may have finished just now
     this.drawn_(this.engine_.showSizes(false));
@@ -387,8 +390,9 @@ export class EngineHost {
 
   /**
    * Runs a job in slices.
-   * @param {Job} job
-   * @returns {Promise<boolean>}  false: cancelled
+   * @template {'engrave' | 'spots'} Name
+   * @param {Job<Name>} job
+   * @returns {Promise<JobAnswers[Name] | null>}  answer of the last step; null if cancelled
    */
   async runJob_(job) {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
@@ -396,25 +400,25 @@ export class EngineHost {
     try {
       const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) =>
         this.notify_({ event: 'progress', progress: { stage, fraction } });
-      const begun = job.start();
+      const begun = this.engine_.startJob(job.name, job.options ?? {});
       if (begun.stage) tell(begun);
       let told = begun.stage?.code;
-      for (let done = false; !done;) {
+      for (;;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
         do {
-          progress = job.advance();
+          progress = this.engine_.advanceJob(job.name);
+          job.onStep?.(progress);
           if (progress.stage?.code !== told) tell(progress); // even if the previous stage ended in the same slice
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
         tell(progress);
-        job.watch?.(progress);
-        done = progress.done;
+        job.onSlice?.(progress);
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
-        if (this.job_ !== job) return done; // a message cancelled it; the next job may already run
+        if (progress.done) return progress;
+        if (this.job_ !== job) return null; // a message cancelled it; the next job may already run
       }
-      return true;
     } finally {
       if (this.job_ === job) this.job_ = undefined;
       this.invalidate_();

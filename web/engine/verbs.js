@@ -16,6 +16,17 @@
 /** @typedef {import('./types.js').Settings} Settings */
 
 /**
+ * The answers of the jobs' steps. `preparation` is never started.
+ * @typedef {object} JobAnswers
+ * @property {JobProgress & { printable: boolean }} engrave
+ * @property {JobProgress & import('./types.js').Spots} spots  the spots come with the last step
+ * @property {HoverResult & { done: boolean }} settling
+ * @property {{ done: boolean }} preparation
+ */
+/** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
+/** @typedef {import('./types.js').PlanOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
+
+/**
  * @template {(...given: any[]) => any} Call
  * @typedef {object} Verb
  * @property {'InspectedEngine'} [of]  the C++ class, if it is not the class of the table
@@ -84,11 +95,6 @@ export const kPageVerbs = {
    * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
    */
   setReadings: {},
-  /**
-   * Starts test-decoding the code from other viewing directions and distances; returns the number of trials at most.
-   * @type {Verb<() => number>}
-   */
-  startViewTrials: { part: 'all' },
   /** Draws the pictures of the next trial; decoding one of them is enough. @type {Verb<() => GreyImage[]>} */
   viewTrialPictures: {},
   /** Reports the outcome of the trial. @type {Verb<(read: boolean) => import('./types.js').ViewTrialProgress>} */
@@ -131,26 +137,18 @@ export const kInnerVerbs = {
   hover: {},
   /** @type {Verb<() => void>} */
   endHover: {},
-  /** @type {Verb<() => void>} */
-  startSettling: {},
-  /** @type {Verb<() => HoverResult & { done: boolean }>} */
-  advanceSettling: {},
-  /** @type {Verb<() => { stage?: undefined }>} */
-  startSpotSearch: {},
-  /** @type {Verb<() => JobProgress>} */
-  advanceSpotSearch: {},
-  /** @type {Verb<() => void>} */
-  cancelSpotSearch: {},
-  /** @type {Verb<() => import('./types.js').Spots>} */
-  spots: {},
-  /** @type {Verb<() => boolean>} */
-  prepareEngrave: { part: 'done' },
-  /** @type {Verb<(plan: import('./types.js').PlanOptions, withOverrides: boolean) => JobProgress>} */
-  startEngrave: { of: 'InspectedEngine' },
-  /** @type {Verb<() => JobProgress & { printable: boolean }>} */
-  advance: {},
-  /** @type {Verb<() => void>} */
-  cancel: {},
+  /**
+   * Starts a job; see Engine::startJob().
+   * @type {Verb<(job: 'engrave' | 'spots' | 'settling' | 'view-trials', options: JobOptions) => StartedJob>}
+   */
+  startJob: { of: 'InspectedEngine' },
+  /**
+   * Does one bounded piece of work.
+   * @type {Verb<<Name extends keyof JobAnswers>(job: Name) => JobAnswers[Name]>}
+   */
+  advanceJob: {},
+  /** @type {Verb<(job: 'engrave' | 'spots') => void>} */
+  cancelJob: {},
   /** @type {Verb<(changed: PrintChange) => object | null>} */
   printOrder: { part: 'order' },
   /** @type {Verb<() => Uint8Array<ArrayBuffer>>} */
@@ -251,6 +249,7 @@ export const kHostVerbs = /** @type {const} */ ([
   'findSpots',
   'prepareEngrave',
   'engrave',
+  'startViewTrials',
   'cancel',
   'memory',
   'printJob',
