@@ -185,11 +185,11 @@ export class App {
   makeToolbar_() {
     return new ViewToolbar({
       onCarved: (carved) => this.guard_(() => this.session_.showCarved(carved)),
-      onBefore: (before) => this.guard_(() => this.client_.showCarved(!before)),
+      onBefore: (before) => this.guard_(() => this.client_.show({ carved: !before })),
       onReaderView: () => this.tools_.act({ kind: 'readerView' }),
       onFit: () => this.tools_.act({ kind: 'fit' }),
       onStandard: (name) => this.tools_.act({ kind: 'standard', name }),
-      onSection: (shown, offset) => this.guard_(() => this.client_.showSection(shown, offset)),
+      onSection: (shown, offset) => this.guard_(() => this.client_.show({ section: shown ? offset : null })),
       onFaceSection: () => this.tools_.act({ kind: 'faceSection' }),
       onDepths: (shown) => this.guard_(() => this.session_.showDepths(shown)),
       onInspector: (shown) => this.guard_(() => this.inspecting_.show(shown)),

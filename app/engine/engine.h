@@ -67,9 +67,6 @@ class Engine {
 
   /// Makes the spot the centre of the code, with the direction found for it. Returns {centre}.
   std::string chooseSpot(std::size_t index);
-  /// Shows the largest sizes as colours on the model, if they are known.
-  void showSizes(bool shown);
-
   /// Starts a job. An earlier one of that name ends.
   /// @param job  "engrave": an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage,
   ///                 fraction, done} of the first piece of work
@@ -85,7 +82,7 @@ class Engine {
                        const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
   /// Does one bounded piece of work of a job.
   /// @param job  "engrave": returns {stage, fraction, done, printable}. When done, there is a carved model to show
-  ///                 (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work
+  ///                 (show). `printable`: its file is written, so that printOrder() and stlToPrint() work
   ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
   ///                 concerns: [message]}], topMm}, and the model shows the sizes. Best first, with the largest size
   ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
@@ -165,24 +162,19 @@ class Engine {
   void setTheme(bool dark) { scene_.setTheme(dark); }
   /// Sets the model's up axis, "y" or "z", for the view and as the direction of the code's top.
   void setUpAxis(const std::string& axis);
-  void showCarved(bool carved);
-  void orbit(double dx, double dy) { scene_.camera().orbit(dx, dy); }
-  void pan(double dx, double dy) { scene_.camera().pan(dx, dy); }
-  void zoom(double factor, double x, double y);
-  void fit() { scene_.camera().fit(); }
-  /// Turns the camera to "front", "back", "left", "right", "top", "bottom" or "iso"; ignores other names.
-  void standardView(const std::string& name) { scene_.standardView(name); }
-  void readerView();
-  /// Looks from the reader's side, with the surroundings in view.
-  void faceCode();
-  /// Cuts the model open across the code, from top to bottom as its reader sees it.
-  /// @param offset  of the cut from the code's middle, in half edges of its square: -1 … 1
-  void showSection(bool shown, double offset);
-  /// Turns the camera to where the section is visible.
-  void faceSection();
-  /// Shows carved depths as colours. Returns {topMm, deepestMm}: depth of the last colour and of the deepest pocket; 0
-  /// where nothing is carved.
-  std::string showDepths(bool shown);
+  /// Shows or hides what `what` names, and leaves the rest as it is. Returns {topMm, deepestMm}: depth of the last
+  /// colour and of the deepest pocket; 0 where nothing is carved.
+  /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
+  ///              are known, "depths": true: carved depths as colours, "section": cuts the model open across the code,
+  ///              from top to bottom as its reader sees it, at that offset from the code's middle in half edges of its
+  ///              square, -1 … 1; null: no section}
+  std::string show(const std::string& what);
+  /// Moves the camera.
+  /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
+  ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
+  ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the reader's side, with the
+  ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
+  std::string look(const std::string& action);
 
   /// Returns {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x,
   /// y]}], axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper
@@ -225,6 +217,9 @@ class Engine {
   std::string describePlacement() const;
   std::string describeCode(const CodeOnSurface& code) const;
 
+  void showCarved(bool carved);
+  void showSizes(bool shown);
+  void zoom(double factor, double x, double y);
   bool takesCode() const;
   bool showsCarved() const;
   PlacementTask task() const;

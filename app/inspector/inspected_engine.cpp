@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inspector/inspected_engine.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/parse_json.h"
+#include "engine/answers.h"
 #include "inspector/translation.h"
 
 namespace qrelief {
@@ -33,25 +34,40 @@ bool InspectedEngine::draw() {
   return window ? window->draw(engine_) || more : more;
 }
 
-void InspectedEngine::openInspector() {
+void InspectedEngine::open() {
   if (window_) return;
   window_ = makeWindow_();
   window_->setTheme(dark_);
   engine_.timePasses(withTimerQueries_);
 }
 
-void InspectedEngine::showInspector(bool shown) {
+void InspectedEngine::show(bool shown) {
   if (shown && window_) window_->resize(size_.x, size_.y, devicePixelRatio_);
   hasGone_ = isShown_ && !shown;
   isShown_ = shown;
 }
 
-void InspectedEngine::inspectorTexts(const std::string& texts) {
-  setTranslation(nlohmann::json::parse(texts).get<Translation>());
-}
-
-void InspectedEngine::inspectorArea(double x, double y, double width, double height) {
-  if (window_) window_->setFreeArea(x, y, width, height);
+std::string InspectedEngine::inspector(const std::string& event) {
+  const Result<Json> given = parseJson(event);
+  if (!given) return answer(given.error());
+  const auto number = [&](const char* key) { return given->at(key).get<double>(); };
+  const std::string kind = given->at("kind");
+  bool takes = false;
+  if (kind == "open")
+    open();
+  else if (kind == "show")
+    show(given->at("shown"));
+  else if (kind == "texts")
+    setTranslation(given->at("texts").get<Translation>());
+  else if (kind == "area" && window_)
+    window_->setFreeArea(number("x"), number("y"), number("width"), number("height"));
+  else if (kind == "pointer" && shownWindow())
+    takes = window_->pointer(number("x"), number("y"), given->at("buttons"), number("wheel"));
+  else if (kind == "key" && shownWindow())
+    window_->key(given->at("key"), given->at("control"), given->at("shift"));
+  else if (kind == "pick" && shownWindow())
+    takes = window_->pickSubmodule(engine_, number("x"), number("y"));
+  return textOf({{"ok", true}, {"takes", takes}});
 }
 
 void InspectedEngine::inspectorGlyphs(float lineHeight, const std::vector<float>& metrics,
@@ -64,18 +80,6 @@ void InspectedEngine::inspectorGlyphs(float lineHeight, const std::vector<float>
                              static_cast<int>(metrics[i + 2]), metrics[i + 3], metrics[i + 4], metrics[i + 5]});
   glyphs.alpha = std::move(alpha);
   window_->setGlyphs(std::move(glyphs));
-}
-
-bool InspectedEngine::inspectorPointer(double x, double y, int buttons, double wheel) {
-  return shownWindow() && window_->pointer(x, y, buttons, wheel);
-}
-
-void InspectedEngine::inspectorKey(const std::string& key, bool control, bool shift) {
-  if (shownWindow()) window_->key(key, control, shift);
-}
-
-bool InspectedEngine::inspectorPick(double x, double y) {
-  return shownWindow() && window_->pickSubmodule(engine_, x, y);
 }
 
 std::string InspectedEngine::inspectorState() const { return window_ ? window_->state() : "{}"; }

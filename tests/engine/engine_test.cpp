@@ -323,7 +323,7 @@ TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
                                                                 {"azimuthDeg": 90, "elevationDeg": 20}]})");
   engine_->setCentre(0, 0, 10);
   ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
-  engine_->standardView("top");
+  engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
   const Json lamps = Json::parse(engine_->viewState())["lamps"];
   ASSERT_EQ(lamps.size(), 2u);
@@ -344,7 +344,7 @@ TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   engine_->configure(kSettings);
   engine_->setCentre(0, 0, 10);
   const double mm = Json::parse(engine_->placement())["placement"]["symbolMm"];
-  engine_->standardView("top");
+  engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
   const Json state = Json::parse(engine_->viewState());
   const Json& code = state["code"];
@@ -386,12 +386,13 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
   const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
   EXPECT_GT(*lightest - *darkest, 100);  // a code
 
-  EXPECT_EQ(Json::parse(engine_->showDepths(true))["topMm"], 0);
+  EXPECT_EQ(Json::parse(engine_->show(R"({"depths": true})"))["topMm"], 0);
   engine_->setCentre(0, 0, 10);
   engine_->startJob("engrave");
   while (!Json::parse(engine_->advanceJob("engrave"))["done"]) {
   }
-  const Json colours = Json::parse(engine_->showDepths(true)), depth = Json::parse(engine_->report())["depth"];
+  const Json colours = Json::parse(engine_->show(R"({"depths": true})")),
+             depth = Json::parse(engine_->report())["depth"];
   const double top = colours["topMm"], most = depth["p95Mm"];
   EXPECT_GE(top, most - 1e-6);
   EXPECT_LT(top, most + 0.1);

@@ -123,7 +123,7 @@ TEST_F(InspectorModelTest, TheLightOfTheSearchCoversTheSameSquare) {
 }
 
 TEST_F(InspectorModelTest, AClickOnTheModelChoosesTheSubmoduleThere) {
-  engine_->readerView();
+  engine_->look(R"({"kind": "readerView"})");
   while (engine_->draw()) {  // lets the camera glide there
   }
   const auto middle = engine_->codePlaceAt(200, 200);

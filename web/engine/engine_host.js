@@ -162,7 +162,7 @@ export class EngineHost {
    * @returns {import('./types.js').PickResult}
    */
   pick(x, y) {
-    if (this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y))) return { hit: false };
+    if (this.inspectorTakes_ || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y }))) return { hit: false };
     return this.drawn_(this.engine_.pick(x, y));
   }
 
@@ -250,8 +250,7 @@ export class EngineHost {
   cancel() {
     if (this.job_) this.engine_.cancelJob(this.job_.name);
     this.job_ = undefined;
-    this.engine_.showCarved(false); // the job may have finished just now
-    this.drawn_(this.engine_.showSizes(false));
+    this.drawn_(this.engine_.show({ carved: false, sizes: false })); // the job may have finished just now
   }
 
   /** @returns {import('./types.js').MemoryUse} */
@@ -330,53 +329,34 @@ export class EngineHost {
     return new Uint8Array(await blob.arrayBuffer());
   }
 
-  /** Loads the inspector without showing it. Call this before all other inspector verbs. */
-  async openInspector() {
-    await this.loadInspector_();
-    this.engine_.openInspector();
-  }
-
-  /** @param {boolean} shown */
-  setInspector(shown) {
-    this.inspectorShown_ = shown;
-    this.inspectorFrames_ = 0;
-    this.inspectorTakes_ = false;
-    this.inspectorState_ = '';
-    this.inspectorStill_ = false;
-    this.drawn_(this.engine_.showInspector(shown));
+  /**
+   * Tells the inspector of an event.
+   * @param {import('./types.js').InspectorEvent} event
+   * @returns {Promise<void>}
+   */
+  async inspector(event) {
+    if (event.kind === 'open') await this.loadInspector_();
+    if (event.kind === 'show') {
+      this.inspectorShown_ = event.shown;
+      this.inspectorFrames_ = 0;
+      this.inspectorTakes_ = false;
+      this.inspectorState_ = '';
+      this.inspectorStill_ = false;
+    }
+    this.drawn_(this.engine_.inspector(event));
     this.giveGlyphs_();
   }
 
-  /** @param {import('./types.js').Area} area  of the canvas that no control covers */
-  inspectorArea({ x, y, width, height }) {
-    this.drawn_(this.engine_.inspectorArea(x, y, width, height));
-  }
-
-  /** @param {ViewAction} action */
+  /** Moves the camera, unless the inspector uses the event. @param {ViewAction} action */
   act(action) {
     if (action.kind === 'pointer') {
       if (!this.inspectorShown_) return;
-      this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
+      this.inspectorTakes_ = this.engine_.inspector(action);
     } else if (action.kind === 'key') {
-      this.engine_.inspectorKey(action.key, action.control, action.shift);
-    } else if (this.inspectorTakes_ && kDragged.has(action.kind)) {
-      return;
-    } else if (action.kind === 'standard') {
-      this.engine_.standardView(action.name);
-    } else if (action.kind === 'faceSection') {
-      this.engine_.faceSection();
-    } else if (action.kind === 'orbit') {
-      this.engine_.orbit(action.dx, action.dy);
-    } else if (action.kind === 'pan') {
-      this.engine_.pan(action.dx, action.dy);
-    } else if (action.kind === 'zoom') {
-      this.engine_.zoom(action.factor, action.x, action.y);
-    } else if (action.kind === 'fit') {
-      this.engine_.fit();
-    } else if (action.kind === 'face') {
-      this.engine_.faceCode();
+      this.engine_.inspector(action);
     } else {
-      this.engine_.readerView();
+      if (this.inspectorTakes_ && kDragged.has(action.kind)) return;
+      this.engine_.look(action);
     }
     this.invalidate_();
   }

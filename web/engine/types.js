@@ -200,12 +200,31 @@
  */
 
 /**
- * An action of the view; positions in CSS pixels of the canvas.
+ * A camera action; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
- *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }
- *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
- *   | { kind: 'key', key: string, control: boolean, shift: boolean }} ViewAction  `key`: for the inspector
+ *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }} LookAction
+ */
+
+/**
+ * An event that the camera leaves to the inspector.
+ * @typedef {{ kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
+ *   | { kind: 'key', key: string, control: boolean, shift: boolean }} InputEvent
+ */
+
+/** An action in the view. @typedef {LookAction | InputEvent} ViewAction */
+
+/**
+ * An event for the inspector. `open`: its part of the module is loaded, and nothing is shown yet; comes before all
+ * others; `texts`: translations, by English text; `area`: part of the canvas that no control covers.
+ * @typedef {{ kind: 'open' } | { kind: 'show', shown: boolean } | { kind: 'texts', texts: Record<string, string> }
+ *   | { kind: 'area' } & Area | { kind: 'pick', x: number, y: number } | InputEvent} InspectorEvent
+ */
+
+/**
+ * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
+ * `depths`: carved depths as colours; `section`: offset of a section from the code's centre, -1 … 1, null: none.
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, section?: number | null }} Shown
  */
 
 /** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */

@@ -113,20 +113,11 @@ export const kPageVerbs = {
   setTheme: { of: 'InspectedEngine', draws: true },
   /** Sets the model's up axis, along which the code's top points. @type {Verb<(axis: import('./types.js').UpAxis) => void>} */
   setUpAxis: { draws: true },
-  /** @type {Verb<(carved: boolean) => void>} */
-  showCarved: { draws: true },
-  /** Shows or hides the largest possible code sizes as colours on the model. @type {Verb<(shown: boolean) => void>} */
-  showSizes: { draws: true },
-  /** Shows or hides a section through the code, at -1 … 1 from its centre. @type {Verb<(shown: boolean, offset: number) => void>} */
-  showSection: { draws: true },
   /**
-   * Shows or hides the depths as colours on the carved model. Returns the depth of the last colour and of the deepest
-   * pocket; 0 without a carved model.
-   * @type {Verb<(shown: boolean) => { topMm: number, deepestMm: number }>}
+   * Shows or hides what is named. Returns the depth of the last colour and of the deepest pocket; 0 without a carving.
+   * @type {Verb<(what: import('./types.js').Shown) => { topMm: number, deepestMm: number }>}
    */
-  showDepths: { draws: true },
-  /** Sets the translations of the inspector, by English text. @type {Verb<(texts: Record<string, string>) => void>} */
-  inspectorTexts: { of: 'InspectedEngine', draws: true },
+  show: { draws: true },
 };
 
 /** Verbs of the engine that only the host calls. The C++ class is Engine. */
@@ -166,41 +157,17 @@ export const kInnerVerbs = {
 
   /** @type {Verb<(width: number, height: number, devicePixelRatio: number) => void>} */
   resize: { of: 'InspectedEngine' },
-  /** @type {Verb<(dx: number, dy: number) => void>} */
-  orbit: {},
-  /** @type {Verb<(dx: number, dy: number) => void>} */
-  pan: {},
-  /** @type {Verb<(factor: number, x: number, y: number) => void>} */
-  zoom: {},
-  /** @type {Verb<() => void>} */
-  fit: {},
-  /** @type {Verb<(name: import('./types.js').StandardView) => void>} */
-  standardView: {},
-  /** @type {Verb<() => void>} */
-  readerView: {},
-  /** @type {Verb<() => void>} */
-  faceCode: {},
-  /** @type {Verb<() => void>} */
-  faceSection: {},
+  /** @type {Verb<(action: import('./types.js').LookAction) => void>} */
+  look: {},
   /** @type {Verb<() => import('./types.js').ViewState>} */
   viewState: {},
   /** Returns true if another call would improve the picture. @type {Verb<() => boolean>} */
   draw: { of: 'InspectedEngine' },
 
-  /** @type {Verb<() => void>} */
-  openInspector: { of: 'InspectedEngine' },
-  /** @type {Verb<(shown: boolean) => void>} */
-  showInspector: { of: 'InspectedEngine' },
-  /** @type {Verb<(x: number, y: number, width: number, height: number) => void>} */
-  inspectorArea: { of: 'InspectedEngine' },
+  /** Returns true if the inspector uses the event. @type {Verb<(event: import('./types.js').InspectorEvent) => boolean>} */
+  inspector: { of: 'InspectedEngine', part: 'takes' },
   /** @type {Verb<(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void>} */
   inspectorGlyphs: { of: 'InspectedEngine' },
-  /** @type {Verb<(x: number, y: number, buttons: number, wheel: number) => boolean>} */
-  inspectorPointer: { of: 'InspectedEngine' },
-  /** @type {Verb<(key: string, control: boolean, shift: boolean) => void>} */
-  inspectorKey: { of: 'InspectedEngine' },
-  /** @type {Verb<(x: number, y: number) => boolean>} */
-  inspectorPick: { of: 'InspectedEngine' },
   /** @type {Verb<() => import('./types.js').InspectorState>} */
   inspectorState: { of: 'InspectedEngine' },
 };
@@ -259,8 +226,6 @@ export const kHostVerbs = /** @type {const} */ ([
   'exportModel',
   'exportPlate',
   'picture',
-  'openInspector',
-  'setInspector',
-  'inspectorArea',
+  'inspector',
   'act',
 ]);

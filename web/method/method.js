@@ -187,7 +187,7 @@ class Demonstration {
   /** @param {boolean} shown */
   async showCarved_(shown) {
     this.carved_.setAttribute('aria-pressed', String(shown));
-    await this.client_.showCarved(shown);
+    await this.client_.show({ carved: shown });
   }
 
   async lookFromAside_() {

@@ -181,7 +181,7 @@ export class Carving {
     const exists = this.carved !== undefined;
     this.shown = shown && exists;
     this.onShown_(exists, this.shown);
-    await this.client_.showCarved(this.shown);
+    await this.client_.show({ carved: this.shown });
   }
 
   /**
@@ -272,7 +272,7 @@ export class Carving {
     this.messages_.say(() => text('page.readingBack'));
     const pictures = await this.client_.readingPictures();
     // Meanwhile the module prepares the carved model for display.
-    const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);
+    const [texts] = await Promise.all([readEach(pictures), this.client_.show({ carved: true })]);
     return this.client_.setReadings(texts, kReaderName);
   }
 

@@ -255,7 +255,7 @@ export class Session {
   /** @param {boolean} shown */
   async showSizes(shown) {
     if (shown) await this.parts_.carving.show(false);
-    await this.parts_.client.showSizes(shown);
+    await this.parts_.client.show({ sizes: shown });
   }
 
   /** @param {boolean} carved */
@@ -291,7 +291,7 @@ export class Session {
 
   /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
   async showDepths(shown) {
-    const { topMm, deepestMm } = await this.parts_.client.showDepths(shown);
+    const { topMm, deepestMm } = await this.parts_.client.show({ depths: shown });
     if (shown) this.parts_.legend.show('depths', topMm, deepestMm > topMm);
     else this.parts_.legend.hide('depths');
     if (shown && !this.parts_.carving.shown) await this.showCarved(true);

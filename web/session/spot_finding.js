@@ -84,6 +84,6 @@ export class SpotFinding {
     if (this.searching_) this.jobs_.abort();
     if (!this.panel_.known) return;
     this.panel_.clear();
-    await this.client_.showSizes(false);
+    await this.client_.show({ sizes: false });
   }
 }
