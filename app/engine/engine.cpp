@@ -9,7 +9,6 @@
 #include "settings/setting_json.h"
 
 namespace qrelief {
-namespace {}  // namespace
 
 Engine::Engine(const std::string& renderer) {
   const auto capabilities = gl::queryCapabilities();
@@ -42,6 +41,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   carvings_.forgetAll();
   placedCode_.forgetFound();
   offers_.forget();
+  plate_ = {};
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
   model_ = std::move(*model);

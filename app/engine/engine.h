@@ -73,7 +73,7 @@ class Engine {
   ///             "spots": the search for the best spots for the settings
   ///             "settling": the search for the exact place of the hovered code; the next hover ends it
   ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
-  ///                 with viewTrialPictures() and noteViewTrial() for its steps. Returns {tried, all}
+  ///                 with pictures() and noteViewTrial() for its steps. Returns {tried, all}
   /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
   ///                    [keys of settings that must not change]}; all may be missing: false, true, none
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
@@ -82,7 +82,8 @@ class Engine {
                        const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
   /// Does one bounded piece of work of a job.
   /// @param job  "engrave": returns {stage, fraction, done, printable}. When done, there is a carved model to show
-  ///                 (show). `printable`: its file is written, so that printOrder() and stlToPrint() work
+  ///                 (show). `printable`: its file is written, so that printOrder() and exportModel("stl")
+  ///                 work
   ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
   ///                 concerns: [message]}], topMm}, and the model shows the sizes. Best first, with the largest size
   ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
@@ -106,27 +107,25 @@ class Engine {
 
   /// Returns the report of the contract; an error before an engraving is done.
   std::string report() const;
-  /// Returns the picture that a phone at the eye takes; empty before an engraving is done.
-  const GreyImage& readerImage() const;
+  /// Returns pictures of the carving; none before an engraving is done.
+  /// @param of  "reader": the one picture that a phone at the eye takes; "reading": the pictures for the decoders, each
+  ///            to be tried with every binariser, see frontalPictures(); "view-trial": the pictures of the next trial,
+  ///            which passes if one of them decodes; none if it cannot be drawn
+  std::vector<GreyImage> pictures(const std::string& of);
   /// Returns the picture that a phone takes from the side, see tilted(). Empty before an engraving is done, and where
   /// it cannot be drawn.
   GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
   /// Returns one of the maps that the engraving job worked on, see jobMap in job_map.h.
   std::optional<JobMap> jobMap(const std::string& name) const;
-  /// Returns the pictures for the decoders, each to be tried with every binariser: see frontalPictures(). Empty before
-  /// an engraving.
-  std::vector<GreyImage> readingPictures() const;
-  /// Stores the texts decoded from readingPictures(). Returns {passed}: the code decodes.
+  /// Stores the texts decoded from pictures("reading"). Returns {passed}: the code decodes.
   /// @param texts   a JSON list, in the order of the pictures, binariser by binariser; "" where nothing was decoded
   /// @param reader  name of the decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
-  /// Returns {order}: print parameters for PrintedCode::start(), to pass along with stlToPrint(). Null if no print
-  /// process is chosen. An error before an engraving is printable, see advance().
+  /// Returns {order}: print parameters for PrintedCode::start(), to pass along with exportModel("stl"). Null if no
+  /// print process is chosen. An error before an engraving is printable, see advanceJob().
   /// @param changed  printing settings that differ from the carved request, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
-  /// Returns the carved model as binary STL; empty before an engraving is printable.
-  std::vector<std::uint8_t> stlToPrint() const;
   /// Adds the texts decoded from the print's pictures to the report. Returns {passed}: the code decodes as carved and
   /// as printed.
   /// @param texts      as for setReadings()
@@ -141,20 +140,19 @@ class Engine {
   /// in batch/manifest.h, and the failed checks. @param totalMs  of all its work
   std::string describeRow(double totalMs) const;
 
-  /// Draws the next trial; it passes if one of its pictures decodes. Empty if it cannot be drawn.
-  std::vector<GreyImage> viewTrialPictures();
   /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
   /// forgiving, pixelsPerModule, distanceMm}}.
   std::string noteViewTrial(bool read);
   /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the
-  /// pockets), reads it back and compares. Empty before an engraving is done, for any other format, if the file would
-  /// differ from the model, and if no solid body can fill the pockets.
+  /// pockets), reads it back and compares. Empty before an engraving is done ("stl": before it is printable), for any
+  /// other format, if the file would differ from the model, and if no solid body can fill the pockets.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
-  /// Begins a plate for copies of the model, each carved with a code of its own. Forgets an earlier plate.
-  std::string startPlate(int copies);
-  /// Puts the current carving on the plate. @param place  from 0 @param id  the copy's name
-  std::string addToPlate(int place, const std::string& id);
+  /// Puts the current carving on the plate, which is for copies of the model, each carved with a code of its own.
+  /// @param place   from 0
+  /// @param id      the copy's name
+  /// @param copies  that the plate has room for; counts where it is empty
+  std::string addToPlate(int place, const std::string& id, int copies);
   /// Returns the plate as 3MF, read back and compared, and empties the plate. No bytes if nothing is on it.
   std::vector<std::uint8_t> exportPlate(const std::string& title) { return plate_.taken(title); }
 

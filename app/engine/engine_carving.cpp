@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the verbs that use a carving: plan, print, report and export it.
 #include <algorithm>
+#include <cassert>
 
 #include "base/parse_json.h"
 #include "engine/answers.h"
@@ -51,18 +52,16 @@ void Engine::showCarved(bool carved) {
 
 std::string Engine::report() const { return carvings_.result() ? carvings_.report(*model_, gl_) : answer(kNoResult); }
 
-const GreyImage& Engine::readerImage() const {
-  static const GreyImage kNone;
-  return carvings_.result() ? carvings_.result()->readerView.picture : kNone;
-}
-
 GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
   return carvings_.result() ? carvings_.readerImageFrom(ground(), tiltDeg, azimuthDeg) : GreyImage{};
 }
 
-std::vector<GreyImage> Engine::readingPictures() const {
+std::vector<GreyImage> Engine::pictures(const std::string& of) {
   if (!carvings_.result()) return {};
+  if (of == "view-trial") return carvings_.viewTrialPictures(ground());
   const ReaderView& seen = carvings_.result()->readerView;
+  if (of == "reader") return {seen.picture};
+  assert(of == "reading");
   return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
 }
 
@@ -79,10 +78,6 @@ std::string Engine::printOrder(const std::string& changed) const {
   const auto wanted = carvings_.printedView(changed);
   if (!wanted) return answer(wanted.error());
   return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
-}
-
-std::vector<std::uint8_t> Engine::stlToPrint() const {
-  return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>{};
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
@@ -121,10 +116,6 @@ std::string Engine::describeRow(double totalMs) const {
                  {"details", Json::parse(row.details)}});
 }
 
-std::vector<GreyImage> Engine::viewTrialPictures() {
-  return carvings_.result() ? carvings_.viewTrialPictures(ground()) : std::vector<GreyImage>();
-}
-
 std::string Engine::noteViewTrial(bool read) {
   ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
   if (!trials || trials->done()) return answer(kNoResult);
@@ -145,18 +136,15 @@ std::string Engine::noteViewTrial(bool read) {
 }
 
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
+  if (format == "stl") return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
   return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
 }
 
-std::string Engine::startPlate(int copies) {
-  if (!model_) return answer(kNoModel);
-  plate_.start(*model_, static_cast<std::size_t>(std::max(copies, 0)));
-  return done();
-}
-
-std::string Engine::addToPlate(int place, const std::string& id) {
+std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
-  plate_.add(*model_, *carvings_.result(), carvings_.request(), static_cast<std::size_t>(std::max(place, 0)), id);
+  const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };
+  if (plate_.isEmpty()) plate_.start(*model_, size(copies));
+  plate_.add(*model_, *carvings_.result(), carvings_.request(), size(place), id);
   return done();
 }
 

@@ -28,10 +28,14 @@ std::string InspectedEngine::startJob(const std::string& job, const std::string&
                           [&](EngraveRequest page) { return window_->overrides().appliedTo(std::move(page)); });
 }
 
-bool InspectedEngine::draw() {
+std::string InspectedEngine::draw() {
   InspectorWindow* const window = shownWindow();
-  const bool more = engine_.draw(window || std::exchange(hasGone_, false));
-  return window ? window->draw(engine_) || more : more;
+  bool more = engine_.draw(window || std::exchange(hasGone_, false));
+  if (window && window->draw(engine_)) more = true;
+  return textOf({{"ok", true},
+                 {"more", more},
+                 {"view", Json::parse(engine_.viewState())},
+                 {"inspector", window ? Json::parse(window->state()) : Json()}});
 }
 
 void InspectedEngine::open() {
@@ -81,7 +85,5 @@ void InspectedEngine::inspectorGlyphs(float lineHeight, const std::vector<float>
   glyphs.alpha = std::move(alpha);
   window_->setGlyphs(std::move(glyphs));
 }
-
-std::string InspectedEngine::inspectorState() const { return window_ ? window_->state() : "{}"; }
 
 }  // namespace qrelief

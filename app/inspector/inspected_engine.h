@@ -29,8 +29,9 @@ class InspectedEngine {
   /// Starts a job, see Engine::startJob(). `options` of "engrave" has also {"withOverrides"}: use the inspector's
   /// settings where they differ from the page's.
   std::string startJob(const std::string& job, const std::string& options);
-  /// @returns true if another call would improve the picture
-  bool draw();
+  /// Draws a frame. Returns {more, view, inspector}: another call would improve the picture; Engine::viewState(); and
+  /// InspectorWindow::state(), null if it is not shown.
+  std::string draw();
 
   /// Tells the inspector of an event. Returns {takes}: the inspector uses the event, so that nothing else may. No
   /// effect before there is a window; keys, pointer and picks also need it to be shown.
@@ -45,7 +46,6 @@ class InspectedEngine {
   /// Sets the letters, see InspectorWindow.
   /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
   void inspectorGlyphs(float lineHeight, const std::vector<float>& metrics, std::vector<std::uint8_t> alpha);
-  std::string inspectorState() const;
 
  private:
   void open();

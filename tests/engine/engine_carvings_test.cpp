@@ -89,7 +89,8 @@ TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
   const Json unread = Json::parse(engine_->describeRow(12.4));
   EXPECT_EQ(unread["passed"], false);
   EXPECT_FALSE(unread["failed"].empty());
-  engine_->setReadings(Json(std::vector<std::string>(engine_->readingPictures().size(), "part 7")).dump(), "a reader");
+  engine_->setReadings(Json(std::vector<std::string>(engine_->pictures("reading").size(), "part 7")).dump(),
+                       "a reader");
   const Json row = Json::parse(engine_->describeRow(12.4));
   EXPECT_EQ(row["passed"], true) << row;
   EXPECT_TRUE(row["failed"].empty());
@@ -99,13 +100,12 @@ TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
 }
 
 TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
-  EXPECT_EQ(Json::parse(engine_->startPlate(2))["ok"], true);
-  EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none"))["error"]["code"], "nothing-engraved");
+  EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none", 2))["error"]["code"], "nothing-engraved");
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
   carve("first");
-  engine_->addToPlate(0, "P-1");
+  engine_->addToPlate(0, "P-1", 2);
   carve("second");
-  engine_->addToPlate(1, "P-2");
+  engine_->addToPlate(1, "P-2", 2);
   const auto bytes = engine_->exportPlate("plate");
   const auto plate = readModel(bytes, "plate.3mf");
   ASSERT_TRUE(plate.has_value());
@@ -115,6 +115,10 @@ TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
   double right = 0;
   for (const Vec3& position : plate->positions) right = std::max(right, position.x);
   EXPECT_NEAR(right, 60 + 5 + 60, 0.01);
+  EXPECT_TRUE(engine_->exportPlate("plate").empty());
+
+  engine_->addToPlate(0, "of another model", 1);
+  load();
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
 }
 
@@ -177,7 +181,7 @@ TEST_F(EngineCarvingsTest, AnotherModelForgetsThemAll) {
 TEST_F(EngineCarvingsTest, FromStraightAheadThePictureFromAsideIsThatOfTheReader) {
   EXPECT_TRUE(engine_->readerImageFrom(0, 0).pixels.empty());
   carve("picture");
-  const GreyImage& straight = engine_->readerImage();
+  const GreyImage straight = engine_->pictures("reader").at(0);
   const GreyImage same = engine_->readerImageFrom(0, 0);
   ASSERT_EQ(same.width, straight.width);
   double difference = 0;

@@ -121,7 +121,7 @@ TEST_F(EngineTest, WhatIsMissingIsNamed) {
   expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
   expectError(engine_->report(), "BadUsage", "nothing-engraved");
   EXPECT_TRUE(engine_->exportModel("stl").empty());
-  EXPECT_EQ(engine_->readerImage().width, 0);
+  EXPECT_TRUE(engine_->pictures("reader").empty());
   expectError(engine_->configure("{"), "BadUsage", "settings-no-object");
   load(shapes::box({60, 60, 20}));
   EXPECT_EQ(Json::parse(engine_->placement())["error"]["kind"], "BadInput");  // no text
@@ -149,8 +149,9 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   EXPECT_EQ(report["mesh"]["closed"], true);
   EXPECT_EQ(report["verification"]["decoded"], true);
   EXPECT_EQ(report["verification"]["reader"], "a reader");
-  EXPECT_EQ(engine_->readerImage().pixels.size(),
-            static_cast<std::size_t>(engine_->readerImage().width) * engine_->readerImage().height);
+  const std::vector<GreyImage> seen = engine_->pictures("reader");
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].pixels.size(), static_cast<std::size_t>(seen[0].width) * seen[0].height);
   const auto stl = engine_->exportModel("stl");
   const auto carved = readModel(stl, "carved.stl");
   ASSERT_TRUE(carved.has_value());

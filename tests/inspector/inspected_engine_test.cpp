@@ -2,6 +2,7 @@
 #include "inspector/inspected_engine.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,8 @@
 
 namespace qrelief {
 namespace {
+
+using Json = nlohmann::json;
 
 /// Record of the calls that the latest window received.
 struct Told {
@@ -52,6 +55,7 @@ class InspectedEngineTest : public GlTest {
   bool takes(const std::string& event) { return engine_.inspector(event) == R"({"ok":true,"takes":true})"; }
   bool takesPointer() { return takes(R"({"kind": "pointer", "x": 1, "y": 1, "buttons": 1, "wheel": 0})"); }
   bool takesPick() { return takes(R"({"kind": "pick", "x": 1, "y": 1})"); }
+  Json drawn() { return Json::parse(engine_.draw()); }
   InspectedEngine engine_{"", false, &makeFake};
 };
 
@@ -60,8 +64,7 @@ TEST_F(InspectedEngineTest, BeforeTheInspectorIsOpenedNothingIsMadeAndNothingTak
   engine_.inspectorGlyphs(16, {65, 1, 1, 0, 0, 1}, {255});
   EXPECT_FALSE(takesPointer());
   EXPECT_FALSE(takesPick());
-  EXPECT_EQ(engine_.inspectorState(), "{}");
-  engine_.draw();
+  EXPECT_TRUE(drawn()["inspector"].is_null());
   EXPECT_EQ(told.made, 0);
 }
 
@@ -86,13 +89,15 @@ TEST_F(InspectedEngineTest, OnlyAWindowThatIsShownIsDrawnAndTakesKeysAndPointer)
   press();
   EXPECT_TRUE(takesPointer());
   EXPECT_TRUE(takesPick());
-  EXPECT_TRUE(engine_.draw());
+  const Json frame = drawn();
+  EXPECT_EQ(frame["more"], true);
+  EXPECT_EQ(frame["view"], Json::parse(engine_.engine().viewState()));
+  EXPECT_EQ(frame["inspector"], Json({{"tab", 0}}));
   show(false);
   press();
   EXPECT_FALSE(takesPointer());
-  engine_.draw();
+  EXPECT_TRUE(drawn()["inspector"].is_null());
   EXPECT_EQ(std::pair(told.keys, told.draws), std::pair(1, 1));
-  EXPECT_EQ(engine_.inspectorState(), R"({"tab": 0})");
 }
 
 TEST_F(InspectedEngineTest, GlyphsComeAsSixNumbersEachAndARestIsLeft) {

@@ -86,7 +86,6 @@ export class RowEngine {
    */
   async carve(indices, looksAtPrint) {
     const isPlate = this.job_.wanted.perPlate > 0;
-    if (isPlate) await this.client_.startPlate(indices.length);
     const others = isPlate ? (await Promise.all(indices.map((index) => this.hashOf(index)))).join('') : '';
     /** @type {CarvedRow[]} */ const rows = [];
     /** @type {Uint8Array<ArrayBuffer> | undefined} */ let bytes;
@@ -95,7 +94,7 @@ export class RowEngine {
       const { row, withInlay } = carved;
       const { id, status, file } = row.entry;
       rows.push(row);
-      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id);
+      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, indices.length);
       else if (status === 'done')
         bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
     }
@@ -205,7 +204,7 @@ export class RowEngine {
   async carve_(plan) {
     await this.client_.engrave({ plan, signal: this.ended_.signal, onProgress: () => {} });
     if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
-    await this.client_.setReadings(await this.read_(await this.client_.readingPictures()), kReaderName);
+    await this.client_.setReadings(await this.read_(await this.client_.pictures('reading')), kReaderName);
   }
 
   /** Simulates and decodes the print. */

@@ -272,7 +272,7 @@ export class EngineHost {
    */
   printJob(changed = {}) {
     const order = this.engine_.printOrder(changed);
-    return order && { order, stl: this.engine_.stlToPrint() };
+    return order && { order, stl: this.engine_.exportModel('stl') };
   }
 
   /**
@@ -324,7 +324,7 @@ export class EngineHost {
     this.resize(this.size_); // redraws: the presented frame can no longer be read
     const until = performance.now() + kPictureMs;
     do this.waitForFrame_();
-    while (!this.lost_ && performance.now() < until && this.engine_.draw());
+    while (!this.lost_ && performance.now() < until && this.engine_.draw().more);
     const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
     return new Uint8Array(await blob.arrayBuffer());
   }
@@ -428,9 +428,9 @@ export class EngineHost {
 
   /**
    * Reports the inspector's state. Dear ImGui takes several frames to lay out a change, so draw until two are equal.
+   * @param {import('./verbs.js').InspectorState} state
    */
-  tellInspector_() {
-    const state = this.engine_.inspectorState();
+  tellInspector_(state) {
     const text = JSON.stringify(state);
     const still = text === this.inspectorState_;
     if (!still) this.invalidate_();
@@ -466,9 +466,8 @@ export class EngineHost {
     return false;
   }
 
-  /** Reports the view state if it has changed. */
-  tellView_() {
-    const state = this.engine_.viewState();
+  /** Reports the view state if it has changed. @param {import('./types.js').ViewState} state */
+  tellView_(state) {
     const text = JSON.stringify(state);
     if (text === this.viewState_) return;
     this.viewState_ = text;
@@ -478,13 +477,13 @@ export class EngineHost {
   drawFrame_() {
     if (this.lost_) return;
     try {
-      const wantsAnother = this.engine_.draw();
+      const { more, view, inspector } = this.engine_.draw();
       this.gl_.deleteSync(this.fence_);
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
-      this.tellView_();
-      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_(); // not after its first layout
-      if (wantsAnother && !this.job_) this.invalidate_(); // no refinement during a job
+      this.tellView_(view);
+      if (inspector && ++this.inspectorFrames_ > 1) this.tellInspector_(inspector); // not after its first layout
+      if (more && !this.job_) this.invalidate_(); // no refinement during a job
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });

@@ -22,8 +22,8 @@ scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, or
       progress = printed.advance();
     }
     const { facingDeg, misread } = progress;
-    const pictures = printed.readingPictures();
-    scope.postMessage({ print: { facingDeg, misread, pictures, picture: printed.picture() } });
+    const [picture] = printed.pictures('front');
+    scope.postMessage({ print: { facingDeg, misread, pictures: printed.pictures('reading'), picture } });
   } catch (thrown) {
     scope.postMessage({ error: describeThrown(thrown) });
   }

@@ -10,6 +10,7 @@
 /** @typedef {import('./types.js').EngraveProgress & { done: boolean }} JobProgress */
 /** @typedef {import('./types.js').GreyImage} GreyImage */
 /** @typedef {import('./types.js').HoverResult} HoverResult */
+/** @typedef {Omit<import('./types.js').InspectorState, 'still'>} InspectorState */
 /** @typedef {import('./types.js').PickResult} PickResult */
 /** @typedef {import('./types.js').PrintChange} PrintChange */
 /** @typedef {JobProgress & Pick<import('./types.js').Print, 'facingDeg' | 'misread'>} PrintProgress */
@@ -81,22 +82,22 @@ export const kPageVerbs = {
   useCarving: { draws: true },
   /** @type {Verb<() => import('./types.js').Report>} */
   report: {},
-  /** @type {Verb<() => GreyImage>} */
-  readerImage: {},
+  /**
+   * Draws pictures of the carving, none without one: the one that a phone takes, those to decode, or those of the next
+   * view trial, of which one has to decode.
+   * @type {Verb<(of: 'reader' | 'reading' | 'view-trial') => GreyImage[]>}
+   */
+  pictures: {},
   /**
    * Returns a map of the last engraving; null before the first one.
    * @type {Verb<(name: import('./types.js').JobMapName) => import('./types.js').JobMap | null>}
    */
   jobMap: {},
-  /** Draws the pictures to decode. @type {Verb<() => GreyImage[]>} */
-  readingPictures: {},
   /**
    * Reports the text that each try on the reading pictures decoded, '' if none, and the decoder's name.
    * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
    */
   setReadings: {},
-  /** Draws the pictures of the next trial; decoding one of them is enough. @type {Verb<() => GreyImage[]>} */
-  viewTrialPictures: {},
   /** Reports the outcome of the trial. @type {Verb<(read: boolean) => import('./types.js').ViewTrialProgress>} */
   noteViewTrial: {},
   /**
@@ -104,9 +105,10 @@ export const kPageVerbs = {
    * @type {Verb<(totalMs: number) => import('./types.js').DescribedRow>}
    */
   describeRow: {},
-  /** Begins a plate for that many copies; discards an earlier one. @type {Verb<(copies: number) => void>} */
-  startPlate: {},
-  /** Puts the current carving on the plate; places count from 0. @type {Verb<(place: number, id: string) => void>} */
+  /**
+   * Puts the current carving on the plate, which has room for so many copies; places count from 0.
+   * @type {Verb<(place: number, id: string, copies: number) => void>}
+   */
   addToPlate: {},
 
   /** @type {Verb<(dark: boolean) => void>} */
@@ -142,8 +144,6 @@ export const kInnerVerbs = {
   cancelJob: {},
   /** @type {Verb<(changed: PrintChange) => object | null>} */
   printOrder: { part: 'order' },
-  /** @type {Verb<() => Uint8Array<ArrayBuffer>>} */
-  stlToPrint: {},
   /** @type {Verb<(texts: string[], facingDeg: number) => boolean>} */
   setPrintedReadings: { part: 'passed' },
   /** @type {Verb<() => PrintChange[]>} */
@@ -159,17 +159,16 @@ export const kInnerVerbs = {
   resize: { of: 'InspectedEngine' },
   /** @type {Verb<(action: import('./types.js').LookAction) => void>} */
   look: {},
-  /** @type {Verb<() => import('./types.js').ViewState>} */
-  viewState: {},
-  /** Returns true if another call would improve the picture. @type {Verb<() => boolean>} */
+  /**
+   * Draws a frame. `more`: another call would improve the picture; `inspector`: null if it is not shown.
+   * @type {Verb<() => { more: boolean, view: import('./types.js').ViewState, inspector: InspectorState | null }>}
+   */
   draw: { of: 'InspectedEngine' },
 
   /** Returns true if the inspector uses the event. @type {Verb<(event: import('./types.js').InspectorEvent) => boolean>} */
   inspector: { of: 'InspectedEngine', part: 'takes' },
   /** @type {Verb<(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void>} */
   inspectorGlyphs: { of: 'InspectedEngine' },
-  /** @type {Verb<() => import('./types.js').InspectorState>} */
-  inspectorState: { of: 'InspectedEngine' },
 };
 
 /** Verbs for batches, which the page calls. The C++ class is PlannedBatch. */
@@ -200,10 +199,8 @@ export const kPrintVerbs = {
   start: {},
   /** @type {Verb<() => PrintProgress>} */
   advance: {},
-  /** @type {Verb<() => GreyImage[]>} */
-  readingPictures: {},
-  /** @type {Verb<() => GreyImage>} */
-  picture: {},
+  /** @type {Verb<(of: 'reading' | 'front') => GreyImage[]>} */
+  pictures: {},
 };
 
 /** Verbs that the host adds for the page, as methods of its own. */

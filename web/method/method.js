@@ -175,11 +175,11 @@ class Demonstration {
   }
 
   async read_() {
-    const photo = await this.client_.readerImage();
+    const [photo] = await this.client_.pictures('reader');
     const rgba = new Uint8ClampedArray(4 * photo.pixels.length);
     photo.pixels.forEach((grey, at) => rgba.set([grey, grey, grey, 255], 4 * at));
     show('photo', { width: photo.width, height: photo.height, rgba });
-    await this.client_.setReadings(await readEach(await this.client_.readingPictures()), kReaderName);
+    await this.client_.setReadings(await readEach(await this.client_.pictures('reading')), kReaderName);
     const { text: read } = (await this.client_.report()).verification;
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }
