@@ -96,7 +96,7 @@ export class App {
       onBusy: (busy) => this.session_.allowWork(!busy),
     });
     this.placePanel_ = new PlacePanel((centreMm) =>
-      this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
+      this.guard_(() => this.placing_.move(() => this.client_.setCentre({ mm: centreMm }))),
     );
     this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();

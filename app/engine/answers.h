@@ -29,6 +29,9 @@ std::string answer(ErrorKind kind, Message message);
 /// Returns {"ok": true, stage, fraction, done}.
 std::string answer(const Progress& progress, const Json& more = Json::object());
 
+/// Returns a number; NaN for null, which is JSON for a number that is not finite.
+double numberOf(const Json& json);
+
 Json jsonOf(Vec3 v);
 
 inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};

@@ -44,29 +44,26 @@ class Engine {
   /// Describes the symbol for some settings and changes nothing, see describeSymbol.
   std::string symbol(const std::string& settings) const;
 
-  /// Makes the surface point at a screen position the centre of the code. Returns {hit: false} or {hit: true, centre}.
-  /// Shows the model as it was before carving.
-  std::string pick(double x, double y);
-  /// Does the same with the surface point nearest to a point in mm.
-  std::string setCentre(double x, double y, double z);
+  /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: false}
+  /// or {hit: true, centre}; BadUsage if there is no such spot.
+  /// @param where  {"at": [x, y]}: the point at a screen position; {"mm": [x, y, z]}: the point nearest to this one;
+  ///               {"spot": index}: a spot of the last search, with the direction found for it
+  std::string setCentre(const std::string& where);
 
   /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
   /// moduleMm, guaranteedMm, rotationDeg, version, modules}}. `direction` is the direction that came with the centre
-  /// (chooseSpot), else null. Where no code fits, shows the part that does.
+  /// (from a spot), else null. Where no code fits, shows the part that does.
   std::string placement();
 
   /// Shows the code about where it would lie. Returns {hit: false}, {hit: true, onCode: true} over the placed code,
   /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
-  std::string hover(double x, double y);
-  void endHover();
-  /// Shows the placed code at about another position, until pick or placement. Returns {hit, code}. Off the model, the
-  /// code stays where it is.
-  std::string moveCode(double x, double y);
-  /// Shows the code turned and resized, until placement. Returns {code}; BadUsage if there is no code.
-  std::string adjustCode(double rotateDeg, double symbolMm);
+  /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
+  std::string hover(const std::string& at);
+  /// Shows the placed code changed, until placement. Returns {hit, code}. BadUsage if there is no code to resize.
+  /// @param change  {"at": [x, y]}: about another position, until setCentre, too; off the model, the code stays where
+  ///                it is. {"rotateDeg", "symbolMm"}: turned and resized
+  std::string adjustCode(const std::string& change);
 
-  /// Makes the spot the centre of the code, with the direction found for it. Returns {centre}.
-  std::string chooseSpot(std::size_t index);
   /// Starts a job. An earlier one of that name ends.
   /// @param job  "engrave": an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage,
   ///                 fraction, done} of the first piece of work
@@ -224,6 +221,10 @@ class Engine {
   Carvings::Ground ground() const { return {*model_, pass_}; }
   Status placeCode();
   std::string chooseCentre(std::optional<SurfacePoint> point);
+  std::string chooseSpot(std::size_t index);
+  std::string moveCode(double x, double y);
+  std::string resizeCode(double rotateDeg, double symbolMm);
+  void endHover();
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   void updateView();
 

@@ -2,6 +2,7 @@
 // Implements the verbs that place the code, move the code under the pointer, and offer spots.
 #include <cmath>
 
+#include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "math/angle.h"
@@ -60,18 +61,21 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
                    {"exact", code.isExact}}}});
 }
 
-std::string Engine::hover(double x, double y) {
+std::string Engine::hover(const std::string& at) {
+  const Result<Json> given = parseJson(at);
+  if (!given) return answer(given.error());
   placedCode_.stopSettling();
-  const auto at = takesCode() && !showsCarved() ? surfaceAt(x, y) : std::nullopt;
-  if (!at) {
+  const bool mayHit = !given->is_null() && takesCode() && !showsCarved();
+  const auto point = mayHit ? surfaceAt(numberOf(given->at(0)), numberOf(given->at(1))) : std::nullopt;
+  if (!point) {
     endHover();
     return textOf({{"ok", true}, {"hit", false}});
   }
-  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *at)) {
+  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *point)) {
     endHover();
     return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
   }
-  if (const Status hovered = placedCode_.hover(task(), *at); !hovered) return answer(hovered.error());
+  if (const Status hovered = placedCode_.hover(task(), *point); !hovered) return answer(hovered.error());
   scene_.setGhost(placedCode_.hovered());
   return describeCode(*placedCode_.hovered());
 }
@@ -90,7 +94,14 @@ std::string Engine::moveCode(double x, double y) {
   return describeCode(*placedCode_.code());
 }
 
-std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
+std::string Engine::adjustCode(const std::string& change) {
+  const Result<Json> given = parseJson(change);
+  if (!given) return answer(given.error());
+  if (const auto at = given->find("at"); at != given->end()) return moveCode(numberOf(at->at(0)), numberOf(at->at(1)));
+  return resizeCode(numberOf(given->at("rotateDeg")), numberOf(given->at("symbolMm")));
+}
+
+std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm("size", symbolMm),
@@ -104,7 +115,7 @@ std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
     return answer(ErrorKind::BadUsage, message("no-such-spot", with::count("index", index + 1)));
   const OfferedSpot& spot = offers_.spots()[index];
-  const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
+  const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
   return chosen;
 }

@@ -23,7 +23,7 @@ class EngineCarvingsTest : public GlTest {
   }
   void load() {
     engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
-    engine_->setCentre(0, 0, 10);
+    engine_->setCentre(R"({"mm": [0, 0, 10]})");
   }
   /// @returns the carving's number
   int carve(const std::string& text) {
@@ -76,7 +76,7 @@ TEST_F(EngineCarvingsTest, ACodeIsTheSameAfterAnotherOneInItsPlaceAndAfterAnothe
   EXPECT_EQ(engine_->exportModel("stl"), alone);
 
   engine_->loadModel(writeStl(shapes::box({60, 50, 20.5})), "another.stl", 1);
-  engine_->setCentre(0, 0, 10.25);
+  engine_->setCentre(R"({"mm": [0, 0, 10.25]})");
   carve("https://example.org/other");
   load();
   carve("https://example.org/first");

@@ -66,7 +66,7 @@ TEST_F(EngineTest, ABadFileIsRefusedAndTheOldModelStays) {
   EXPECT_EQ(refused["error"]["kind"], "BadInput");
   expectError(engine_->loadModel(writeStl(shapes::box({1, 1, 1})), "model.stl", std::nan("")), "BadUsage",
               "scale-unusable");
-  EXPECT_EQ(Json::parse(engine_->setCentre(0, 0, 100))["centre"], Json({0, 0, 10}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"mm": [0, 0, 100]})"))["centre"], Json({0, 0, 10}));
 }
 
 TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
@@ -84,18 +84,18 @@ TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
 
 TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
   load(shapes::icosphere(30, 5));
-  const Json hit = Json::parse(engine_->pick(200, 150));
+  const Json hit = Json::parse(engine_->setCentre(R"({"at": [200, 150]})"));
   ASSERT_EQ(hit["hit"], true);
   const Vec3 centre(hit["centre"][0], hit["centre"][1], hit["centre"][2]);
   EXPECT_NEAR(glm::length(centre), 30, 0.05);
-  EXPECT_EQ(Json::parse(engine_->pick(2, 2)), Json({{"hit", false}}));
-  EXPECT_EQ(Json::parse(engine_->setCentre(std::nan(""), 0, 0)), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"at": [2, 2]})")), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"mm": [null, 0, 0]})")), Json({{"hit", false}}));
 }
 
 TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const Json answer = Json::parse(engine_->placement());
   ASSERT_EQ(answer["ok"], true) << answer;
   const Json& placement = answer["placement"];
@@ -130,7 +130,7 @@ TEST_F(EngineTest, WhatIsMissingIsNamed) {
 TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
   std::set<std::string> stages;
   double fraction = 0;
@@ -163,7 +163,7 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
     EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
   }
 
-  engine_->pick(200, 150);  // a new spot: the result can still be exported
+  engine_->setCentre(R"({"at": [200, 150]})");  // a new spot: the result can still be exported
   EXPECT_FALSE(engine_->exportModel("stl").empty());
   ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);  // a new engraving discards it
   EXPECT_TRUE(engine_->exportModel("stl").empty());
@@ -184,7 +184,7 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   EXPECT_EQ(prepare(), 1) << "no model";
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   EXPECT_EQ(prepare(), 1) << "not placed yet";
   engine_->placement();
   EXPECT_EQ(start(), "measuring-surface");
@@ -211,7 +211,7 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
 TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   engine_->startJob("engrave");
   engine_->advanceJob("engrave");
   engine_->cancelJob("engrave");
@@ -228,7 +228,7 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
   load(shapes::box({60, 60, 20}));
   engine_->setUpAxis("y");
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const Json answer = Json::parse(engine_->placement());
   ASSERT_EQ(answer["ok"], true) << answer;
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
@@ -237,7 +237,7 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
 TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  expectError(engine_->chooseSpot(0), "BadUsage", "no-such-spot");
+  expectError(engine_->setCentre(R"({"spot": 0})"), "BadUsage", "no-such-spot");
   ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
   Json found;
   for (bool done = false; !done; done = found["done"]) {
@@ -250,14 +250,14 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   EXPECT_EQ(found["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
   EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
   for (std::size_t i = 0; i < found["spots"].size(); ++i) {
-    const Json chosen = Json::parse(engine_->chooseSpot(i));
+    const Json chosen = Json::parse(engine_->setCentre(Json{{"spot", i}}.dump()));
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
     const Json placement = Json::parse(engine_->placement());
     ASSERT_EQ(placement["ok"], true) << placement;
     EXPECT_NEAR(placement["placement"]["symbolMm"], found["spots"][i]["sizeMm"], 1e-6);
     EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
-  expectError(engine_->chooseSpot(100), "BadUsage", "no-such-spot");
+  expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
 }
 
 TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
@@ -268,14 +268,14 @@ TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
   ASSERT_EQ(Json::parse(engine_->advanceJob("spots"))["ok"], true);
   engine_->cancelJob("spots");
   expectError(engine_->advanceJob("spots"), "BadUsage", "not-finding-spots");
-  expectError(engine_->chooseSpot(0), "BadUsage", "no-such-spot");
+  expectError(engine_->setCentre(R"({"spot": 0})"), "BadUsage", "no-such-spot");
 }
 
 TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
-  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["hit"], false);  // no model
+  EXPECT_EQ(Json::parse(engine_->hover("[200, 150]"))["hit"], false);  // no model
   load(shapes::icosphere(30, 5));
   engine_->configure(kSettings);
-  const Json about = Json::parse(engine_->hover(200, 150));
+  const Json about = Json::parse(engine_->hover("[200, 150]"));
   ASSERT_EQ(about["hit"], true) << about;
   EXPECT_EQ(about["onCode"], false);
   EXPECT_EQ(about["code"]["exact"], false);
@@ -286,19 +286,21 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
     ASSERT_EQ(found["ok"], true) << found;
   }
   EXPECT_EQ(found["code"]["exact"], true);
+  EXPECT_EQ(Json::parse(engine_->hover("null"))["hit"], false);
+  expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
   const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
   EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius wide
-  engine_->pick(200, 150);
+  engine_->setCentre(R"({"at": [200, 150]})");
   const Json placed = Json::parse(engine_->placement());
   EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
-  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["onCode"], true);
+  EXPECT_EQ(Json::parse(engine_->hover("[200, 150]"))["onCode"], true);
   expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
 }
 
 TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   engine_->startJob("engrave");
   EXPECT_FALSE(engine_->jobMap("search-depths").has_value());
   double deepest = 0, darkest = 1;
@@ -322,7 +324,7 @@ TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
                                                                 {"azimuthDeg": 90, "elevationDeg": 20}]})");
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
   engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
@@ -339,11 +341,14 @@ TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
 }
 
 TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
+  const auto resize = [&](double rotateDeg, double symbolMm) {
+    return engine_->adjustCode(Json{{"rotateDeg", rotateDeg}, {"symbolMm", symbolMm}}.dump());
+  };
   load(shapes::box({60, 60, 20}));
-  expectError(engine_->adjustCode(0, 20), "BadUsage", "no-code-placed");
+  expectError(resize(0, 20), "BadUsage", "no-code-placed");
   EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const double mm = Json::parse(engine_->placement())["placement"]["symbolMm"];
   engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
@@ -354,23 +359,23 @@ TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   EXPECT_EQ(code["corners"].size(), 4u);
   EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top edge is above
 
-  const Json turned = Json::parse(engine_->adjustCode(45, mm));
+  const Json turned = Json::parse(resize(45, mm));
   ASSERT_EQ(turned["ok"], true) << turned;
   EXPECT_LT(turned["code"]["missingShare"], 0.01);  // a free size fits at every rotation
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["rotationDeg"], 45);
-  const Json larger = Json::parse(engine_->adjustCode(45, 1.3 * mm));
+  const Json larger = Json::parse(resize(45, 1.3 * mm));
   EXPECT_NEAR(larger["code"]["symbolMm"], 1.3 * mm, 1e-9);
   EXPECT_GT(larger["code"]["missingShare"], 0.05);
-  expectError(engine_->adjustCode(0, 0), "BadUsage", "code-size-unusable");
+  expectError(resize(0, 0), "BadUsage", "code-size-unusable");
 
-  ASSERT_EQ(Json::parse(engine_->moveCode(200, 150))["hit"], true);
+  ASSERT_EQ(Json::parse(engine_->adjustCode(R"({"at": [200, 150]})"))["hit"], true);
   EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the setting applies
 }
 
 TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "https://example.org/qrelief-test", "size": 55})");
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
 }
@@ -388,7 +393,7 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
   EXPECT_GT(*lightest - *darkest, 100);  // a code
 
   EXPECT_EQ(Json::parse(engine_->show(R"({"depths": true})"))["topMm"], 0);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   engine_->startJob("engrave");
   while (!Json::parse(engine_->advanceJob("engrave"))["done"]) {
   }

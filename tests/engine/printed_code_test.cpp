@@ -16,7 +16,7 @@ class PrintedCodeTest : public GlTest {
     engine_ = std::make_unique<Engine>();
     engine_->resize(400, 300, 1);
     engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
-    engine_->setCentre(0, 0, 10);
+    engine_->setCentre(R"({"mm": [0, 0, 10]})");
   }
   void carve(double sizeMm, const std::string& process) {
     const Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};

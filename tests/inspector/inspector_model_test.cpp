@@ -31,7 +31,7 @@ class InspectorModelTest : public GlTest {
     engine_->resize(400, 400, 1);
     engine_->loadModel(writeStl(shapes::box({60, 60, kBoxMm})), "box.stl", 1);
     engine_->configure(R"({"text": "https://example.org", "size": 40, "pattern": "square"})");
-    engine_->setCentre(0, 0, kBoxMm / 2);
+    engine_->setCentre(Json{{"mm", {0, 0, kBoxMm / 2}}}.dump());
     engine_->timePasses(gl::hasTimerQueries());
     engrave(nullptr);
   }

@@ -69,7 +69,7 @@ export class RowEngine {
     await this.client_.setUpAxis(model.upAxis);
     await this.client_.loadModel(model.bytes, model.fileName, model.scaleToMm);
     await this.client_.planBatch(list, wanted);
-    await this.client_.setCentre(centreMm);
+    await this.client_.setCentre({ mm: centreMm });
   }
 
   /** Ends even a busy engine. Its pending work is rejected with an error that `isLost` recognises. */

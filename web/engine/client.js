@@ -45,7 +45,7 @@ const kReplaced = internal(message('engine-replaced'));
 /** @typedef {import('./verbs.js').Calls<typeof kPageVerbs>} PageCalls */
 /** @typedef {import('./verbs.js').Calls<typeof kBatchVerbs>} BatchCalls */
 /** @typedef {Pick<import('./engine_host.js').EngineHost, typeof kHostVerbs[number]>} HostCalls */
-/** @typedef {'loadModel' | 'setCentre' | 'findSpots' | 'prepareEngrave' | 'engrave'} OwnMethods  of EngineClient */
+/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave'} OwnMethods  of EngineClient */
 /** @typedef {Remote<Omit<PageCalls & BatchCalls & HostCalls, OwnMethods>>} VerbMethods */
 
 /** The methods of the client that only hand a verb to the host. */
@@ -181,11 +181,6 @@ export class EngineClient extends Verbs {
     const patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
     job.catch(() => {}).finally(() => clearTimeout(patience));
     this.call_('cancel').catch(() => {}); // rejected only if the worker is replaced
-  }
-
-  /** @param {[number, number, number]} centreMm @returns {Promise<import('./types.js').PickResult>} */
-  setCentre(centreMm) {
-    return this.call_('setCentre', ...centreMm);
   }
 
   /** Starts work that the next carving needs, unless a job runs. @returns {Promise<void>} */

@@ -80,9 +80,9 @@ test('Ended, it rejects what was asked, and starts no other worker', async () =>
 });
 
 test('A verb is asked of the worker, and its answer given', async () => {
-  const picked = client.pick(3, 4);
-  assert.deepEqual(worker().asked[0].args, [3, 4]);
-  worker().answer('pick', { value: { hit: false } });
+  const picked = client.setCentre({ at: [3, 4] });
+  assert.deepEqual(worker().asked[0].args, [{ at: [3, 4] }]);
+  worker().answer('setCentre', { value: { hit: false } });
   assert.deepEqual(await picked, { hit: false });
 });
 

@@ -156,34 +156,31 @@ export class EngineHost {
   }
 
   /**
-   * Puts the centre at a position on the canvas.
-   * @param {number} x
-   * @param {number} y
+   * Puts the centre there, unless the inspector uses the position.
+   * @param {import('./types.js').CentreChoice} where
    * @returns {import('./types.js').PickResult}
    */
-  pick(x, y) {
-    if (this.inspectorTakes_ || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y }))) return { hit: false };
-    return this.drawn_(this.engine_.pick(x, y));
+  setCentre(where) {
+    if ('at' in where) {
+      const [x, y] = where.at;
+      if (this.inspectorTakes_ || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y }))) return { hit: false };
+    }
+    return this.drawn_(this.engine_.setCentre(where));
   }
 
   /**
    * Previews the code at an estimated placement.
-   * @param {number} x
-   * @param {number} y
+   * @param {[number, number] | null} at  on the canvas; null: hides the preview
    * @returns {Promise<import('./types.js').HoverResult>}
    */
-  async hover(x, y) {
+  async hover(at) {
     const asked = (this.hovers_ += 1);
+    if (!at) return this.drawn_(this.engine_.hover(null));
     while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
     if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
-    const found = this.engine_.hover(x, y);
+    const found = this.engine_.hover(at);
     this.drawFrame_();
     return found;
-  }
-
-  endHover() {
-    this.hovers_ += 1;
-    this.drawn_(this.engine_.endHover());
   }
 
   /**

@@ -81,7 +81,15 @@
  *   module of this pattern that the printer can make
  */
 
-/** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
+/**
+ * A centre of the code: the surface point at a position on the canvas, the one nearest to a point, or a spot found last.
+ * @typedef {{ at: [number, number] } | { mm: [number, number, number] } | { spot: number }} CentreChoice
+ * @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult
+ */
+/**
+ * A change to the placed code: to a position on the canvas, or to a rotation and size.
+ * @typedef {{ at: [number, number] } | { rotateDeg: number, symbolMm: number }} CodeChange
+ */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
 /**

@@ -5,7 +5,6 @@
 // arrive as objects.
 
 /** @typedef {import('./types.js').Aspect} Aspect */
-/** @typedef {import('./types.js').CodeFacts} CodeFacts */
 /** @typedef {import('./types.js').ColourImage} ColourImage */
 /** @typedef {import('./types.js').EngraveProgress & { done: boolean }} JobProgress */
 /** @typedef {import('./types.js').GreyImage} GreyImage */
@@ -58,16 +57,10 @@ export const kPageVerbs = {
    * @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>}
    */
   symbol: { part: 'symbol' },
-  /** @type {Verb<(x: number, y: number, z: number) => PickResult>} */
-  setCentre: { draws: true },
   /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
   placement: { part: 'placement', draws: true },
-  /** @type {Verb<(x: number, y: number) => HoverResult>} */
-  moveCode: { draws: true },
-  /** @type {Verb<(rotateDeg: number, symbolMm: number) => CodeFacts>} */
-  adjustCode: { part: 'code', draws: true },
-  /** Places the code at one of the spots found last. @type {Verb<(index: number) => PickResult>} */
-  chooseSpot: { draws: true },
+  /** Shows the placed code changed. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
+  adjustCode: { draws: true },
   /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
   spotPicture: {},
 
@@ -124,12 +117,10 @@ export const kPageVerbs = {
 
 /** Verbs of the engine that only the host calls. The C++ class is Engine. */
 export const kInnerVerbs = {
-  /** @type {Verb<(x: number, y: number) => PickResult>} */
-  pick: {},
-  /** @type {Verb<(x: number, y: number) => HoverResult>} */
+  /** @type {Verb<(where: import('./types.js').CentreChoice) => PickResult>} */
+  setCentre: {},
+  /** @type {Verb<(at: [number, number] | null) => HoverResult>} */
   hover: {},
-  /** @type {Verb<() => void>} */
-  endHover: {},
   /**
    * Starts a job; see Engine::startJob().
    * @type {Verb<(job: 'engrave' | 'spots' | 'settling' | 'view-trials', options: JobOptions) => StartedJob>}
@@ -206,9 +197,8 @@ export const kPrintVerbs = {
 /** Verbs that the host adds for the page, as methods of its own. */
 export const kHostVerbs = /** @type {const} */ ([
   'resize',
-  'pick',
+  'setCentre',
   'hover',
-  'endHover',
   'settle',
   'findSpots',
   'prepareEngrave',

@@ -128,7 +128,7 @@ class Demonstration {
     this.view_.announceSize();
     await this.client_.setTheme(this.theme_.dark);
     const { triangles } = await this.client_.loadModel(await fetchBytes(`samples/${sample.file}`), sample.file, 1);
-    await this.client_.setCentre(sample.centreMm);
+    await this.client_.setCentre({ mm: sample.centreMm });
     await this.client_.configure(kSettings);
     const { guaranteedMm, symbolMm, moduleMm, modules } = await this.client_.placement();
     await this.client_.act({ kind: 'face' });

@@ -329,7 +329,7 @@ export class Session {
 
   /** @param {number} x @param {number} y */
   pick(x, y) {
-    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.pick(x, y)));
+    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.setCentre({ at: [x, y] })));
   }
 
   /** @param {() => Promise<unknown>} action */
