@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verbs of the module, one row each: what a row is called, the C++ method is called, too. From the rows come the
-// bindings (wasm/list_verbs.js), the calls of the host (module_calls.js), and the methods of the client (client.js) with
-// their types. A row's type is the verb as JavaScript calls it: objects travel to the module as JSON, and its JSON answers
-// arrive as objects.
+// The verbs of the module: one row each, named after its C++ method. From the rows come the bindings
+// (wasm/list_verbs.js), the calls of the host (module_calls.js), and the methods of the client with their types
+// (client.js). A row's type is the type of the verb for JavaScript: objects travel to the module as JSON, and JSON
+// answers arrive as objects.
 
 /** @typedef {import('./types.js').Aspect} Aspect */
 /** @typedef {import('./types.js').ColourImage} ColourImage */
@@ -27,6 +27,7 @@
 /** @typedef {import('./types.js').PlanOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
 
 /**
+ * A row.
  * @template {(...given: any[]) => any} Call
  * @typedef {object} Verb
  * @property {'InspectedEngine'} [of]  the C++ class, if it is not the class of the table
