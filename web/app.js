@@ -96,7 +96,7 @@ export class App {
       onBusy: (busy) => this.session_.allowWork(!busy),
     });
     this.placePanel_ = new PlacePanel((centreMm) =>
-      this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
+      this.guard_(() => this.placing_.move(() => this.client_.setCentre({ mm: centreMm }))),
     );
     this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();
@@ -185,11 +185,11 @@ export class App {
   makeToolbar_() {
     return new ViewToolbar({
       onCarved: (carved) => this.guard_(() => this.session_.showCarved(carved)),
-      onBefore: (before) => this.guard_(() => this.client_.showCarved(!before)),
+      onBefore: (before) => this.guard_(() => this.client_.show({ carved: !before })),
       onReaderView: () => this.tools_.act({ kind: 'readerView' }),
       onFit: () => this.tools_.act({ kind: 'fit' }),
       onStandard: (name) => this.tools_.act({ kind: 'standard', name }),
-      onSection: (shown, offset) => this.guard_(() => this.client_.showSection(shown, offset)),
+      onSection: (shown, offset) => this.guard_(() => this.client_.show({ section: shown ? offset : null })),
       onFaceSection: () => this.tools_.act({ kind: 'faceSection' }),
       onDepths: (shown) => this.guard_(() => this.session_.showDepths(shown)),
       onInspector: (shown) => this.guard_(() => this.inspecting_.show(shown)),

@@ -53,7 +53,7 @@ export class Placing {
     if (!info.engravable) {
       this.refuse_(info);
     } else if (chosenMm) {
-      await this.move(() => this.client_.setCentre(chosenMm));
+      await this.move(() => this.client_.setCentre({ mm: chosenMm }));
     } else if (info.centre) {
       this.centre_.put(info.centre, true);
       await this.place();
@@ -70,7 +70,7 @@ export class Placing {
    */
   async put(centreMm, isGuess) {
     if (!centreMm) return;
-    await this.client_.setCentre(centreMm);
+    await this.client_.setCentre({ mm: centreMm });
     this.centre_.put(centreMm, isGuess);
   }
 

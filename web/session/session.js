@@ -256,7 +256,7 @@ export class Session {
   /** @param {boolean} shown */
   async showSizes(shown) {
     if (shown) await this.parts_.carving.show(false);
-    await this.parts_.client.showSizes(shown);
+    await this.parts_.client.show({ sizes: shown });
   }
 
   /** @param {boolean} carved */
@@ -292,7 +292,7 @@ export class Session {
 
   /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
   async showDepths(shown) {
-    const { topMm, deepestMm } = await this.parts_.client.showDepths(shown);
+    const { topMm, deepestMm } = await this.parts_.client.show({ depths: shown });
     if (shown) this.parts_.legend.show('depths', topMm, deepestMm > topMm);
     else this.parts_.legend.hide('depths');
     if (shown && !this.parts_.carving.shown) await this.showCarved(true);
@@ -330,7 +330,7 @@ export class Session {
 
   /** @param {number} x @param {number} y */
   pick(x, y) {
-    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.pick(x, y)));
+    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.setCentre({ at: [x, y] })));
   }
 
   /** @param {() => Promise<unknown>} action */

@@ -74,7 +74,7 @@ export class SpotFinding {
 
   /** @param {number} index */
   async choose(index) {
-    await this.placing_.move(() => this.client_.chooseSpot(index));
+    await this.placing_.move(() => this.client_.setCentre({ spot: index }));
     this.panel_.mark(index);
     if (this.placing_.placement) await this.client_.act({ kind: 'face' });
   }
@@ -84,6 +84,6 @@ export class SpotFinding {
     if (this.searching_) this.jobs_.abort();
     if (!this.panel_.known) return;
     this.panel_.clear();
-    await this.client_.showSizes(false);
+    await this.client_.show({ sizes: false });
   }
 }

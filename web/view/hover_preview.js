@@ -43,7 +43,7 @@ export class HoverPreview {
     if (!this.shown_) return;
     this.shown_ = false;
     this.client_()
-      .endHover()
+      .hover(null)
       .catch(() => {}); // fails only if the engine is replaced, which shows no code either
   }
 
@@ -51,7 +51,7 @@ export class HoverPreview {
   async update_({ x, y }) {
     const asked = this.latest_;
     try {
-      const { code } = await this.client_().hover(x, y);
+      const { code } = await this.client_().hover([x, y]);
       if (!this.shown_) return;
       if (!code) {
         this.chip_.hide();
