@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module's only interface to JavaScript: the verbs of the engine, the inspector, the print and the batch, by name.
+// The module's only interface to JavaScript: the verbs of web/engine/verbs.js, by name. The build makes wasm/verbs.h
+// from that table.
 #include <GLES3/gl3.h>
 #include <emscripten/bind.h>
 #include <emscripten/html5_webgl.h>
@@ -15,37 +16,7 @@
 #include "engine/planned_batch.h"
 #include "engine/printed_code.h"
 #include "inspector/inspected_engine.h"
-
-/// Every verb that the page may call, with its class.
-// clang-format off
-#define QRELIEF_VERBS(verb) \
-  verb(Engine, capabilities) verb(Engine, loadModel) verb(Engine, configure) verb(Engine, symbol) \
-  verb(Engine, pick) verb(Engine, setCentre) verb(Engine, placement) verb(Engine, hover) verb(Engine, endHover) \
-  verb(Engine, startSettling) verb(Engine, advanceSettling) verb(Engine, moveCode) verb(Engine, adjustCode) \
-  verb(Engine, startSpotSearch) verb(Engine, advanceSpotSearch) verb(Engine, cancelSpotSearch) verb(Engine, spots) \
-  verb(Engine, chooseSpot) verb(Engine, showSizes) verb(Engine, prepareEngrave) \
-  verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, nextStep) verb(Engine, carving) \
-  verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
-  verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
-  verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \
-  verb(Engine, stlToPrint) verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) verb(Engine, describeRow) \
-  verb(Engine, startPlate) verb(Engine, addToPlate) verb(Engine, exportPlate) \
-  verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
-  verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \
-  verb(Engine, standardView) verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection) \
-  verb(Engine, faceSection) verb(Engine, showDepths) verb(Engine, viewState) verb(Engine, spotPicture) \
-  verb(InspectedEngine, draw) verb(InspectedEngine, openInspector) verb(InspectedEngine, showInspector) \
-  verb(InspectedEngine, inspectorTexts) verb(InspectedEngine, inspectorArea) \
-  verb(InspectedEngine, inspectorGlyphs) verb(InspectedEngine, inspectorPointer) \
-  verb(InspectedEngine, inspectorKey) verb(InspectedEngine, inspectorPick) \
-  verb(InspectedEngine, inspectorState)
-#define QRELIEF_PRINT_VERBS(verb) \
-  verb(PrintedCode, start) verb(PrintedCode, advance) verb(PrintedCode, readingPictures) verb(PrintedCode, picture)
-#define QRELIEF_FACT_VERBS(verb) verb(Facts, model) verb(Facts, symbol)
-#define QRELIEF_BATCH_VERBS(verb) \
-  verb(PlannedBatch, plan) verb(PlannedBatch, rows) verb(PlannedBatch, row) verb(PlannedBatch, toHash) \
-  verb(PlannedBatch, manifestLine) verb(PlannedBatch, manifestCsv)
-// clang-format on
+#include "wasm/verbs.h"
 
 namespace qrelief {
 namespace {
@@ -188,7 +159,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
   const auto engine = emscripten::class_<InspectedEngine>("Engine");
   engine.constructor(&makeEngine, emscripten::allow_raw_pointers());
 #define QRELIEF_BIND(Owner, verb) engine.function(#verb, &Verb<&Owner::verb>::call);
-  QRELIEF_VERBS(QRELIEF_BIND)
+  QRELIEF_ENGINE_VERBS(QRELIEF_BIND)
 #undef QRELIEF_BIND
   engine.function("memoryInUse", &memoryInUse);
   const auto print = emscripten::class_<PrintedCode>("PrintedCode");

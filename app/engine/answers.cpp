@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/answers.h"
 
+#include <limits>
+
 namespace qrelief {
 namespace {
 
@@ -41,6 +43,10 @@ std::string answer(const Progress& progress, const Json& more) {
       {"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}};
   told.update(more);
   return textOf(told);
+}
+
+double numberOf(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }

@@ -29,9 +29,14 @@ std::string answer(ErrorKind kind, Message message);
 /// Returns {"ok": true, stage, fraction, done}.
 std::string answer(const Progress& progress, const Json& more = Json::object());
 
+/// Returns a number; NaN for null, which is JSON for a number that is not finite.
+double numberOf(const Json& json);
+
 Json jsonOf(Vec3 v);
 
 inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};
+inline const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
+inline const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
 
 /// Lists the parser's warnings, then the findings about the model, each as {"severity", "code", "values"}.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);

@@ -268,7 +268,6 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format) {
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
-  if (format == "stl") return result.stl;
   const bool withInlay = format == "3mf-inlay";
   if (withInlay && !result.inlay) {
     const Status made = addInlay(*model.engravable, current_.request.surface, result);

@@ -92,7 +92,7 @@ class Carvings {
   ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }
   /// Draws the next trial in every reading variant. Empty if it cannot be drawn.
   std::vector<GreyImage> viewTrialPictures(const Ground& ground);
-  /// See Engine::exportModel.
+  /// See Engine::exportModel. Not for "stl": that is printable()->stl.
   std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format);
 
   // For the inspector; all of it about the last engraving that was started.

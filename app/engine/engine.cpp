@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/facts.h"
 #include "engine/model_file.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
-namespace {}  // namespace
 
 Engine::Engine(const std::string& renderer) {
   const auto capabilities = gl::queryCapabilities();
@@ -41,6 +41,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   carvings_.forgetAll();
   placedCode_.forgetFound();
   offers_.forget();
+  plate_ = {};
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
   model_ = std::move(*model);
@@ -83,11 +84,16 @@ std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
   return textOf({{"hit", true}, {"centre", jsonOf(point->position)}});
 }
 
-std::string Engine::pick(double x, double y) { return chooseCentre(surfaceAt(x, y)); }
-
-std::string Engine::setCentre(double x, double y, double z) {
-  if (!model_ || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return chooseCentre({});
-  return chooseCentre(closestPoint(model_->mesh(), {x, y, z}));
+std::string Engine::setCentre(const std::string& where) {
+  const Result<Json> given = parseJson(where);
+  if (!given) return answer(given.error());
+  if (given->contains("spot")) return chooseSpot(given->at("spot"));
+  if (const auto at = given->find("at"); at != given->end())
+    return chooseCentre(surfaceAt(numberOf(at->at(0)), numberOf(at->at(1))));
+  const Json& mm = given->at("mm");
+  const Vec3 point(numberOf(mm.at(0)), numberOf(mm.at(1)), numberOf(mm.at(2)));
+  if (!model_ || !std::isfinite(point.x + point.y + point.z)) return chooseCentre({});
+  return chooseCentre(closestPoint(model_->mesh(), point));
 }
 
 }  // namespace qrelief

@@ -44,66 +44,58 @@ class Engine {
   /// Describes the symbol for some settings and changes nothing, see describeSymbol.
   std::string symbol(const std::string& settings) const;
 
-  /// Makes the surface point at a screen position the centre of the code. Returns {hit: false} or {hit: true, centre}.
-  /// Shows the model as it was before carving.
-  std::string pick(double x, double y);
-  /// Does the same with the surface point nearest to a point in mm.
-  std::string setCentre(double x, double y, double z);
+  /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: false}
+  /// or {hit: true, centre}; BadUsage if there is no such spot.
+  /// @param where  {"at": [x, y]}: the point at a screen position; {"mm": [x, y, z]}: the point nearest to this one;
+  ///               {"spot": index}: a spot of the last search, with the direction found for it
+  std::string setCentre(const std::string& where);
 
   /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
   /// moduleMm, guaranteedMm, rotationDeg, version, modules}}. `direction` is the direction that came with the centre
-  /// (chooseSpot), else null. Where no code fits, shows the part that does.
+  /// (from a spot), else null. Where no code fits, shows the part that does.
   std::string placement();
 
   /// Shows the code about where it would lie. Returns {hit: false}, {hit: true, onCode: true} over the placed code,
   /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
-  std::string hover(double x, double y);
-  void endHover();
-  /// Starts finding the exact place of the hovered code. The next hover ends the search.
-  std::string startSettling();
-  /// Does one bounded piece of that work. Returns {done} or {done: true, code}; an error where no code fits.
-  std::string advanceSettling();
-  /// Shows the placed code at about another position, until pick or placement. Returns {hit, code}. Off the model, the
-  /// code stays where it is.
-  std::string moveCode(double x, double y);
-  /// Shows the code turned and resized, until placement. Returns {code}; BadUsage if there is no code.
-  std::string adjustCode(double rotateDeg, double symbolMm);
+  /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
+  std::string hover(const std::string& at);
+  /// Shows the placed code changed, until placement. Returns {hit, code}. BadUsage if there is no code to resize.
+  /// @param change  {"at": [x, y]}: about another position, until setCentre, too; off the model, the code stays where
+  ///                it is. {"rotateDeg", "symbolMm"}: turned and resized
+  std::string adjustCode(const std::string& change);
 
-  /// Starts searching for the best spots for the settings. Ends an earlier search.
-  std::string startSpotSearch();
-  /// Does one bounded piece of work. Returns {stage, fraction, done}. When done, the model shows the sizes.
-  std::string advanceSpotSearch();
-  void cancelSpotSearch();
-  /// Returns {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and the
-  /// reasons why a code may not print or decode there. `topMm` is the size that has the last colour of the map. Empty
-  /// before a search is done.
-  std::string spots() const;
-  /// Makes the spot the centre of the code, with the direction found for it. Returns {centre}.
-  std::string chooseSpot(std::size_t index);
-  /// Shows the largest sizes as colours on the model, if they are known.
-  void showSizes(bool shown);
-
-  /// Does one bounded piece of the work that the next engraving begins with, so that the engraving has less to do.
-  /// Returns {done}. There is nothing to do (done) while other work is running or no code is placed.
-  std::string prepareEngrave();
-  /// Starts an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage, fraction, done} of
-  /// the first piece of work.
-  /// @param options     {"next": carve with the change of nextStep(), "print": look at prints, "fixed": [keys of
-  /// settings
-  ///                    that must not change]}; all may be missing: false, true, none
+  /// Starts a job. An earlier one of that name ends.
+  /// @param job  "engrave": an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage,
+  ///                 fraction, done} of the first piece of work
+  ///             "spots": the search for the best spots for the settings
+  ///             "settling": the search for the exact place of the hovered code; the next hover ends it
+  ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
+  ///                 with pictures() and noteViewTrial() for its steps. Returns {tried, all}
+  /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
+  ///                    [keys of settings that must not change]}; all may be missing: false, true, none
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
   ///                    empty: as configured
-  std::string startEngrave(const std::string& options = "{}",
-                           const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  std::string startJob(const std::string& job, const std::string& options = "{}",
+                       const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  /// Does one bounded piece of work of a job.
+  /// @param job  "engrave": returns {stage, fraction, done, printable}. When done, there is a carved model to show
+  ///                 (show). `printable`: its file is written, so that printOrder() and exportModel("stl")
+  ///                 work
+  ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
+  ///                 concerns: [message]}], topMm}, and the model shows the sizes. Best first, with the largest size
+  ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
+  ///                 last colour of the map
+  ///             "settling": returns {done} or {done: true, code}; an error where no code fits
+  ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
+  ///                 is never started. Returns {done}. There is nothing to do (done) while other work is running or no
+  ///                 code is placed
+  std::string advanceJob(const std::string& job);
+  /// Ends "engrave" or "spots".
+  void cancelJob(const std::string& job);
   /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
   /// {step: "deliver", carving}. `carving` is the number of the carving to print or to deliver, or of the best one so
   /// far. Call it after setReadings(), after setPrintedReadings(), or if a carving fails.
   std::string nextStep() const;
-  /// Does one bounded piece of work. Returns {stage, fraction, done, printable}. When done, there is a carved model to
-  /// show (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
-  std::string advance();
-  void cancel();
-
   /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }
   /// Restores and shows a finished engraving of this model: the last one or the previous one.
@@ -112,27 +104,25 @@ class Engine {
 
   /// Returns the report of the contract; an error before an engraving is done.
   std::string report() const;
-  /// Returns the picture that a phone at the eye takes; empty before an engraving is done.
-  const GreyImage& readerImage() const;
+  /// Returns pictures of the carving; none before an engraving is done.
+  /// @param of  "reader": the one picture that a phone at the eye takes; "reading": the pictures for the decoders, each
+  ///            to be tried with every binariser, see frontalPictures(); "view-trial": the pictures of the next trial,
+  ///            which passes if one of them decodes; none if it cannot be drawn
+  std::vector<GreyImage> pictures(const std::string& of);
   /// Returns the picture that a phone takes from the side, see tilted(). Empty before an engraving is done, and where
   /// it cannot be drawn.
   GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
   /// Returns one of the maps that the engraving job worked on, see jobMap in job_map.h.
   std::optional<JobMap> jobMap(const std::string& name) const;
-  /// Returns the pictures for the decoders, each to be tried with every binariser: see frontalPictures(). Empty before
-  /// an engraving.
-  std::vector<GreyImage> readingPictures() const;
-  /// Stores the texts decoded from readingPictures(). Returns {passed}: the code decodes.
+  /// Stores the texts decoded from pictures("reading"). Returns {passed}: the code decodes.
   /// @param texts   a JSON list, in the order of the pictures, binariser by binariser; "" where nothing was decoded
   /// @param reader  name of the decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
-  /// Returns {order}: print parameters for PrintedCode::start(), to pass along with stlToPrint(). Null if no print
-  /// process is chosen. An error before an engraving is printable, see advance().
+  /// Returns {order}: print parameters for PrintedCode::start(), to pass along with exportModel("stl"). Null if no
+  /// print process is chosen. An error before an engraving is printable, see advanceJob().
   /// @param changed  printing settings that differ from the carved request, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
-  /// Returns the carved model as binary STL; empty before an engraving is printable.
-  std::vector<std::uint8_t> stlToPrint() const;
   /// Adds the texts decoded from the print's pictures to the report. Returns {passed}: the code decodes as carved and
   /// as printed.
   /// @param texts      as for setReadings()
@@ -147,23 +137,19 @@ class Engine {
   /// in batch/manifest.h, and the failed checks. @param totalMs  of all its work
   std::string describeRow(double totalMs) const;
 
-  /// Starts the test of the other angles from which the code decodes (verification/view_trials.h). Returns {tried,
-  /// all}.
-  std::string startViewTrials();
-  /// Draws the next trial; it passes if one of its pictures decodes. Empty if it cannot be drawn.
-  std::vector<GreyImage> viewTrialPictures();
   /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
   /// forgiving, pixelsPerModule, distanceMm}}.
   std::string noteViewTrial(bool read);
   /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the
-  /// pockets), reads it back and compares. Empty before an engraving is done, for any other format, if the file would
-  /// differ from the model, and if no solid body can fill the pockets.
+  /// pockets), reads it back and compares. Empty before an engraving is done ("stl": before it is printable), for any
+  /// other format, if the file would differ from the model, and if no solid body can fill the pockets.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
-  /// Begins a plate for copies of the model, each carved with a code of its own. Forgets an earlier plate.
-  std::string startPlate(int copies);
-  /// Puts the current carving on the plate. @param place  from 0 @param id  the copy's name
-  std::string addToPlate(int place, const std::string& id);
+  /// Puts the current carving on the plate, which is for copies of the model, each carved with a code of its own.
+  /// @param place   from 0
+  /// @param id      the copy's name
+  /// @param copies  that the plate has room for; counts where it is empty
+  std::string addToPlate(int place, const std::string& id, int copies);
   /// Returns the plate as 3MF, read back and compared, and empties the plate. No bytes if nothing is on it.
   std::vector<std::uint8_t> exportPlate(const std::string& title) { return plate_.taken(title); }
 
@@ -171,24 +157,19 @@ class Engine {
   void setTheme(bool dark) { scene_.setTheme(dark); }
   /// Sets the model's up axis, "y" or "z", for the view and as the direction of the code's top.
   void setUpAxis(const std::string& axis);
-  void showCarved(bool carved);
-  void orbit(double dx, double dy) { scene_.camera().orbit(dx, dy); }
-  void pan(double dx, double dy) { scene_.camera().pan(dx, dy); }
-  void zoom(double factor, double x, double y);
-  void fit() { scene_.camera().fit(); }
-  /// Turns the camera to "front", "back", "left", "right", "top", "bottom" or "iso"; ignores other names.
-  void standardView(const std::string& name) { scene_.standardView(name); }
-  void readerView();
-  /// Looks from the reader's side, with the surroundings in view.
-  void faceCode();
-  /// Cuts the model open across the code, from top to bottom as its reader sees it.
-  /// @param offset  of the cut from the code's middle, in half edges of its square: -1 … 1
-  void showSection(bool shown, double offset);
-  /// Turns the camera to where the section is visible.
-  void faceSection();
-  /// Shows carved depths as colours. Returns {topMm, deepestMm}: depth of the last colour and of the deepest pocket; 0
-  /// where nothing is carved.
-  std::string showDepths(bool shown);
+  /// Shows or hides what `what` names, and leaves the rest as it is. Returns {topMm, deepestMm}: depth of the last
+  /// colour and of the deepest pocket; 0 where nothing is carved.
+  /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
+  ///              are known, "depths": true: carved depths as colours, "section": cuts the model open across the code,
+  ///              from top to bottom as its reader sees it, at that offset from the code's middle in half edges of its
+  ///              square, -1 … 1; null: no section}
+  std::string show(const std::string& what);
+  /// Moves the camera.
+  /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
+  ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
+  ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the reader's side, with the
+  ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
+  std::string look(const std::string& action);
 
   /// Returns {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x,
   /// y]}], axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper
@@ -219,17 +200,31 @@ class Engine {
   const gl::Capabilities& gl() const { return gl_; }
 
  private:
+  std::string startEngrave(const std::string& options, const std::function<EngraveRequest(EngraveRequest)>& overridden);
+  std::string startSpotSearch();
+  std::string advanceEngrave();
+  std::string advanceSpotSearch();
+  std::string advanceSettling();
+  std::string advancePreparation();
+
   // Parts of the answers to the page.
   std::string describeModel() const;
   std::string describePlacement() const;
   std::string describeCode(const CodeOnSurface& code) const;
 
+  void showCarved(bool carved);
+  void showSizes(bool shown);
+  void zoom(double factor, double x, double y);
   bool takesCode() const;
   bool showsCarved() const;
   PlacementTask task() const;
   Carvings::Ground ground() const { return {*model_, pass_}; }
   Status placeCode();
   std::string chooseCentre(std::optional<SurfacePoint> point);
+  std::string chooseSpot(std::size_t index);
+  std::string moveCode(double x, double y);
+  std::string resizeCode(double rotateDeg, double symbolMm);
+  void endHover();
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   void updateView();
 

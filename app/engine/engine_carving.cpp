@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements the verbs that engrave, print, report and export.
+// Implements the verbs that use a carving: plan, print, report and export it.
 #include <algorithm>
+#include <cassert>
 
 #include "base/parse_json.h"
 #include "engine/answers.h"
@@ -13,47 +14,11 @@
 namespace qrelief {
 namespace {
 
-const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
-
 Json jsonOf(const std::optional<SettingChange>& change) {
   return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
 }
 
 }  // namespace
-
-std::string Engine::prepareEngrave() {
-  bool isDone = true;
-  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
-    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
-    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
-  }
-  return textOf({{"ok", true}, {"done", isDone}});
-}
-
-std::string Engine::startEngrave(const std::string& options,
-                                 const std::function<EngraveRequest(EngraveRequest)>& overridden) {
-  const Result<Json> given = parseJson(options);
-  if (!given) return answer(given.error());
-  const bool isNext = given->value("next", false);
-  if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
-    return answer(ErrorKind::BadUsage, message("not-engraving"));
-  scene_.show(Scene::Surface::Sizes, false);
-  scene_.show(Scene::Surface::Carved, false);
-  carvings_.setAside();
-  updateView();
-  if (!model_) return answer(kNoModel);
-  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
-  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
-  if (overridden) request = overridden(std::move(request));
-  if (!isNext)
-    carvings_.follow({request,
-                      {.looksAtPrint = given->value("print", true),
-                       .mayChange = !overridden,
-                       .fixed = given->value("fixed", std::vector<std::string>())}});
-  const PlacementSearch* const placed = overridden ? nullptr : placedCode_.found(request, wanted_.symbol());
-  const auto started = carvings_.start(ground(), std::move(request), placed);
-  return started ? answer(*started) : answer(started.error());
-}
 
 std::string Engine::nextStep() const {
   const EngravePlan* const plan = carvings_.plan();
@@ -67,20 +32,6 @@ std::string Engine::nextStep() const {
                  {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
                  {"change", plan->step() == EngravePlan::Step::Carve ? jsonOf(plan->change()) : Json()}});
 }
-
-std::string Engine::advance() {
-  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
-  const Result<Progress> progress = carvings_.advance();
-  if (!progress) return answer(progress.error());
-  if (progress->done) {
-    const EngraveResult& result = *carvings_.result();
-    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
-    updateView();
-  }
-  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
-}
-
-void Engine::cancel() { carvings_.cancel(); }
 
 bool Engine::useCarving(int number) {
   if (!carvings_.use(number)) return false;
@@ -101,18 +52,16 @@ void Engine::showCarved(bool carved) {
 
 std::string Engine::report() const { return carvings_.result() ? carvings_.report(*model_, gl_) : answer(kNoResult); }
 
-const GreyImage& Engine::readerImage() const {
-  static const GreyImage kNone;
-  return carvings_.result() ? carvings_.result()->readerView.picture : kNone;
-}
-
 GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
   return carvings_.result() ? carvings_.readerImageFrom(ground(), tiltDeg, azimuthDeg) : GreyImage{};
 }
 
-std::vector<GreyImage> Engine::readingPictures() const {
+std::vector<GreyImage> Engine::pictures(const std::string& of) {
   if (!carvings_.result()) return {};
+  if (of == "view-trial") return carvings_.viewTrialPictures(ground());
   const ReaderView& seen = carvings_.result()->readerView;
+  if (of == "reader") return {seen.picture};
+  assert(of == "reading");
   return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
 }
 
@@ -129,10 +78,6 @@ std::string Engine::printOrder(const std::string& changed) const {
   const auto wanted = carvings_.printedView(changed);
   if (!wanted) return answer(wanted.error());
   return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
-}
-
-std::vector<std::uint8_t> Engine::stlToPrint() const {
-  return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>{};
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
@@ -171,15 +116,6 @@ std::string Engine::describeRow(double totalMs) const {
                  {"details", Json::parse(row.details)}});
 }
 
-std::string Engine::startViewTrials() {
-  if (!carvings_.result()) return answer(kNoResult);
-  return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});
-}
-
-std::vector<GreyImage> Engine::viewTrialPictures() {
-  return carvings_.result() ? carvings_.viewTrialPictures(ground()) : std::vector<GreyImage>();
-}
-
 std::string Engine::noteViewTrial(bool read) {
   ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
   if (!trials || trials->done()) return answer(kNoResult);
@@ -200,18 +136,15 @@ std::string Engine::noteViewTrial(bool read) {
 }
 
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
+  if (format == "stl") return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
   return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
 }
 
-std::string Engine::startPlate(int copies) {
-  if (!model_) return answer(kNoModel);
-  plate_.start(*model_, static_cast<std::size_t>(std::max(copies, 0)));
-  return done();
-}
-
-std::string Engine::addToPlate(int place, const std::string& id) {
+std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
-  plate_.add(*model_, *carvings_.result(), carvings_.request(), static_cast<std::size_t>(std::max(place, 0)), id);
+  const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };
+  if (plate_.isEmpty()) plate_.start(*model_, size(copies));
+  plate_.add(*model_, *carvings_.result(), carvings_.request(), size(place), id);
   return done();
 }
 

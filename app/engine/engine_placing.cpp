@@ -2,18 +2,13 @@
 // Implements the verbs that place the code, move the code under the pointer, and offer spots.
 #include <cmath>
 
+#include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "math/angle.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
-namespace {
-
-const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
-
-}  // namespace
-
 PlacementTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
 
 bool Engine::takesCode() const {
@@ -66,18 +61,21 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
                    {"exact", code.isExact}}}});
 }
 
-std::string Engine::hover(double x, double y) {
+std::string Engine::hover(const std::string& at) {
+  const Result<Json> given = parseJson(at);
+  if (!given) return answer(given.error());
   placedCode_.stopSettling();
-  const auto at = takesCode() && !showsCarved() ? surfaceAt(x, y) : std::nullopt;
-  if (!at) {
+  const bool mayHit = !given->is_null() && takesCode() && !showsCarved();
+  const auto point = mayHit ? surfaceAt(numberOf(given->at(0)), numberOf(given->at(1))) : std::nullopt;
+  if (!point) {
     endHover();
     return textOf({{"ok", true}, {"hit", false}});
   }
-  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *at)) {
+  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *point)) {
     endHover();
     return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
   }
-  if (const Status hovered = placedCode_.hover(task(), *at); !hovered) return answer(hovered.error());
+  if (const Status hovered = placedCode_.hover(task(), *point); !hovered) return answer(hovered.error());
   scene_.setGhost(placedCode_.hovered());
   return describeCode(*placedCode_.hovered());
 }
@@ -85,19 +83,6 @@ std::string Engine::hover(double x, double y) {
 void Engine::endHover() {
   placedCode_.endHover();
   scene_.setGhost(nullptr);
-}
-
-std::string Engine::startSettling() {
-  return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
-}
-
-std::string Engine::advanceSettling() {
-  if (!placedCode_.isSettling()) return answer(kNoCode);
-  const Result<bool> settled = placedCode_.settle(task());
-  if (!settled) return answer(settled.error());
-  if (!*settled) return textOf({{"ok", true}, {"done", false}});
-  scene_.setGhost(placedCode_.hovered());
-  return describeCode(*placedCode_.hovered());
 }
 
 std::string Engine::moveCode(double x, double y) {
@@ -109,7 +94,14 @@ std::string Engine::moveCode(double x, double y) {
   return describeCode(*placedCode_.code());
 }
 
-std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
+std::string Engine::adjustCode(const std::string& change) {
+  const Result<Json> given = parseJson(change);
+  if (!given) return answer(given.error());
+  if (const auto at = given->find("at"); at != given->end()) return moveCode(numberOf(at->at(0)), numberOf(at->at(1)));
+  return resizeCode(numberOf(given->at("rotateDeg")), numberOf(given->at("symbolMm")));
+}
+
+std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
@@ -119,45 +111,11 @@ std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
   return describeCode(*placedCode_.code());
 }
 
-std::string Engine::startSpotSearch() {
-  offers_.forget();
-  showSizes(false);
-  if (!model_) return answer(kNoModel);
-  if (!wanted_.symbol()) return answer(wanted_.symbol().error());
-  const Status started = offers_.start(task());
-  return started ? done() : answer(started.error());
-}
-
-std::string Engine::advanceSpotSearch() {
-  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
-  const Result<Progress> progress = offers_.advance();
-  if (!progress) return answer(progress.error());
-  if (progress->done) showSizes(true);
-  return answer(*progress);
-}
-
-void Engine::cancelSpotSearch() {
-  if (offers_.isRunning()) offers_.forget();
-}
-
-std::string Engine::spots() const {
-  Json spots = Json::array();
-  for (const OfferedSpot& spot : offers_.spots()) {
-    Json concerns = Json::array();
-    for (const Message& concern : spot.concerns) concerns.push_back(jsonOf(concern));
-    spots.push_back({{"centre", jsonOf(spot.centreMm)},
-                     {"aimToleranceDeg", spot.aimToleranceDeg},
-                     {"sizeMm", offers_.offeredMm(spot)},
-                     {"concerns", concerns}});
-  }
-  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
-}
-
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
     return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index + 1)));
   const OfferedSpot& spot = offers_.spots()[index];
-  const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
+  const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
   return chosen;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the verbs that control and describe the view.
+#include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "viewer/depth_colours.h"
@@ -61,33 +62,47 @@ void Engine::zoom(double factor, double x, double y) {
   scene_.camera().zoom(factor, surface ? surface->position : scene_.camera().onTargetPlane(x, y));
 }
 
-void Engine::readerView() {
-  if (placedCode_.placement() && placedCode_.code())
-    scene_.lookAsReader(placedCode_.placement()->frame, placedCode_.code()->decal.edgeMm);
+std::string Engine::look(const std::string& action) {
+  const Result<Json> given = parseJson(action);
+  if (!given) return answer(given.error());
+  const auto number = [&](const char* key) { return given->at(key).get<double>(); };
+  const std::string kind = given->at("kind");
+  const Placement* const placement = placedCode_.placement();
+  const CodeOnSurface* const code = placedCode_.code();
+  if (kind == "orbit")
+    scene_.camera().orbit(number("dx"), number("dy"));
+  else if (kind == "pan")
+    scene_.camera().pan(number("dx"), number("dy"));
+  else if (kind == "zoom")
+    zoom(number("factor"), number("x"), number("y"));
+  else if (kind == "fit")
+    scene_.camera().fit();
+  else if (kind == "standard")
+    scene_.standardView(given->at("name"));
+  else if (kind == "readerView" && placement && code)
+    scene_.lookAsReader(placement->frame, code->decal.edgeMm);
+  else if (kind == "face" && placement && code)
+    scene_.faceCode(placement->frame, code->decal.edgeMm, model_->display->box().diagonal());
+  else if (kind == "faceSection" && code)
+    scene_.faceSection(*code);
+  return done();
 }
 
-void Engine::faceCode() {
-  if (placedCode_.placement() && placedCode_.code())
-    scene_.faceCode(placedCode_.placement()->frame, placedCode_.code()->decal.edgeMm,
-                    model_->display->box().diagonal());
-}
-
-void Engine::showSection(bool shown, double offset) {
-  scene_.showSection(shown, offset);
+std::string Engine::show(const std::string& what) {
+  const Result<Json> given = parseJson(what);
+  if (!given) return answer(given.error());
+  if (given->contains("carved")) showCarved(given->at("carved"));
+  if (given->contains("sizes")) showSizes(given->at("sizes"));
+  if (given->contains("depths")) scene_.showDepths(given->at("depths"));
+  if (given->contains("section")) {
+    const Json& offset = given->at("section");
+    scene_.showSection(!offset.is_null(), offset.is_null() ? 0 : offset.get<double>());
+  }
   updateView();
-}
-
-void Engine::faceSection() {
-  if (placedCode_.code()) scene_.faceSection(*placedCode_.code());
-}
-
-std::string Engine::showDepths(bool shown) {
-  scene_.showDepths(shown);
-  updateView();
-  const EngraveResult* result = carvings_.result();
-  if (!result) return textOf({{"ok", true}, {"topMm", 0}, {"deepestMm", 0}});
-  return textOf(
-      {{"ok", true}, {"topMm", depthColoursTopMm(result->depths)}, {"deepestMm", summarise(result->depths).maxMm}});
+  const EngraveResult* const result = carvings_.result();
+  return textOf({{"ok", true},
+                 {"topMm", result ? depthColoursTopMm(result->depths) : 0},
+                 {"deepestMm", result ? summarise(result->depths).maxMm : 0}});
 }
 
 bool Engine::draw(bool always) {

@@ -37,7 +37,7 @@ Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, std::size_t cou
 
 }  // namespace
 
-std::string PlannedBatch::plan(const std::vector<std::uint8_t>& bytes, const std::string& wanted) {
+std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, const std::string& wanted) {
   plan_.reset();
   const Result<Json> parsed = parseJson(wanted);
   if (!parsed) return answer(parsed.error());
@@ -80,14 +80,14 @@ std::string PlannedBatch::fileOf(const BatchRow& row) const {
   return plateName((row.number - 1) / perPlate_, (plan_->size() + perPlate_ - 1) / perPlate_);
 }
 
-std::string PlannedBatch::rows(double from, double count) const {
+std::string PlannedBatch::batchRows(double from, double count) const {
   Json rows = Json::array();
   for (double index = from; index < from + count; ++index)
     if (const auto row = at(index)) rows.push_back(nameOf(*row, fileOf(*row)));
   return textOf({{"ok", true}, {"rows", std::move(rows)}});
 }
 
-std::string PlannedBatch::row(double index) const {
+std::string PlannedBatch::batchRow(double index) const {
   const auto row = at(index);
   if (!row) return answer(kNoRow);
   Json told = nameOf(*row, fileOf(*row));
@@ -95,7 +95,7 @@ std::string PlannedBatch::row(double index) const {
   return textOf({{"ok", true}, {"row", std::move(told)}});
 }
 
-std::string PlannedBatch::toHash(double index, const std::string& placed) const {
+std::string PlannedBatch::batchRowToHash(double index, const std::string& placed) const {
   auto row = at(index);
   if (!row) return answer(kNoRow);
   const Result<Json> parsed = parseJson(placed);

@@ -11,7 +11,7 @@
 namespace qrelief {
 
 /// The rows of a batch, as the page asks for them, and the lines of its manifest. Needs neither a model nor a GL
-/// context: Engine::configure() and startEngrave() carve the rows. Answers have the form that Engine describes.
+/// context: Engine::configure() and startJob() carve the rows. Answers have the form that Engine describes.
 class PlannedBatch {
  public:
   /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], warnings:
@@ -21,17 +21,17 @@ class PlannedBatch {
   /// @param wanted  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
   ///                where the list's columns give the values; the number of rows without a list; and the number of rows
   ///                per plate, or 0
-  std::string plan(const std::vector<std::uint8_t>& list, const std::string& wanted);
+  std::string planBatch(const std::vector<std::uint8_t>& list, const std::string& wanted);
 
   /// Returns {rows: [{number, line, id, text, file}]}: at most `count` rows, starting at `from`, which counts from 0.
   /// For rows on a plate, `file` is the plate's.
-  std::string rows(double from, double count) const;
+  std::string batchRows(double from, double count) const;
   /// Returns {row: {number, line, id, text, file, settings}}. `settings` are those in which the row differs from the
   /// common ones, and always its text and version. @param index  from 0
-  std::string row(double index) const;
+  std::string batchRow(double index) const;
   /// Returns {text}: the row's settings to hash, see settingsToHash().
   /// @param placed  {"centre": [x, y, z], "others"}: everything else that determines the row's file
-  std::string toHash(double index, const std::string& placed) const;
+  std::string batchRowToHash(double index, const std::string& placed) const;
 
   /// Returns {line}: the manifest's line (batch/manifest.h) without a line end. @param entry  the entry as JSON of any
   /// layout

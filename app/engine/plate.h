@@ -13,6 +13,7 @@ namespace qrelief {
 /// Carved copies of a model side by side, as `qrelief batch --per-plate` writes them.
 class Plate {
  public:
+  bool isEmpty() const { return objects_.empty(); }
   /// Empties the plate. @param copies  that it has room for
   void start(const LoadedModel& model, std::size_t copies);
   /// Puts a carved copy on the plate. @param place  below copies @param id  names the copy; its text goes with it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/printed_code.h"
 
+#include <cassert>
 #include <utility>
 
 #include "base/parse_json.h"
@@ -103,9 +104,11 @@ std::string PrintedCode::advance() {
   return textOf(said);
 }
 
-std::vector<GreyImage> PrintedCode::readingPictures() const {
+std::vector<GreyImage> PrintedCode::pictures(const std::string& of) const {
   const ReaderView& seen = view_.seen;
   if (seen.luminance.empty()) return {};
+  if (of == "front") return {seen.clean};
+  assert(of == "reading");
   return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
 }
 

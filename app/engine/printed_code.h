@@ -19,17 +19,17 @@ Json jsonOf(const PrintedViewRequest& request);
 class PrintedCode {
  public:
   /// Starts the simulation. Returns {stage, fraction, done}.
-  /// @param stl    the carved model, as Engine::exportModel("stl") gives it
+  /// @param stl    the carved model, from Engine::exportModel("stl")
   /// @param order  from Engine::printOrder()
   std::string start(std::vector<std::uint8_t> stl, const std::string& order);
   /// Does one bounded piece of work. Returns {stage, fraction, done}; when done, also {facingDeg, misread}: the angle
   /// between the code's normal and the printer's vertical, and the modules that the print has lost, [row, column] each.
   std::string advance();
 
-  /// Returns the pictures for the decoders, see Engine::readingPictures(). Empty before the simulation is done.
-  std::vector<GreyImage> readingPictures() const;
-  /// Returns a frontal picture of symbol, quiet zone and two modules beyond. Empty before the simulation is done.
-  const GreyImage& picture() const { return view_.seen.clean; }
+  /// Returns pictures of the print. None before the simulation is done.
+  /// @param of  "reading": the pictures for the decoders, see Engine::pictures(); "front": one frontal picture of
+  ///            symbol, quiet zone and two modules beyond
+  std::vector<GreyImage> pictures(const std::string& of) const;
 
  private:
   Mesh carved_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inspector/inspected_engine.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/parse_json.h"
+#include "engine/answers.h"
 #include "inspector/translation.h"
 
 namespace qrelief {
@@ -21,37 +22,56 @@ void InspectedEngine::setTheme(bool dark) {
   if (window_) window_->setTheme(dark);
 }
 
-std::string InspectedEngine::startEngrave(const std::string& options, bool withOverrides) {
-  if (!withOverrides || !window_) return engine_.startEngrave(options);
-  return engine_.startEngrave(options,
-                              [&](EngraveRequest page) { return window_->overrides().appliedTo(std::move(page)); });
+std::string InspectedEngine::startJob(const std::string& job, const std::string& options) {
+  if (!window_ || !nlohmann::json::parse(options).value("withOverrides", false)) return engine_.startJob(job, options);
+  return engine_.startJob(job, options,
+                          [&](EngraveRequest page) { return window_->overrides().appliedTo(std::move(page)); });
 }
 
-bool InspectedEngine::draw() {
+std::string InspectedEngine::draw() {
   InspectorWindow* const window = shownWindow();
-  const bool more = engine_.draw(window || std::exchange(hasGone_, false));
-  return window ? window->draw(engine_) || more : more;
+  bool more = engine_.draw(window || std::exchange(hasGone_, false));
+  if (window && window->draw(engine_)) more = true;
+  return textOf({{"ok", true},
+                 {"more", more},
+                 {"view", Json::parse(engine_.viewState())},
+                 {"inspector", window ? Json::parse(window->state()) : Json()}});
 }
 
-void InspectedEngine::openInspector() {
+void InspectedEngine::open() {
   if (window_) return;
   window_ = makeWindow_();
   window_->setTheme(dark_);
   engine_.timePasses(withTimerQueries_);
 }
 
-void InspectedEngine::showInspector(bool shown) {
+void InspectedEngine::show(bool shown) {
   if (shown && window_) window_->resize(size_.x, size_.y, devicePixelRatio_);
   hasGone_ = isShown_ && !shown;
   isShown_ = shown;
 }
 
-void InspectedEngine::inspectorTexts(const std::string& texts) {
-  setTranslation(nlohmann::json::parse(texts).get<Translation>());
-}
-
-void InspectedEngine::inspectorArea(double x, double y, double width, double height) {
-  if (window_) window_->setFreeArea(x, y, width, height);
+std::string InspectedEngine::inspector(const std::string& event) {
+  const Result<Json> given = parseJson(event);
+  if (!given) return answer(given.error());
+  const auto number = [&](const char* key) { return given->at(key).get<double>(); };
+  const std::string kind = given->at("kind");
+  bool takes = false;
+  if (kind == "open")
+    open();
+  else if (kind == "show")
+    show(given->at("shown"));
+  else if (kind == "texts")
+    setTranslation(given->at("texts").get<Translation>());
+  else if (kind == "area" && window_)
+    window_->setFreeArea(number("x"), number("y"), number("width"), number("height"));
+  else if (kind == "pointer" && shownWindow())
+    takes = window_->pointer(number("x"), number("y"), given->at("buttons"), number("wheel"));
+  else if (kind == "key" && shownWindow())
+    window_->key(given->at("key"), given->at("control"), given->at("shift"));
+  else if (kind == "pick" && shownWindow())
+    takes = window_->pickSubmodule(engine_, number("x"), number("y"));
+  return textOf({{"ok", true}, {"takes", takes}});
 }
 
 void InspectedEngine::inspectorGlyphs(float lineHeight, const std::vector<float>& metrics,
@@ -65,19 +85,5 @@ void InspectedEngine::inspectorGlyphs(float lineHeight, const std::vector<float>
   glyphs.alpha = std::move(alpha);
   window_->setGlyphs(std::move(glyphs));
 }
-
-bool InspectedEngine::inspectorPointer(double x, double y, int buttons, double wheel) {
-  return shownWindow() && window_->pointer(x, y, buttons, wheel);
-}
-
-void InspectedEngine::inspectorKey(const std::string& key, bool control, bool shift) {
-  if (shownWindow()) window_->key(key, control, shift);
-}
-
-bool InspectedEngine::inspectorPick(double x, double y) {
-  return shownWindow() && window_->pickSubmodule(engine_, x, y);
-}
-
-std::string InspectedEngine::inspectorState() const { return window_ ? window_->state() : "{}"; }
 
 }  // namespace qrelief

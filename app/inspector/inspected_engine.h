@@ -26,29 +26,30 @@ class InspectedEngine {
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
-  /// Starts an engraving.
-  /// @param options        see Engine::startEngrave()
-  /// @param withOverrides  use the inspector's settings where they differ from the page's
-  std::string startEngrave(const std::string& options, bool withOverrides);
-  /// @returns true if another call would improve the picture
-  bool draw();
+  /// Starts a job, see Engine::startJob(). `options` of "engrave" has also {"withOverrides"}: use the inspector's
+  /// settings where they differ from the page's.
+  std::string startJob(const std::string& job, const std::string& options);
+  /// Draws a frame. Returns {more, view, inspector}: another call would improve the picture; Engine::viewState(); and
+  /// InspectorWindow::state(), null if it is not shown.
+  std::string draw();
 
-  /// Makes the window. Call it once, after the inspector's part of the module is loaded. Times the passes from then on.
-  void openInspector();
-  void showInspector(bool shown);
-  /// Sets the translations.
-  /// @param texts  in the page's language, keyed by the English texts, as a JSON object
-  void inspectorTexts(const std::string& texts);
-  // The rest as in InspectorWindow. No effect before there is a window; keys and pointer also need it to be shown.
-  void inspectorArea(double x, double y, double width, double height);
+  /// Tells the inspector of an event. Returns {takes}: the inspector uses the event, so that nothing else may. No
+  /// effect before there is a window; keys, pointer and picks also need it to be shown.
+  /// @param event  {"kind": "open"}: makes the window. Call it after the inspector's part of the module is loaded;
+  /// times
+  ///                   the passes from then on
+  ///               {"kind": "show", "shown"}
+  ///               {"kind": "texts", "texts": {…}}: sets the translations, keyed by the English texts
+  ///               {"kind": "area", "x", "y", "width", "height"}, {"kind": "pointer", "x", "y", "buttons", "wheel"},
+  ///               {"kind": "key", "key", "control", "shift"}, {"kind": "pick", "x", "y"}: see InspectorWindow
+  std::string inspector(const std::string& event);
+  /// Sets the letters, see InspectorWindow.
   /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
   void inspectorGlyphs(float lineHeight, const std::vector<float>& metrics, std::vector<std::uint8_t> alpha);
-  bool inspectorPointer(double x, double y, int buttons, double wheel);
-  void inspectorKey(const std::string& key, bool control, bool shift);
-  bool inspectorPick(double x, double y);
-  std::string inspectorState() const;
 
  private:
+  void open();
+  void show(bool shown);
   InspectorWindow* shownWindow() const { return isShown_ ? window_.get() : nullptr; }
 
   Engine engine_;

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "messages/setting_words.h"
 #include "generate/option_texts.h"
+#include "messages/setting_words.h"
 
 namespace qrelief {
 namespace {

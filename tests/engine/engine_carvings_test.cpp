@@ -23,7 +23,7 @@ class EngineCarvingsTest : public GlTest {
   }
   void load() {
     engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
-    engine_->setCentre(0, 0, 10);
+    engine_->setCentre(R"({"mm": [0, 0, 10]})");
   }
   /// @returns the carving's number
   int carve(const std::string& text) {
@@ -31,9 +31,9 @@ class EngineCarvingsTest : public GlTest {
     return carveBy("{}");
   }
   int carveBy(const std::string& options) {
-    EXPECT_EQ(Json::parse(engine_->startEngrave(options))["ok"], true);
+    EXPECT_EQ(Json::parse(engine_->startJob("engrave", options))["ok"], true);
     for (;;) {
-      const Json progress = Json::parse(engine_->advance());
+      const Json progress = Json::parse(engine_->advanceJob("engrave"));
       if (progress["ok"] != true) ADD_FAILURE() << progress;
       if (progress["ok"] != true || progress["done"] == true) return engine_->carving();
     }
@@ -76,7 +76,7 @@ TEST_F(EngineCarvingsTest, CarvesTheSameAgainAfterOtherCodesAndModels) {
   EXPECT_EQ(engine_->exportModel("stl"), alone);
 
   engine_->loadModel(writeStl(shapes::box({60, 50, 20.5})), "another.stl", 1);
-  engine_->setCentre(0, 0, 10.25);
+  engine_->setCentre(R"({"mm": [0, 0, 10.25]})");
   carve("https://example.org/other");
   load();
   carve("https://example.org/first");
@@ -89,7 +89,8 @@ TEST_F(EngineCarvingsTest, DescribesACarvingForTheManifest) {
   const Json unread = Json::parse(engine_->describeRow(12.4));
   EXPECT_EQ(unread["passed"], false);
   EXPECT_FALSE(unread["failed"].empty());
-  engine_->setReadings(Json(std::vector<std::string>(engine_->readingPictures().size(), "part 7")).dump(), "a reader");
+  engine_->setReadings(Json(std::vector<std::string>(engine_->pictures("reading").size(), "part 7")).dump(),
+                       "a reader");
   const Json row = Json::parse(engine_->describeRow(12.4));
   EXPECT_EQ(row["passed"], true) << row;
   EXPECT_TRUE(row["failed"].empty());
@@ -99,13 +100,12 @@ TEST_F(EngineCarvingsTest, DescribesACarvingForTheManifest) {
 }
 
 TEST_F(EngineCarvingsTest, PlacesCarvingsSideBySideOnAPlate) {
-  EXPECT_EQ(Json::parse(engine_->startPlate(2))["ok"], true);
-  EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none"))["error"]["code"], "nothing-engraved");
+  EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none", 2))["error"]["code"], "nothing-engraved");
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
   carve("first");
-  engine_->addToPlate(0, "P-1");
+  engine_->addToPlate(0, "P-1", 2);
   carve("second");
-  engine_->addToPlate(1, "P-2");
+  engine_->addToPlate(1, "P-2", 2);
   const auto bytes = engine_->exportPlate("plate");
   const auto plate = readModel(bytes, "plate.3mf");
   ASSERT_TRUE(plate.has_value());
@@ -116,11 +116,15 @@ TEST_F(EngineCarvingsTest, PlacesCarvingsSideBySideOnAPlate) {
   for (const Vec3& position : plate->positions) right = std::max(right, position.x);
   EXPECT_NEAR(right, 60 + 5 + 60, 0.01);
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
+
+  engine_->addToPlate(0, "of another model", 1);
+  load();
+  EXPECT_TRUE(engine_->exportPlate("plate").empty());
 }
 
 TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneDecodes) {
   EXPECT_EQ(Json::parse(engine_->nextStep())["ok"], false);
-  EXPECT_EQ(Json::parse(engine_->startEngrave(R"({"next": true})"))["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave", R"({"next": true})"))["ok"], false);
   const int first = carve("plan");
   std::vector<std::string> changes;
   Json step;
@@ -156,10 +160,10 @@ TEST_F(EngineCarvingsTest, ForgetsOlderCarvings) {
 TEST_F(EngineCarvingsTest, KeepsThePreviousCarvingAfterACancel) {
   const int first = carve("kept");
   engine_->configure(R"({"text": "cancelled", "size": 30})");
-  engine_->startEngrave();
-  engine_->advance();
+  engine_->startJob("engrave");
+  engine_->advanceJob("engrave");
   EXPECT_FALSE(engine_->useCarving(first));  // not while another one runs
-  engine_->cancel();
+  engine_->cancelJob("engrave");
   EXPECT_EQ(engine_->carving(), 0);
   ASSERT_TRUE(engine_->useCarving(first));
   EXPECT_EQ(reportedText(), "kept");
@@ -177,7 +181,7 @@ TEST_F(EngineCarvingsTest, ForgetsAllCarvingsWithAnotherModel) {
 TEST_F(EngineCarvingsTest, TheFrontalTrialPictureIsTheReadersView) {
   EXPECT_TRUE(engine_->readerImageFrom(0, 0).pixels.empty());
   carve("picture");
-  const GreyImage& straight = engine_->readerImage();
+  const GreyImage straight = engine_->pictures("reader").at(0);
   const GreyImage same = engine_->readerImageFrom(0, 0);
   ASSERT_EQ(same.width, straight.width);
   double difference = 0;

@@ -67,7 +67,7 @@ TEST_F(EngineTest, RefusesABadFileAndKeepsTheOldModel) {
   EXPECT_EQ(refused["error"]["kind"], "BadInput");
   expectError(engine_->loadModel(writeStl(shapes::box({1, 1, 1})), "model.stl", std::nan("")), "BadUsage",
               "scale-unusable");
-  EXPECT_EQ(Json::parse(engine_->setCentre(0, 0, 100))["centre"], Json({0, 0, 10}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"mm": [0, 0, 100]})"))["centre"], Json({0, 0, 10}));
 }
 
 TEST_F(EngineTest, ShowsAnOpenModelButDoesNotEngraveIt) {
@@ -80,23 +80,23 @@ TEST_F(EngineTest, ShowsAnOpenModelButDoesNotEngraveIt) {
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["severity"] == "blocking"; }));
   engine_->configure(kSettings);
   EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
-  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], false);
 }
 
 TEST_F(EngineTest, AClickOnTheModelHitsAndAClickBesideItMisses) {
   load(shapes::icosphere(30, 5));
-  const Json hit = Json::parse(engine_->pick(200, 150));
+  const Json hit = Json::parse(engine_->setCentre(R"({"at": [200, 150]})"));
   ASSERT_EQ(hit["hit"], true);
   const Vec3 centre(hit["centre"][0], hit["centre"][1], hit["centre"][2]);
   EXPECT_NEAR(glm::length(centre), 30, 0.05);
-  EXPECT_EQ(Json::parse(engine_->pick(2, 2)), Json({{"hit", false}}));
-  EXPECT_EQ(Json::parse(engine_->setCentre(std::nan(""), 0, 0)), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"at": [2, 2]})")), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"mm": [null, 0, 0]})")), Json({{"hit", false}}));
 }
 
 TEST_F(EngineTest, TheFreeSizeOnTopOfABoxMatchesTheClosedForm) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const Json answer = Json::parse(engine_->placement());
   ASSERT_EQ(answer["ok"], true) << answer;
   const Json& placement = answer["placement"];
@@ -118,11 +118,11 @@ TEST_F(EngineTest, AScaleOfZeroUsesTheUnitOfTheFile) {
 
 TEST_F(EngineTest, NamesWhateverIsMissing) {
   expectError(engine_->placement(), "BadUsage", "no-model");
-  expectError(engine_->startEngrave(), "BadUsage", "no-model");
-  expectError(engine_->advance(), "BadUsage", "not-engraving");
+  expectError(engine_->startJob("engrave"), "BadUsage", "no-model");
+  expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
   expectError(engine_->report(), "BadUsage", "nothing-engraved");
   EXPECT_TRUE(engine_->exportModel("stl").empty());
-  EXPECT_EQ(engine_->readerImage().width, 0);
+  EXPECT_TRUE(engine_->pictures("reader").empty());
   expectError(engine_->configure("{"), "BadUsage", "settings-no-object");
   load(shapes::box({60, 60, 20}));
   EXPECT_EQ(Json::parse(engine_->placement())["error"]["kind"], "BadInput");  // no text
@@ -131,12 +131,12 @@ TEST_F(EngineTest, NamesWhateverIsMissing) {
 TEST_F(EngineTest, EngravesStepByStepAndReportsTheResult) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
   std::set<std::string> stages;
   double fraction = 0;
   for (bool done = false; !done;) {
-    const Json progress = Json::parse(engine_->advance());
+    const Json progress = Json::parse(engine_->advanceJob("engrave"));
     ASSERT_EQ(progress["ok"], true) << progress;
     EXPECT_GE(progress["fraction"].get<double>(), fraction);
     fraction = progress["fraction"];
@@ -150,8 +150,9 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsTheResult) {
   EXPECT_EQ(report["mesh"]["closed"], true);
   EXPECT_EQ(report["verification"]["decoded"], true);
   EXPECT_EQ(report["verification"]["reader"], "a reader");
-  EXPECT_EQ(engine_->readerImage().pixels.size(),
-            static_cast<std::size_t>(engine_->readerImage().width) * engine_->readerImage().height);
+  const std::vector<GreyImage> seen = engine_->pictures("reader");
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].pixels.size(), static_cast<std::size_t>(seen[0].width) * seen[0].height);
   const auto stl = engine_->exportModel("stl");
   const auto carved = readModel(stl, "carved.stl");
   ASSERT_TRUE(carved.has_value());
@@ -163,16 +164,16 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsTheResult) {
     EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
   }
 
-  engine_->pick(200, 150);  // a new spot: the result can still be exported
+  engine_->setCentre(R"({"at": [200, 150]})");  // a new spot: the result can still be exported
   EXPECT_FALSE(engine_->exportModel("stl").empty());
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving discards it
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);  // a new engraving discards it
   EXPECT_TRUE(engine_->exportModel("stl").empty());
 }
 
 TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
   const auto prepare = [&] {
     int steps = 1;
-    while (!Json::parse(engine_->prepareEngrave())["done"].get<bool>()) ++steps;
+    while (!Json::parse(engine_->advanceJob("preparation"))["done"].get<bool>()) ++steps;
     return steps;
   };
   std::vector<std::string> stages;  // of the last engraving, in their order
@@ -182,11 +183,11 @@ TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
   };
   const auto start = [&] {
     stages.clear();
-    enter(Json::parse(engine_->startEngrave()));
+    enter(Json::parse(engine_->startJob("engrave")));
   };
   const auto finish = [&] {
     for (bool isDone = false; !isDone;) {
-      const Json progress = Json::parse(engine_->advance());
+      const Json progress = Json::parse(engine_->advanceJob("engrave"));
       enter(progress);
       isDone = progress["done"].get<bool>();
     }
@@ -195,7 +196,7 @@ TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
   EXPECT_EQ(prepare(), 1) << "no model";
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   EXPECT_EQ(prepare(), 1) << "not placed yet";
   engine_->placement();
   start();
@@ -226,12 +227,12 @@ TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
 TEST_F(EngineTest, CanStartAgainAfterACancel) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
-  engine_->advance();
-  engine_->cancel();
-  expectError(engine_->advance(), "BadUsage", "not-engraving");
-  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  engine_->startJob("engrave");
+  engine_->advanceJob("engrave");
+  engine_->cancelJob("engrave");
+  expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
+  EXPECT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
 }
 
 TEST_F(EngineTest, AnswersWithValidJsonForTextsThatAreNotUtf8) {
@@ -243,7 +244,7 @@ TEST_F(EngineTest, TheTopOfTheCodePointsAlongTheUpAxis) {
   load(shapes::box({60, 60, 20}));
   engine_->setUpAxis("y");
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const Json answer = Json::parse(engine_->placement());
   ASSERT_EQ(answer["ok"], true) << answer;
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
@@ -252,73 +253,75 @@ TEST_F(EngineTest, TheTopOfTheCodePointsAlongTheUpAxis) {
 TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
-  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
-  for (bool done = false; !done;) {
-    const Json progress = Json::parse(engine_->advanceSpotSearch());
-    ASSERT_EQ(progress["ok"], true) << progress;
-    done = progress["done"];
+  expectError(engine_->setCentre(R"({"spot": 0})"), "BadUsage", "no-such-spot");
+  ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
+  Json found;
+  for (bool done = false; !done; done = found["done"]) {
+    EXPECT_FALSE(found.contains("spots"));
+    found = Json::parse(engine_->advanceJob("spots"));
+    ASSERT_EQ(found["ok"], true) << found;
   }
-  const Json found = Json::parse(engine_->spots());
   ASSERT_FALSE(found["spots"].empty());
   EXPECT_TRUE(found["spots"][0]["concerns"].empty());
   EXPECT_EQ(found["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
   EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
   for (std::size_t i = 0; i < found["spots"].size(); ++i) {
-    const Json chosen = Json::parse(engine_->chooseSpot(i));
+    const Json chosen = Json::parse(engine_->setCentre(Json{{"spot", i}}.dump()));
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
     const Json placement = Json::parse(engine_->placement());
     ASSERT_EQ(placement["ok"], true) << placement;
     EXPECT_NEAR(placement["placement"]["symbolMm"], found["spots"][i]["sizeMm"], 1e-6);
     EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
-  expectError(engine_->chooseSpot(100), "BadUsage", "no-such-spot");
+  expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
 }
 
 TEST_F(EngineTest, HasNoSpotsAfterACancelledSearch) {
-  expectError(engine_->startSpotSearch(), "BadUsage", "no-model");
+  expectError(engine_->startJob("spots"), "BadUsage", "no-model");
   ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->advanceSpotSearch())["ok"], true);
-  engine_->cancelSpotSearch();
-  expectError(engine_->advanceSpotSearch(), "BadUsage", "not-finding-spots");
-  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+  ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advanceJob("spots"))["ok"], true);
+  engine_->cancelJob("spots");
+  expectError(engine_->advanceJob("spots"), "BadUsage", "not-finding-spots");
+  expectError(engine_->setCentre(R"({"spot": 0})"), "BadUsage", "no-such-spot");
 }
 
 TEST_F(EngineTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) {
-  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["hit"], false);  // no model
+  EXPECT_EQ(Json::parse(engine_->hover("[200, 150]"))["hit"], false);  // no model
   load(shapes::icosphere(30, 5));
   engine_->configure(kSettings);
-  const Json about = Json::parse(engine_->hover(200, 150));
+  const Json about = Json::parse(engine_->hover("[200, 150]"));
   ASSERT_EQ(about["hit"], true) << about;
   EXPECT_EQ(about["onCode"], false);
   EXPECT_EQ(about["code"]["exact"], false);
-  ASSERT_EQ(Json::parse(engine_->startSettling())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startJob("settling"))["ok"], true);
   Json found;
   for (bool done = false; !done; done = found["done"]) {
-    found = Json::parse(engine_->advanceSettling());
+    found = Json::parse(engine_->advanceJob("settling"));
     ASSERT_EQ(found["ok"], true) << found;
   }
   EXPECT_EQ(found["code"]["exact"], true);
+  EXPECT_EQ(Json::parse(engine_->hover("null"))["hit"], false);
+  expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
   const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
   EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius wide
-  engine_->pick(200, 150);
+  engine_->setCentre(R"({"at": [200, 150]})");
   const Json placed = Json::parse(engine_->placement());
   EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
-  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["onCode"], true);
-  expectError(engine_->startSettling(), "BadUsage", "no-code-placed");
+  EXPECT_EQ(Json::parse(engine_->hover("[200, 150]"))["onCode"], true);
+  expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
 }
 
 TEST_F(EngineTest, ShowsTheDepthSearchWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  engine_->startJob("engrave");
   EXPECT_FALSE(engine_->jobMap("search-depths").has_value());
   double deepest = 0, darkest = 1;
   for (bool done = false; !done;) {
-    done = Json::parse(engine_->advance())["done"];
+    done = Json::parse(engine_->advanceJob("engrave"))["done"];
     const auto depths = engine_->jobMap("search-depths"), light = engine_->jobMap("search-luminance");
     ASSERT_EQ(depths.has_value(), light.has_value());
     if (!depths) continue;
@@ -337,9 +340,9 @@ TEST_F(EngineTest, ShowsLampsInTheDirectionTheyShineFrom) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
                                                                 {"azimuthDeg": 90, "elevationDeg": 20}]})");
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
-  engine_->standardView("top");
+  engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
   const Json lamps = Json::parse(engine_->viewState())["lamps"];
   ASSERT_EQ(lamps.size(), 2u);
@@ -354,13 +357,16 @@ TEST_F(EngineTest, ShowsLampsInTheDirectionTheyShineFrom) {
 }
 
 TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
+  const auto resize = [&](double rotateDeg, double symbolMm) {
+    return engine_->adjustCode(Json{{"rotateDeg", rotateDeg}, {"symbolMm", symbolMm}}.dump());
+  };
   load(shapes::box({60, 60, 20}));
-  expectError(engine_->adjustCode(0, 20), "BadUsage", "no-code-placed");
+  expectError(resize(0, 20), "BadUsage", "no-code-placed");
   EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
   engine_->configure(kSettings);
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const double mm = Json::parse(engine_->placement())["placement"]["symbolMm"];
-  engine_->standardView("top");
+  engine_->look(R"({"kind": "standard", "name": "top"})");
   engine_->draw();
   const Json state = Json::parse(engine_->viewState());
   const Json& code = state["code"];
@@ -369,23 +375,23 @@ TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
   EXPECT_EQ(code["corners"].size(), 4u);
   EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top edge is above
 
-  const Json turned = Json::parse(engine_->adjustCode(45, mm));
+  const Json turned = Json::parse(resize(45, mm));
   ASSERT_EQ(turned["ok"], true) << turned;
   EXPECT_LT(turned["code"]["missingShare"], 0.01);  // a free size fits at every rotation
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["rotationDeg"], 45);
-  const Json larger = Json::parse(engine_->adjustCode(45, 1.3 * mm));
+  const Json larger = Json::parse(resize(45, 1.3 * mm));
   EXPECT_NEAR(larger["code"]["symbolMm"], 1.3 * mm, 1e-9);
   EXPECT_GT(larger["code"]["missingShare"], 0.05);
-  expectError(engine_->adjustCode(0, 0), "BadUsage", "code-size-unusable");
+  expectError(resize(0, 0), "BadUsage", "code-size-unusable");
 
-  ASSERT_EQ(Json::parse(engine_->moveCode(200, 150))["hit"], true);
+  ASSERT_EQ(Json::parse(engine_->adjustCode(R"({"at": [200, 150]})"))["hit"], true);
   EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the setting applies
 }
 
 TEST_F(EngineTest, ShowsACodeThatDoesNotFit) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "https://example.org/qrelief-test", "size": 55})");
-  engine_->setCentre(0, 0, 10);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
   EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
 }
@@ -394,20 +400,21 @@ TEST_F(EngineTest, DrawsPicturesOfSpotsAndDepthsOfCarvings) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
-  engine_->startSpotSearch();
-  while (!Json::parse(engine_->advanceSpotSearch())["done"]) {
+  engine_->startJob("spots");
+  while (!Json::parse(engine_->advanceJob("spots"))["done"]) {
   }
   const ColourImage picture = engine_->spotPicture(0, 96, 96);
   ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
   const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
   EXPECT_GT(*lightest - *darkest, 100);  // a code
 
-  EXPECT_EQ(Json::parse(engine_->showDepths(true))["topMm"], 0);
-  engine_->setCentre(0, 0, 10);
-  engine_->startEngrave();
-  while (!Json::parse(engine_->advance())["done"]) {
+  EXPECT_EQ(Json::parse(engine_->show(R"({"depths": true})"))["topMm"], 0);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  engine_->startJob("engrave");
+  while (!Json::parse(engine_->advanceJob("engrave"))["done"]) {
   }
-  const Json colours = Json::parse(engine_->showDepths(true)), depth = Json::parse(engine_->report())["depth"];
+  const Json colours = Json::parse(engine_->show(R"({"depths": true})")),
+             depth = Json::parse(engine_->report())["depth"];
   const double top = colours["topMm"], most = depth["p95Mm"];
   EXPECT_GE(top, most - 1e-6);
   EXPECT_LT(top, most + 0.1);

@@ -18,7 +18,7 @@ std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(
 Json planned(PlannedBatch& batch, const std::string& list, const Json& wanted = Json::object()) {
   Json asked = {{"settings", {{"text", "of one code"}}}, {"text", ""}, {"name", ""}, {"count", 0}, {"perPlate", 0}};
   asked.update(wanted);
-  return Json::parse(batch.plan(bytesOf(list), asked.dump()));
+  return Json::parse(batch.planBatch(bytesOf(list), asked.dump()));
 }
 
 TEST(PlannedBatch, ReadsTheRowsOfAListAndTheirCommonVersion) {
@@ -30,7 +30,7 @@ TEST(PlannedBatch, ReadsTheRowsOfAListAndTheirCommonVersion) {
   EXPECT_EQ(plan["unused"], Json({"colour"}));
   EXPECT_EQ(plan["version"], 3);
   EXPECT_EQ(plan["modules"], 29);
-  const Json rows = Json::parse(batch.rows(1, 20))["rows"];
+  const Json rows = Json::parse(batch.batchRows(1, 20))["rows"];
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0]["number"], 2);
   EXPECT_EQ(rows[0]["line"], 3);
@@ -52,10 +52,10 @@ TEST(PlannedBatch, NumbersRowsWithoutAList) {
   const Json plan =
       planned(batch, "", {{"count", 12}, {"text", "https://example.org/p/{n:05}"}, {"name", "part-{n}.3mf"}});
   ASSERT_EQ(plan["rows"], 12) << plan;
-  const Json row = Json::parse(batch.row(11))["row"];
+  const Json row = Json::parse(batch.batchRow(11))["row"];
   EXPECT_EQ(row["text"], "https://example.org/p/00012");
   EXPECT_EQ(row["file"], "part-12.3mf");
-  EXPECT_EQ(Json::parse(batch.row(12))["error"]["code"], "no-such-row");
+  EXPECT_EQ(Json::parse(batch.batchRow(12))["error"]["code"], "no-such-row");
 }
 
 TEST(PlannedBatch, NamesThePlateOfARow) {
@@ -63,11 +63,11 @@ TEST(PlannedBatch, NamesThePlateOfARow) {
   const Json plan = planned(batch, "", {{"count", 5}, {"text", "part {n}"}, {"perPlate", 2}});
   ASSERT_EQ(plan["rows"], 5) << plan;
   std::vector<std::string> files;
-  const Json rows = Json::parse(batch.rows(0, 5))["rows"];
+  const Json rows = Json::parse(batch.batchRows(0, 5))["rows"];
   for (const Json& row : rows) files.push_back(row["file"]);
   EXPECT_THAT(
       files, testing::ElementsAre("plate-001.3mf", "plate-001.3mf", "plate-002.3mf", "plate-002.3mf", "plate-003.3mf"));
-  EXPECT_EQ(Json::parse(batch.row(4))["row"]["file"], "plate-003.3mf");
+  EXPECT_EQ(Json::parse(batch.batchRow(4))["row"]["file"], "plate-003.3mf");
 }
 
 TEST(PlannedBatch, GivesARowTheSettingsThatDifferFromTheCommonOnes) {
@@ -76,8 +76,8 @@ TEST(PlannedBatch, GivesARowTheSettingsThatDifferFromTheCommonOnes) {
             false);
   const Json all = {{"text", ""}, {"pattern", "square"}};
   ASSERT_EQ(planned(batch, "text,preset\none,\ntwo,robust\n", {{"settings", all}})["rows"], 2);
-  EXPECT_EQ(Json::parse(batch.row(0))["row"]["settings"], Json({{"text", "one"}, {"version", 1}}));
-  EXPECT_EQ(Json::parse(batch.row(1))["row"]["settings"],
+  EXPECT_EQ(Json::parse(batch.batchRow(0))["row"]["settings"], Json({{"text", "one"}, {"version", 1}}));
+  EXPECT_EQ(Json::parse(batch.batchRow(1))["row"]["settings"],
             Json({{"text", "two"}, {"version", 1}, {"preset", "robust"}}));
 }
 
@@ -91,14 +91,14 @@ TEST(PlannedBatch, RefusesAFaultyListAndThenHasNoRows) {
   EXPECT_EQ(plan["problems"][0]["code"], "list-line");
   EXPECT_EQ(plan["problems"][0]["values"]["line"]["count"], 3);
   EXPECT_EQ(plan["mayBeMore"], false);
-  EXPECT_EQ(Json::parse(batch.row(0))["error"]["code"], "no-such-row");
+  EXPECT_EQ(Json::parse(batch.batchRow(0))["error"]["code"], "no-such-row");
   EXPECT_EQ(planned(batch, "id,text\n\"a,one\n")["error"]["code"], "list-quote-open");
 }
 
 TEST(PlannedBatch, HashesLikeTheCommand) {
   PlannedBatch batch;
   planned(batch, "id,text\na,one\n");
-  const Json told = Json::parse(batch.toHash(0, R"({"centre": [1, 2.5, -3], "others": "z 1"})"));
+  const Json told = Json::parse(batch.batchRowToHash(0, R"({"centre": [1, 2.5, -3], "others": "z 1"})"));
   BatchRow row;
   row.file = "a.stl";
   row.request = *requestFromJson(R"({"text": "one", "version": 1})");

@@ -16,14 +16,14 @@ class PrintedCodeTest : public GlTest {
     engine_ = std::make_unique<Engine>();
     engine_->resize(400, 300, 1);
     engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
-    engine_->setCentre(0, 0, 10);
+    engine_->setCentre(R"({"mm": [0, 0, 10]})");
   }
   void carve(double sizeMm, const std::string& process) {
     const Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};
     engine_->configure(settings.dump());
-    ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+    ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
     for (Json progress; progress["done"] != true;) {
-      progress = Json::parse(engine_->advance());
+      progress = Json::parse(engine_->advanceJob("engrave"));
       ASSERT_EQ(progress["ok"], true) << progress;
     }
   }
@@ -46,7 +46,7 @@ class PrintedCodeTest : public GlTest {
 TEST_F(PrintedCodeTest, SeesTheSamePrintAsTheCommand) {
   carve(25.2, "fdm-0.4/0.2");
   PrintedCode printed;
-  EXPECT_TRUE(printed.readingPictures().empty());
+  EXPECT_TRUE(printed.pictures("reading").empty());
   const Json said = print(printed);
   ASSERT_EQ(said["ok"], true) << said;
   EXPECT_NEAR(said["facingDeg"].get<double>(), 0, 1e-9);
@@ -59,8 +59,8 @@ TEST_F(PrintedCodeTest, SeesTheSamePrintAsTheCommand) {
   const auto view = runToEnd(**job);
   ASSERT_TRUE(view);
   // The file holds 32-bit coordinates like the mesh, so the surface and the picture are the same.
-  EXPECT_EQ(printed.picture().pixels, view->seen.clean.pixels);
-  EXPECT_FALSE(printed.readingPictures().empty());
+  EXPECT_EQ(printed.pictures("front").at(0).pixels, view->seen.clean.pixels);
+  EXPECT_FALSE(printed.pictures("reading").empty());
 }
 
 TEST_F(PrintedCodeTest, ReportsTheModulesLostInPrint) {
@@ -103,21 +103,21 @@ TEST_F(PrintedCodeTest, AddsTheReadingsToTheReportOfTheirCarving) {
 
 TEST_F(PrintedCodeTest, OffersTheCarvingForPrintBeforeItIsDone) {
   engine_->configure(R"({"text": "QRELIEF", "version": 1, "size": 25.2})");
-  EXPECT_TRUE(engine_->stlToPrint().empty());
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  EXPECT_TRUE(engine_->exportModel("stl").empty());
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
   Json progress;
   do {
-    EXPECT_TRUE(engine_->stlToPrint().empty());
+    EXPECT_TRUE(engine_->exportModel("stl").empty());
     EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);
-    progress = Json::parse(engine_->advance());
+    progress = Json::parse(engine_->advanceJob("engrave"));
     ASSERT_EQ(progress["ok"], true) << progress;
   } while (progress["printable"] != true);
   EXPECT_EQ(progress["done"], false);
-  const std::vector<std::uint8_t> stl = engine_->stlToPrint();
+  const std::vector<std::uint8_t> stl = engine_->exportModel("stl");
   const std::string order = engine_->printOrder("{}");
   EXPECT_EQ(Json::parse(order)["ok"], true);
-  while (progress["done"] != true) progress = Json::parse(engine_->advance());
-  EXPECT_EQ(engine_->stlToPrint(), stl);
+  while (progress["done"] != true) progress = Json::parse(engine_->advanceJob("engrave"));
+  EXPECT_EQ(engine_->exportModel("stl"), stl);
   EXPECT_EQ(engine_->printOrder("{}"), order);
   EXPECT_FALSE(stl.empty());
 }
@@ -140,7 +140,7 @@ TEST_F(PrintedCodeTest, TriesAnotherProcessWithoutCarvingAgain) {
 TEST_F(PrintedCodeTest, PrintsNothingWithoutAProcess) {
   EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);  // nothing is carved yet
   carve(25.2, "none");
-  EXPECT_FALSE(engine_->stlToPrint().empty());
+  EXPECT_FALSE(engine_->exportModel("stl").empty());
   const Json order = Json::parse(engine_->printOrder("{}"));
   EXPECT_EQ(order["ok"], true);
   EXPECT_TRUE(order["order"].is_null());

@@ -2,6 +2,7 @@
 #include "inspector/inspected_engine.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,8 @@
 
 namespace qrelief {
 namespace {
+
+using Json = nlohmann::json;
 
 /// Record of the calls that the latest window received.
 struct Told {
@@ -44,51 +47,61 @@ std::unique_ptr<InspectorWindow> makeFake() {
 class InspectedEngineTest : public GlTest {
  protected:
   void SetUp() override { told = {}; }
+  void open() { engine_.inspector(R"({"kind": "open"})"); }
+  void show(bool shown) {
+    engine_.inspector(shown ? R"({"kind": "show", "shown": true})" : R"({"kind": "show", "shown": false})");
+  }
+  void press() { engine_.inspector(R"({"kind": "key", "key": "a", "control": false, "shift": false})"); }
+  bool takes(const std::string& event) { return engine_.inspector(event) == R"({"ok":true,"takes":true})"; }
+  bool takesPointer() { return takes(R"({"kind": "pointer", "x": 1, "y": 1, "buttons": 1, "wheel": 0})"); }
+  bool takesPick() { return takes(R"({"kind": "pick", "x": 1, "y": 1})"); }
+  Json drawn() { return Json::parse(engine_.draw()); }
   InspectedEngine engine_{"", false, &makeFake};
 };
 
 TEST_F(InspectedEngineTest, DoesNothingBeforeTheInspectorIsOpened) {
-  engine_.showInspector(true);
+  show(true);
   engine_.inspectorGlyphs(16, {65, 1, 1, 0, 0, 1}, {255});
-  EXPECT_FALSE(engine_.inspectorPointer(1, 1, 1, 0));
-  EXPECT_FALSE(engine_.inspectorPick(1, 1));
-  EXPECT_EQ(engine_.inspectorState(), "{}");
-  engine_.draw();
+  EXPECT_FALSE(takesPointer());
+  EXPECT_FALSE(takesPick());
+  EXPECT_TRUE(drawn()["inspector"].is_null());
   EXPECT_EQ(told.made, 0);
 }
 
 TEST_F(InspectedEngineTest, ALateWindowGetsThemeAndSize) {
   engine_.setTheme(true);
   engine_.resize(320, 200, 2);
-  engine_.openInspector();
-  engine_.openInspector();
-  engine_.showInspector(true);
+  open();
+  open();
+  show(true);
   EXPECT_EQ(told.made, 1);
   EXPECT_THAT(told.themes, testing::ElementsAre(true));
   EXPECT_THAT(told.sizes, testing::ElementsAre(std::pair(320.0, 200.0)));
 }
 
 TEST_F(InspectedEngineTest, DrawsAndHandlesInputOnlyWhileTheWindowIsShown) {
-  engine_.openInspector();
-  engine_.inspectorKey("a", false, false);
-  EXPECT_FALSE(engine_.inspectorPointer(1, 1, 1, 0));
+  open();
+  press();
+  EXPECT_FALSE(takesPointer());
   engine_.draw();
   EXPECT_EQ(std::pair(told.keys, told.draws), std::pair(0, 0));
-  engine_.showInspector(true);
-  engine_.inspectorKey("a", false, false);
-  EXPECT_TRUE(engine_.inspectorPointer(1, 1, 1, 0));
-  EXPECT_TRUE(engine_.inspectorPick(1, 1));
-  EXPECT_TRUE(engine_.draw());
-  engine_.showInspector(false);
-  engine_.inspectorKey("a", false, false);
-  EXPECT_FALSE(engine_.inspectorPointer(1, 1, 1, 0));
-  engine_.draw();
+  show(true);
+  press();
+  EXPECT_TRUE(takesPointer());
+  EXPECT_TRUE(takesPick());
+  const Json frame = drawn();
+  EXPECT_EQ(frame["more"], true);
+  EXPECT_EQ(frame["view"], Json::parse(engine_.engine().viewState()));
+  EXPECT_EQ(frame["inspector"], Json({{"tab", 0}}));
+  show(false);
+  press();
+  EXPECT_FALSE(takesPointer());
+  EXPECT_TRUE(drawn()["inspector"].is_null());
   EXPECT_EQ(std::pair(told.keys, told.draws), std::pair(1, 1));
-  EXPECT_EQ(engine_.inspectorState(), R"({"tab": 0})");
 }
 
 TEST_F(InspectedEngineTest, ReadsGlyphsOfSixNumbersAndIgnoresARest) {
-  engine_.openInspector();
+  open();
   engine_.inspectorGlyphs(18, {65, 7, 9, 0.5f, -1, 7.5f, 66, 8, 9, 0, -1, 8, 67}, {1, 2, 3});
   ASSERT_TRUE(told.glyphs.has_value());
   EXPECT_EQ(told.glyphs->lineHeight, 18);

@@ -31,18 +31,19 @@ class InspectorModelTest : public GlTest {
     engine_->resize(400, 400, 1);
     engine_->loadModel(writeStl(shapes::box({60, 60, kBoxMm})), "box.stl", 1);
     engine_->configure(R"({"text": "https://example.org", "size": 40, "pattern": "square"})");
-    engine_->setCentre(0, 0, kBoxMm / 2);
+    engine_->setCentre(Json{{"mm", {0, 0, kBoxMm / 2}}}.dump());
     engine_->timePasses(gl::hasTimerQueries());
     engrave(nullptr);
   }
   static void TearDownTestSuite() { engine_.reset(); }
   static void engrave(const RequestOverrides* overrides) {
-    ASSERT_EQ(Json::parse(engine_->startEngrave(
-                  "{}", overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
-                                  : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
-              true);
+    ASSERT_EQ(
+        Json::parse(engine_->startJob("engrave", "{}",
+                                      overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
+                                                : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
+        true);
     for (bool done = false; !done;) {
-      const Json progress = Json::parse(engine_->advance());
+      const Json progress = Json::parse(engine_->advanceJob("engrave"));
       ASSERT_EQ(progress["ok"], true) << progress;
       done = progress["done"];
     }
@@ -122,7 +123,7 @@ TEST_F(InspectorModelTest, TheLightOfTheSearchCoversTheSameSquare) {
 }
 
 TEST_F(InspectorModelTest, AClickOnTheModelChoosesTheSubmoduleThere) {
-  engine_->readerView();
+  engine_->look(R"({"kind": "readerView"})");
   while (engine_->draw()) {  // lets the camera glide there
   }
   const auto middle = engine_->codePlaceAt(200, 200);

@@ -72,7 +72,7 @@ export class Carver {
   async carveOnce_(plan, job) {
     await this.client_.engrave({ ...job, plan });
     job.signal.throwIfAborted();
-    const texts = await this.read_(await this.client_.readingPictures());
+    const texts = await this.read_(await this.client_.pictures('reading'));
     job.signal.throwIfAborted();
     await this.client_.setReadings(texts, kReaderName);
   }

@@ -57,7 +57,7 @@ export class RowEngine {
     await this.client_.setUpAxis(model.upAxis);
     await this.client_.loadModel(model.bytes, model.fileName, model.scaleToMm);
     await this.client_.planBatch(list, wanted);
-    await this.client_.setCentre(centreMm);
+    await this.client_.setCentre({ mm: centreMm });
   }
 
   /** Ends even a busy engine. Its pending work is rejected with an error that `isLost` recognises. */
@@ -74,7 +74,6 @@ export class RowEngine {
    */
   async carve(indices, looksAtPrint) {
     const isPlate = this.job_.wanted.perPlate > 0;
-    if (isPlate) await this.client_.startPlate(indices.length);
     const others = isPlate ? (await Promise.all(indices.map((index) => this.hashOf(index)))).join('') : '';
     /** @type {CarvedRow[]} */ const rows = [];
     /** @type {Uint8Array<ArrayBuffer> | undefined} */ let bytes;
@@ -83,7 +82,7 @@ export class RowEngine {
       const { row, withInlay } = carved;
       const { id, status, file } = row.entry;
       rows.push(row);
-      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id);
+      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, indices.length);
       else if (status === 'done')
         bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
     }

@@ -184,7 +184,7 @@ test('Rows of a plate share its file, without those that failed', async () => {
   );
   assert.deepEqual(
     calls.filter((call) => /Plate/.test(call)),
-    ['startPlate 3', 'addToPlate 0 P0', 'addToPlate 2 P2', 'exportPlate plate-001.3mf'],
+    ['addToPlate 0 P0 3', 'addToPlate 2 P2 3', 'exportPlate plate-001.3mf'],
   );
   // Each hash covers the whole plate, and the rows' own settings are equal here.
   assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);

@@ -2,6 +2,7 @@
 // The page's only access to the module: one promise per verb. The module runs in a worker, else in the page.
 import { EngineFailure, crash, describeThrown, hung, internal } from './engine_error.js';
 import { message } from './message.js';
+import { kBatchVerbs, kHostVerbs, kPageVerbs } from './verbs.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -20,11 +21,7 @@ const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a
  * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
  */
 
-/**
- * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
- * `fixed`: keys of settings that must not change.
- * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
- */
+/** @typedef {import('./types.js').PlanOptions} PlanOptions */
 
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
@@ -39,7 +36,26 @@ export const isReplaced = (/** @type {unknown} */ thrown) =>
 
 const kReplaced = internal(message('engine-replaced'));
 
-export class EngineClient {
+/**
+ * The verbs of the host, each with a promise of its answer.
+ * @template Calls
+ * @typedef {{ [Name in keyof Calls]: Calls[Name] extends (...given: infer Given) => infer Answer
+ *   ? (...given: Given) => Promise<Awaited<Answer>> : never }} Remote
+ */
+/** @typedef {import('./verbs.js').Calls<typeof kPageVerbs>} PageCalls */
+/** @typedef {import('./verbs.js').Calls<typeof kBatchVerbs>} BatchCalls */
+/** @typedef {Pick<import('./engine_host.js').EngineHost, typeof kHostVerbs[number]>} HostCalls */
+/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave'} OwnMethods  of EngineClient */
+/** @typedef {Remote<Omit<PageCalls & BatchCalls & HostCalls, OwnMethods>>} VerbMethods */
+
+/** The methods of the client that only hand a verb to the host. */
+const Verbs = /** @type {new () => VerbMethods} */ (/** @type {unknown} */ (class {}));
+for (const verb of [...Object.keys(kPageVerbs), ...Object.keys(kBatchVerbs), ...kHostVerbs])
+  Verbs.prototype[verb] = function call(/** @type {any[]} */ ...given) {
+    return this.call_(verb, ...given);
+  };
+
+export class EngineClient extends Verbs {
   /**
    * @param {object} options
    * @param {() => HTMLCanvasElement | OffscreenCanvas} options.makeCanvas  puts a fresh canvas in place of the last one
@@ -53,6 +69,7 @@ export class EngineClient {
    * @param {boolean} [options.draws]                     false: the canvas is never visible
    */
   constructor({ makeCanvas, onEvent, onView = () => {}, onSearch = () => {}, onReplaced = () => {}, draws = true }) {
+    super();
     this.makeCanvas_ = makeCanvas;
     this.onEvent_ = onEvent;
     this.onView_ = onView;
@@ -166,383 +183,10 @@ export class EngineClient {
     this.call_('cancel').catch(() => {}); // rejected only if the worker is replaced
   }
 
-  /**
-   * Places the code at a spot.
-   * @param {number} index  into the spots found last
-   * @returns {Promise<import('./types.js').PickResult>}
-   */
-  chooseSpot(index) {
-    return this.call_('chooseSpot', index);
-  }
-
-  /**
-   * Shows or hides the largest possible code sizes as colours on the model.
-   * @param {boolean} shown
-   * @returns {Promise<void>}
-   */
-  showSizes(shown) {
-    return this.call_('showSizes', shown);
-  }
-
-  /** @param {Settings} settings @returns {Promise<void>} */
-  configure(settings) {
-    return this.call_('configure', settings);
-  }
-
-  /**
-   * Returns the symbol that these settings engrave.
-   * @param {Settings} settings
-   * @returns {Promise<import('./types.js').SymbolFacts>}
-   */
-  symbol(settings) {
-    return this.call_('symbol', settings);
-  }
-
-  /**
-   * Puts the centre at a position on the canvas.
-   * @param {number} x
-   * @param {number} y
-   * @returns {Promise<import('./types.js').PickResult>}
-   */
-  pick(x, y) {
-    return this.call_('pick', x, y);
-  }
-
-  /** @param {[number, number, number]} centreMm @returns {Promise<import('./types.js').PickResult>} */
-  setCentre(centreMm) {
-    return this.call_('setCentre', ...centreMm);
-  }
-
-  /** Finds the placement at the centre. @returns {Promise<import('./types.js').Placement>} */
-  placement() {
-    return this.call_('placement');
-  }
-
   /** Starts work that the next carving needs, unless a job runs. @returns {Promise<void>} */
   async prepareEngrave() {
     // Without a worker, it would block the page.
     if (this.backend_ instanceof WorkerBackend) await this.call_('prepareEngrave');
-  }
-
-  /**
-   * Returns the number of the finished carving that can be reported and exported.
-   * @returns {Promise<number>}  0: none
-   */
-  carving() {
-    return this.call_('carving');
-  }
-
-  /** Returns what to do next for the engraving. @returns {Promise<import('./types.js').EngraveStep>} */
-  nextStep() {
-    return this.call_('nextStep');
-  }
-
-  /**
-   * Restores a carving.
-   * @param {number} number  of the last carving or the one before it
-   * @returns {Promise<boolean>}  false: gone
-   */
-  useCarving(number) {
-    return this.call_('useCarving', number);
-  }
-
-  /**
-   * Previews the code at an estimated placement.
-   * @param {number} x
-   * @param {number} y
-   * @returns {Promise<import('./types.js').HoverResult>}
-   */
-  hover(x, y) {
-    return this.call_('hover', x, y);
-  }
-
-  /** @returns {Promise<void>} */
-  endHover() {
-    return this.call_('endHover');
-  }
-
-  /**
-   * Finds the exact placement of the preview.
-   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved
-   */
-  settle() {
-    return this.call_('settle');
-  }
-
-  /** @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
-  moveCode(x, y) {
-    return this.call_('moveCode', x, y);
-  }
-
-  /** @param {number} rotateDeg @param {number} symbolMm @returns {Promise<import('./types.js').CodeFacts>} */
-  adjustCode(rotateDeg, symbolMm) {
-    return this.call_('adjustCode', rotateDeg, symbolMm);
-  }
-
-  /**
-   * Draws a spot.
-   * @param {number} index
-   * @param {number} width
-   * @param {number} height
-   * @returns {Promise<import('./types.js').ColourImage>}
-   */
-  spotPicture(index, width, height) {
-    return this.call_('spotPicture', index, width, height);
-  }
-
-  /**
-   * Shows or hides a section through the code.
-   * @param {boolean} shown
-   * @param {number} offset  from its centre, -1 … 1
-   * @returns {Promise<void>}
-   */
-  showSection(shown, offset) {
-    return this.call_('showSection', shown, offset);
-  }
-
-  /**
-   * Shows or hides the depths as colours on the carved model.
-   * @param {boolean} shown
-   * @returns {Promise<{ topMm: number, deepestMm: number }>}
-   *   depth of the last colour and of the deepest pocket; 0 without a carved model
-   */
-  showDepths(shown) {
-    return this.call_('showDepths', shown);
-  }
-
-  /** @returns {Promise<import('./types.js').Report>} */
-  report() {
-    return this.call_('report');
-  }
-
-  /** @returns {Promise<import('./types.js').GreyImage>} */
-  readerImage() {
-    return this.call_('readerImage');
-  }
-
-  /**
-   * @param {import('./types.js').JobMapName} name
-   * @returns {Promise<import('./types.js').JobMap | null>}  null before the first one
-   */
-  jobMap(name) {
-    return this.call_('jobMap', name);
-  }
-
-  /** Draws the pictures to decode. @returns {Promise<import('./types.js').GreyImage[]>} */
-  readingPictures() {
-    return this.call_('readingPictures');
-  }
-
-  /**
-   * Reports the decoded texts of the reading pictures.
-   * @param {string[]} texts  text decoded in each try, '' if none
-   * @param {string} reader   name of the decoder
-   * @returns {Promise<import('./types.js').ReadingResult>}
-   */
-  setReadings(texts, reader) {
-    return this.call_('setReadings', texts, reader);
-  }
-
-  /**
-   * Returns the print job of the carving.
-   * @param {import('./types.js').PrintChange} [changed]  changes to the settings of the carving
-   * @returns {Promise<import('./types.js').PrintJob | null>}  null: no print process is chosen
-   */
-  printJob(changed = {}) {
-    return this.call_('printJob', changed);
-  }
-
-  /**
-   * Returns other ways to print a carving that are worth trying, the cheapest first.
-   * @param {number} number  of the carving
-   * @returns {Promise<import('./types.js').PrintChange[]>}  empty if the carving is not the current one
-   */
-  otherPrints(number) {
-    return this.call_('otherPrints', number);
-  }
-
-  /**
-   * Judges a print made with changed settings.
-   * @param {number} number     of the carving that was printed
-   * @param {import('./types.js').PrintChange} changed
-   * @param {string[]} texts    text decoded in each try on the print's pictures
-   * @param {number} facingDeg  see Print
-   * @returns {Promise<import('./types.js').Aspect | null>}  null if the carving is not the current one
-   */
-  judgePrint(number, changed, texts, facingDeg) {
-    return this.call_('judgePrint', number, changed, texts, facingDeg);
-  }
-
-  /**
-   * Reports the decoded texts of a print's pictures.
-   * @param {number} number     of the carving that was printed
-   * @param {string[]} texts    text decoded in each try, '' if none
-   * @param {number} facingDeg  see Print
-   * @returns {Promise<import('./types.js').PrintedResult | null>}  null if the carving is not the current one
-   */
-  setPrintedReadings(number, texts, facingDeg) {
-    return this.call_('setPrintedReadings', number, texts, facingDeg);
-  }
-
-  /**
-   * Starts test-decoding the code from other viewing directions and distances.
-   * @returns {Promise<number>}  trials at most
-   */
-  startViewTrials() {
-    return this.call_('startViewTrials');
-  }
-
-  /**
-   * Draws the pictures of the next trial; decoding one of them is enough.
-   * @returns {Promise<import('./types.js').GreyImage[]>}
-   */
-  viewTrialPictures() {
-    return this.call_('viewTrialPictures');
-  }
-
-  /**
-   * Reports the outcome of the trial.
-   * @param {boolean} read
-   * @returns {Promise<import('./types.js').ViewTrialProgress>}
-   */
-  noteViewTrial(read) {
-    return this.call_('noteViewTrial', read);
-  }
-
-  /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
-  exportModel(format) {
-    return this.call_('exportModel', format);
-  }
-
-  /**
-   * Reads a list and checks it as a whole. The other batch verbs refer to its rows.
-   * @param {Uint8Array} list  remains usable: the worker gets a copy
-   * @param {import('./types.js').WantedBatch} wanted
-   * @returns {Promise<import('./types.js').BatchPlan>}
-   */
-  planBatch(list, wanted) {
-    return this.call_('planBatch', list, wanted);
-  }
-
-  /** @param {number} from @param {number} count  at most @returns {Promise<import('./types.js').BatchRowName[]>} */
-  batchRows(from, count) {
-    return this.call_('batchRows', from, count);
-  }
-
-  /** @param {number} index  from 0 @returns {Promise<import('./types.js').BatchRow>} */
-  batchRow(index) {
-    return this.call_('batchRow', index);
-  }
-
-  /**
-   * Returns all settings of a row as one text.
-   * @param {number} index
-   * @param {{ centre: number[], others: string }} placed  further inputs of the row's file
-   * @returns {Promise<string>}  text to hash as the row's settings for the manifest
-   */
-  batchRowToHash(index, placed) {
-    return this.call_('batchRowToHash', index, placed);
-  }
-
-  /**
-   * Formats a manifest line.
-   * @param {import('./types.js').ManifestEntry} entry
-   * @returns {Promise<string>}  without line break
-   */
-  manifestLine(entry) {
-    return this.call_('manifestLine', entry);
-  }
-
-  /** Converts manifest lines to CSV. @param {string} lines @param {boolean} withHeader @returns {Promise<string>} */
-  manifestCsv(lines, withHeader) {
-    return this.call_('manifestCsv', lines, withHeader);
-  }
-
-  /** Begins a plate; discards an earlier one. @param {number} copies  on the plate @returns {Promise<void>} */
-  startPlate(copies) {
-    return this.call_('startPlate', copies);
-  }
-
-  /**
-   * Puts the current carving on the plate.
-   * @param {number} place  from 0
-   * @param {string} id
-   * @returns {Promise<void>}
-   */
-  addToPlate(place, id) {
-    return this.call_('addToPlate', place, id);
-  }
-
-  /** Exports the plate as 3MF and empties it. @param {string} title @returns {Promise<Uint8Array<ArrayBuffer>>} */
-  exportPlate(title) {
-    return this.call_('exportPlate', title);
-  }
-
-  /**
-   * Describes the current carving for the manifest.
-   * @param {number} totalMs
-   * @returns {Promise<import('./types.js').DescribedRow>}
-   */
-  describeRow(totalMs) {
-    return this.call_('describeRow', totalMs);
-  }
-
-  /** Takes a picture of the current view. @returns {Promise<Uint8Array<ArrayBuffer>>}  PNG */
-  picture() {
-    return this.call_('picture');
-  }
-
-  /** @param {boolean} dark @returns {Promise<void>} */
-  setTheme(dark) {
-    return this.call_('setTheme', dark);
-  }
-
-  /**
-   * @param {import('./types.js').UpAxis} axis  of the model; the code's top points along it
-   * @returns {Promise<void>}
-   */
-  setUpAxis(axis) {
-    return this.call_('setUpAxis', axis);
-  }
-
-  /** @param {boolean} carved @returns {Promise<void>} */
-  showCarved(carved) {
-    return this.call_('showCarved', carved);
-  }
-
-  /** Loads the inspector without showing it. @returns {Promise<void>} */
-  openInspector() {
-    return this.call_('openInspector');
-  }
-
-  /** @param {boolean} shown @returns {Promise<void>} */
-  setInspector(shown) {
-    return this.call_('setInspector', shown);
-  }
-
-  /** @param {Record<string, string>} texts  translations, by English text @returns {Promise<void>} */
-  inspectorTexts(texts) {
-    return this.call_('inspectorTexts', texts);
-  }
-
-  /** @param {import('./types.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
-  inspectorArea(area) {
-    return this.call_('inspectorArea', area);
-  }
-
-  /** @param {ViewSize} size @returns {Promise<void>} */
-  resize(size) {
-    return this.call_('resize', size);
-  }
-
-  /** @param {ViewAction} action @returns {Promise<void>} */
-  act(action) {
-    return this.call_('act', action);
-  }
-
-  /** @returns {Promise<import('./types.js').MemoryUse>} */
-  memory() {
-    return this.call_('memory');
   }
 
   /**
@@ -678,12 +322,10 @@ class PageBackend {
 
   /** @param {string} verb @param {any[]} args */
   async send(verb, args) {
-    return /** @type {Record<string, (...args: any[]) => any>} */ (/** @type {unknown} */ (this.host_.verbs))[verb](
-      ...args,
-    );
+    return this.host_.answer(verb, args);
   }
 
   end() {
-    this.host_.verbs.cancel();
+    this.host_.cancel();
   }
 }

@@ -80,9 +80,9 @@ test('Ending rejects pending verbs and starts no other worker', async () => {
 });
 
 test('A verb goes to the worker and returns its answer', async () => {
-  const picked = client.pick(3, 4);
-  assert.deepEqual(worker().asked[0].args, [3, 4]);
-  worker().answer('pick', { value: { hit: false } });
+  const picked = client.setCentre({ at: [3, 4] });
+  assert.deepEqual(worker().asked[0].args, [{ at: [3, 4] }]);
+  worker().answer('setCentre', { value: { hit: false } });
   assert.deepEqual(await picked, { hit: false });
 });
 

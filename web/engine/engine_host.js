@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas: in the worker, or in the page where there is no OffscreenCanvas.
-import { copyOf, parseAnswer } from './answers.js';
-import { makeBatchVerbs } from './batch_verbs.js';
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
 import { message } from './message.js';
 import { loadModule } from './module.js';
+import { callsOf } from './module_calls.js';
+import { kBatchVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
 
-/** @typedef {import('./types.js').Engine} Engine */
 /** @typedef {import('./types.js').HostEvent} HostEvent */
+/** @typedef {import('./types.js').PrintChange} PrintChange */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
+/** @typedef {import('./verbs.js').JobAnswers} JobAnswers */
 /**
- * A job of the module that runs in steps.
- * @typedef {{ start: () => string, advance: () => string, cancel: () => void, watch?: (progress: import('./types.js').EngraveProgress) => void }} Job
- *   `watch`: called between slices
+ * A job of the module that runs in steps, with progress for the page. `onStep`: gets the answer of each step;
+ * `onSlice`: is called between slices.
+ * @template {'engrave' | 'spots'} Name
+ * @typedef {{ name: Name, options?: import('./verbs.js').JobOptions, onStep?: (progress: JobAnswers[Name]) => void,
+ *   onSlice?: (progress: JobAnswers[Name]) => void }} Job
  */
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']); // actions that the inspector's window intercepts
@@ -57,7 +60,10 @@ function onNextFrame(run) {
   else setTimeout(run, 16);
 }
 
-/** Translates verbs to calls of the module, draws on demand, and runs jobs in slices. */
+/**
+ * Answers the verbs of the page: the module's own, and those of kHostVerbs by its methods. Draws on demand, and runs jobs
+ * in slices.
+ */
 export class EngineHost {
   /**
    * @param {object} options
@@ -71,14 +77,16 @@ export class EngineHost {
   constructor({ module, loadInspector, canvas, gl, notify, draws }) {
     this.module_ = module;
     this.loadInspector_ = loadInspector;
-    /** @type {Engine} */ this.engine_ = new module.Engine();
+    this.object_ = new module.Engine();
+    this.engine_ = callsOf(this.object_, { ...kPageVerbs, ...kInnerVerbs });
+    /** @type {import('./verbs.js').Calls<typeof kBatchVerbs> | undefined} */ this.batch_ = undefined;
     this.canvas_ = canvas;
     this.gl_ = gl;
     /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
     this.notify_ = notify;
     this.draws_ = draws;
     this.frameRequested_ = false;
-    /** @type {Job | undefined} */ this.job_ = undefined;
+    /** @type {Job<any> | undefined} */ this.job_ = undefined;
     this.lost_ = false;
     this.inspectorShown_ = false;
     this.inspectorFrames_ = 0; // since it was opened
@@ -113,231 +121,241 @@ export class EngineHost {
     return host;
   }
 
-  /** All verbs that the page may call by name. */
-  verbs = {
-    capabilities: () => JSON.parse(this.engine_.capabilities()),
+  /**
+   * Answers a verb of the page.
+   * @param {string} verb
+   * @param {any[]} given
+   * @returns {any}
+   */
+  answer(verb, given) {
+    const own = /** @type {Record<string, (...given: any[]) => any>} */ (/** @type {unknown} */ (this));
+    if (kHostVerbs.some((known) => known === verb)) return own[verb](...given);
+    const calls = verb in kBatchVerbs ? this.planned_() : this.engine_;
+    try {
+      return /** @type {Record<string, (...given: any[]) => any>} */ (calls)[verb](...given);
+    } finally {
+      const row = /** @type {Record<string, import('./verbs.js').Verb<any>>} */ (kPageVerbs)[verb];
+      if (row?.draws) this.invalidate_(); // after a failure, too: a failed placement removes the square
+    }
+  }
 
-    /** @param {Uint8Array} bytes @param {string} fileName @param {number} scaleToMm */
-    loadModel: (bytes, fileName, scaleToMm) => {
-      const { model } = parseAnswer(this.engine_.loadModel(bytes, fileName, scaleToMm));
-      this.invalidate_();
-      return model;
-    },
+  planned_() {
+    this.batch_ ??= callsOf(new this.module_.PlannedBatch(), kBatchVerbs);
+    return this.batch_;
+  }
 
-    /** @param {ViewSize} size */
-    resize: ({ width, height, devicePixelRatio }) => {
-      this.size_ = { width, height, devicePixelRatio };
-      this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
-      this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
-      this.engine_.resize(width, height, devicePixelRatio);
-      this.pixelRatio_ = devicePixelRatio;
-      this.giveGlyphs_();
-      this.drawFrame_(); // immediately: resizing cleared the canvas
-    },
+  /** Sets the size of the canvas and draws at once, because that cleared it. @param {ViewSize} size */
+  resize({ width, height, devicePixelRatio }) {
+    this.size_ = { width, height, devicePixelRatio };
+    this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
+    this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
+    this.engine_.resize(width, height, devicePixelRatio);
+    this.pixelRatio_ = devicePixelRatio;
+    this.giveGlyphs_();
+    this.drawFrame_();
+  }
 
-    /** @param {import('./types.js').Settings} settings */
-    configure: (settings) => {
-      parseAnswer(this.engine_.configure(JSON.stringify(settings)));
-      this.invalidate_();
-    },
+  /**
+   * Puts the centre there, unless the inspector uses the position.
+   * @param {import('./types.js').CentreChoice} where
+   * @returns {import('./types.js').PickResult}
+   */
+  setCentre(where) {
+    if ('at' in where) {
+      const [x, y] = where.at;
+      if (this.inspectorTakes_ || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y }))) return { hit: false };
+    }
+    return this.drawn_(this.engine_.setCentre(where));
+  }
 
-    /** @param {import('./types.js').Settings} settings */
-    symbol: (settings) => parseAnswer(this.engine_.symbol(JSON.stringify(settings))).symbol,
+  /**
+   * Previews the code at an estimated placement.
+   * @param {[number, number] | null} at  on the canvas; null: hides the preview
+   * @returns {Promise<import('./types.js').HoverResult>}
+   */
+  async hover(at) {
+    const asked = (this.hovers_ += 1);
+    if (!at) return this.drawn_(this.engine_.hover(null));
+    while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
+    if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
+    const found = this.engine_.hover(at);
+    this.drawFrame_();
+    return found;
+  }
 
-    /** @param {number} x @param {number} y */
-    pick: (x, y) =>
-      this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y))
-        ? { hit: false }
-        : this.drawn_(JSON.parse(this.engine_.pick(x, y))),
+  /**
+   * Finds the exact placement of the preview.
+   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
+   */
+  async settle() {
+    const { hovers_: asked } = this;
+    this.engine_.startJob('settling', {});
+    for (;;) {
+      const sliceEnd = performance.now() + kSettleSliceMs;
+      do {
+        const found = this.engine_.advanceJob('settling');
+        if (found.done) return this.drawn_(found);
+      } while (performance.now() < sliceEnd);
+      await yieldToMessages();
+      if (this.hovers_ !== asked) return null;
+    }
+  }
 
-    /** @param {number} x @param {number} y @param {number} z */
-    setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
+  /**
+   * Searches for the best spots.
+   * @returns {Promise<import('./types.js').Spots | null>}  null if cancelled
+   */
+  findSpots() {
+    return this.runJob_({ name: 'spots' });
+  }
 
-    /** @param {number} x @param {number} y */
-    hover: async (x, y) => {
-      const asked = (this.hovers_ += 1);
-      while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
-      if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
-      const found = parseAnswer(this.engine_.hover(x, y));
-      this.drawFrame_();
-      return found;
-    },
-    endHover: () => {
-      this.hovers_ += 1;
-      this.drawn_(this.engine_.endHover());
-    },
-    settle: () => this.settle_(),
-    /** @param {number} x @param {number} y */
-    moveCode: (x, y) => this.drawn_(parseAnswer(this.engine_.moveCode(x, y))),
-    /** @param {number} rotateDeg @param {number} symbolMm */
-    adjustCode: (rotateDeg, symbolMm) => this.drawn_(parseAnswer(this.engine_.adjustCode(rotateDeg, symbolMm)).code),
+  /** Does work that the next carving needs, unless a job runs. */
+  async prepareEngrave() {
+    while (!this.job_ && !this.engine_.advanceJob('preparation').done) await yieldToMessages();
+  }
 
-    placement: () => {
-      try {
-        return parseAnswer(this.engine_.placement()).placement;
-      } finally {
-        this.invalidate_(); // a failed placement removes the square
-      }
-    },
+  /**
+   * Carves the code.
+   * @param {import('./types.js').PlanOptions} [plan]
+   * @param {boolean} [withOverrides]  use the inspector's settings
+   * @param {boolean} [printsEarly]    send the print job as soon as the file is written
+   * @returns {Promise<boolean>}  false: cancelled
+   */
+  async engrave(plan = {}, withOverrides = false, printsEarly = false) {
+    let isTold = !printsEarly;
+    const last = await this.runJob_({
+      name: 'engrave',
+      options: { ...plan, withOverrides },
+      onStep: ({ printable }) => {
+        if (isTold || !printable) return;
+        isTold = true;
+        this.notify_({ event: 'printable', job: this.printJob() });
+      },
+      onSlice: ({ stage }) => this.tellSearch_(stage),
+    });
+    return last !== null;
+  }
 
-    findSpots: async () => ((await this.findSpots_()) ? parseAnswer(this.engine_.spots()) : null),
-    /** @param {number} index */
-    chooseSpot: (index) => this.drawn_(parseAnswer(this.engine_.chooseSpot(index))),
-    /** @param {boolean} shown */
-    showSizes: (shown) => this.drawn_(this.engine_.showSizes(shown)),
-    /** @param {number} index @param {number} width @param {number} height */
-    spotPicture: (index, width, height) => {
-      const picture = this.engine_.spotPicture(index, width, height);
-      return { width: picture.width, height: picture.height, pixels: picture.pixels.slice() };
-    },
-    /** @param {boolean} shown @param {number} offset */
-    showSection: (shown, offset) => this.drawn_(this.engine_.showSection(shown, offset)),
-    /** @param {boolean} shown */
-    showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown))),
+  /**
+   * Starts test-decoding the code from other viewing directions and distances.
+   * @returns {number}  trials at most
+   */
+  startViewTrials() {
+    return this.engine_.startJob('view-trials', {}).all ?? 0;
+  }
 
-    prepareEngrave: async () => {
-      while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
-    },
-    /**
-     * @param {import('./client.js').PlanOptions} [plan]
-     * @param {boolean} [withOverrides]  use the inspector's settings
-     * @param {boolean} [printsEarly]    send the print job as soon as the file is written
-     */
-    engrave: (plan = {}, withOverrides = false, printsEarly = false) => this.engrave_(plan, withOverrides, printsEarly),
-    nextStep: () => parseAnswer(this.engine_.nextStep()),
-    cancel: () => {
-      this.job_?.cancel();
-      this.job_ = undefined;
-      this.engine_.showCarved(false); // the job may have finished just now
-      this.drawn_(this.engine_.showSizes(false));
-    },
-    memory: () => this.memory_(),
+  cancel() {
+    if (this.job_) this.engine_.cancelJob(this.job_.name);
+    this.job_ = undefined;
+    this.drawn_(this.engine_.show({ carved: false, sizes: false })); // the job may have finished just now
+  }
 
-    carving: () => this.engine_.carving(),
-    /** @param {number} number */
-    useCarving: (number) => this.drawn_(this.engine_.useCarving(number)),
-    report: () => parseAnswer(this.engine_.report()),
-    readerImage: () => copyOf(this.engine_.readerImage()),
-    /** @param {import('./types.js').JobMapName} name */
-    jobMap: (name) => this.engine_.jobMap(name),
-    readingPictures: () => this.engine_.readingPictures().map(copyOf),
-    /** @param {string[]} texts @param {string} reader */
-    setReadings: (texts, reader) => parseAnswer(this.engine_.setReadings(JSON.stringify(texts), reader)),
-    /** @param {import('./types.js').PrintChange} changed @returns {import('./types.js').PrintJob | null} */
-    printJob: (changed) => {
-      const { order } = parseAnswer(this.engine_.printOrder(JSON.stringify(changed)));
-      return order && { order, stl: this.engine_.stlToPrint().slice() };
-    },
-    /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
-    setPrintedReadings: (number, texts, facingDeg) => {
-      if (this.engine_.carving() !== number) return null;
-      const { passed } = parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
-      return { passed, report: parseAnswer(this.engine_.report()) };
-    },
-    /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
-    otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),
-    /**
-     * @param {number} number  of the carving
-     * @param {import('./types.js').PrintChange} changed
-     * @param {string[]} texts
-     * @param {number} facingDeg
-     */
-    judgePrint: (number, changed, texts, facingDeg) =>
-      this.engine_.carving() === number
-        ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints
-        : null,
-    startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
-    viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
-    /** @param {boolean} read */
-    noteViewTrial: (read) => parseAnswer(this.engine_.noteViewTrial(read)),
-    /** @param {string} format */
-    exportModel: (format) => {
-      const bytes = this.engine_.exportModel(format);
-      if (bytes.length > 0) return bytes.slice();
-      throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
-    },
+  /** @returns {import('./types.js').MemoryUse} */
+  memory() {
+    const { GL, HEAPU8 } = this.module_;
+    const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
+    const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
+    const glKinds = Object.fromEntries(
+      Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]),
+    );
+    const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
+    return { usedBytes: this.object_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
+  }
 
-    ...makeBatchVerbs(
-      () => this.engine_,
-      () => new this.module_.PlannedBatch(),
-    ),
+  /**
+   * Returns the print job of the carving.
+   * @param {PrintChange} [changed]  changes to the settings of the carving
+   * @returns {import('./types.js').PrintJob | null}  null: no print process is chosen
+   */
+  printJob(changed = {}) {
+    const order = this.engine_.printOrder(changed);
+    return order && { order, stl: this.engine_.exportModel('stl') };
+  }
 
-    picture: () => this.picture_(),
+  /**
+   * Returns other ways to print a carving that are worth trying, the cheapest first.
+   * @param {number} number  of the carving
+   * @returns {PrintChange[]}  empty if the carving is not the current one
+   */
+  otherPrints(number) {
+    return this.engine_.carving() === number ? this.engine_.otherPrints() : [];
+  }
 
-    /** @param {boolean} dark */
-    setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
-    /** @param {import('./types.js').UpAxis} axis */
-    setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
-    /** @param {boolean} carved */
-    showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
-    /** Loads the inspector without showing it. Call this before all other inspector verbs. */
-    openInspector: async () => {
-      await this.loadInspector_();
-      this.engine_.openInspector();
-    },
-    /** @param {boolean} shown */
-    setInspector: (shown) => {
-      this.inspectorShown_ = shown;
+  /**
+   * Judges a print made with changed settings.
+   * @param {number} number     of the carving that was printed
+   * @param {PrintChange} changed
+   * @param {string[]} texts    text decoded in each try on the print's pictures
+   * @param {number} facingDeg  see Print
+   * @returns {import('./types.js').Aspect | null}  null if the carving is not the current one
+   */
+  judgePrint(number, changed, texts, facingDeg) {
+    return this.engine_.carving() === number ? this.engine_.judgePrint(changed, texts, facingDeg) : null;
+  }
+
+  /**
+   * Reports the decoded texts of a print's pictures.
+   * @param {number} number     of the carving that was printed
+   * @param {string[]} texts    text decoded in each try, '' if none
+   * @param {number} facingDeg  see Print
+   * @returns {import('./types.js').PrintedResult | null}  null if the carving is not the current one
+   */
+  setPrintedReadings(number, texts, facingDeg) {
+    if (this.engine_.carving() !== number) return null;
+    const passed = this.engine_.setPrintedReadings(texts, facingDeg);
+    return { passed, report: this.engine_.report() };
+  }
+
+  /** Returns the carved model as a file. @param {string} format  see Engine::exportModel() */
+  exportModel(format) {
+    return written(this.engine_.exportModel(format), format);
+  }
+
+  /** Returns the plate as 3MF and empties it. @param {string} title */
+  exportPlate(title) {
+    return written(this.engine_.exportPlate(title), '3mf');
+  }
+
+  /** Refines the view for up to kPictureMs and returns it as PNG. */
+  async picture() {
+    this.resize(this.size_); // redraws: the presented frame can no longer be read
+    const until = performance.now() + kPictureMs;
+    do this.waitForFrame_();
+    while (!this.lost_ && performance.now() < until && this.engine_.draw().more);
+    const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
+    return new Uint8Array(await blob.arrayBuffer());
+  }
+
+  /**
+   * Tells the inspector of an event.
+   * @param {import('./types.js').InspectorEvent} event
+   * @returns {Promise<void>}
+   */
+  async inspector(event) {
+    if (event.kind === 'open') await this.loadInspector_();
+    if (event.kind === 'show') {
+      this.inspectorShown_ = event.shown;
       this.inspectorFrames_ = 0;
       this.inspectorTakes_ = false;
       this.inspectorState_ = '';
       this.inspectorStill_ = false;
-      this.drawn_(this.engine_.showInspector(shown));
-      this.giveGlyphs_();
-    },
-    /** @param {Record<string, string>} texts  translations, by English text */
-    inspectorTexts: (texts) => this.drawn_(this.engine_.inspectorTexts(JSON.stringify(texts))),
-    /** @param {{ x: number, y: number, width: number, height: number }} area  that no control covers */
-    inspectorArea: ({ x, y, width, height }) => this.drawn_(this.engine_.inspectorArea(x, y, width, height)),
-    /** @param {ViewAction} action */
-    act: (action) => this.act_(action),
-  };
-
-  /** @param {ViewAction} action */
-  act_(action) {
-    if (action.kind === 'pointer') {
-      if (!this.inspectorShown_) return;
-      this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
-    } else if (action.kind === 'key') {
-      this.engine_.inspectorKey(action.key, action.control, action.shift);
-    } else if (this.inspectorTakes_ && kDragged.has(action.kind)) {
-      return;
-    } else if (action.kind === 'standard') {
-      this.engine_.standardView(action.name);
-    } else if (action.kind === 'faceSection') {
-      this.engine_.faceSection();
-    } else if (action.kind === 'orbit') {
-      this.engine_.orbit(action.dx, action.dy);
-    } else if (action.kind === 'pan') {
-      this.engine_.pan(action.dx, action.dy);
-    } else if (action.kind === 'zoom') {
-      this.engine_.zoom(action.factor, action.x, action.y);
-    } else if (action.kind === 'fit') {
-      this.engine_.fit();
-    } else if (action.kind === 'face') {
-      this.engine_.faceCode();
-    } else {
-      this.engine_.readerView();
     }
-    this.invalidate_();
+    this.drawn_(this.engine_.inspector(event));
+    this.giveGlyphs_();
   }
 
-  /** @param {import('./client.js').PlanOptions} plan @param {boolean} withOverrides @param {boolean} printsEarly */
-  engrave_(plan, withOverrides, printsEarly) {
-    let isTold = !printsEarly;
-    return this.runJob_({
-      start: () => this.engine_.startEngrave(JSON.stringify(plan), withOverrides),
-      advance: () => {
-        const answer = this.engine_.advance();
-        if (!isTold && parseAnswer(answer).printable) {
-          isTold = true;
-          this.notify_({ event: 'printable', job: this.verbs.printJob({}) });
-        }
-        return answer;
-      },
-      watch: ({ stage }) => this.tellSearch_(stage),
-      cancel: () => this.engine_.cancel(),
-    });
+  /** Moves the camera, unless the inspector uses the event. @param {ViewAction} action */
+  act(action) {
+    if (action.kind === 'pointer') {
+      if (!this.inspectorShown_) return;
+      this.inspectorTakes_ = this.engine_.inspector(action);
+    } else if (action.kind === 'key') {
+      this.engine_.inspector(action);
+    } else {
+      if (this.inspectorTakes_ && kDragged.has(action.kind)) return;
+      this.engine_.look(action);
+    }
+    this.invalidate_();
   }
 
   /** Sends the current maps of a depth search. @param {import('./types.js').EngraveProgress['stage']} stage */
@@ -347,36 +365,11 @@ export class EngineHost {
     if (luminance && depths) this.notify_({ event: 'search', search: { luminance, depths } });
   }
 
-  findSpots_() {
-    return this.runJob_({
-      start: () => this.engine_.startSpotSearch(),
-      advance: () => this.engine_.advanceSpotSearch(),
-      cancel: () => this.engine_.cancelSpotSearch(),
-    });
-  }
-
-  /**
-   * Finds the exact placement of the code under the pointer.
-   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
-   */
-  async settle_() {
-    const { hovers_: asked } = this;
-    parseAnswer(this.engine_.startSettling());
-    for (;;) {
-      const sliceEnd = performance.now() + kSettleSliceMs;
-      do {
-        const found = parseAnswer(this.engine_.advanceSettling());
-        if (found.done) return this.drawn_(found);
-      } while (performance.now() < sliceEnd);
-      await yieldToMessages();
-      if (this.hovers_ !== asked) return null;
-    }
-  }
-
   /**
    * Runs a job in slices.
-   * @param {Job} job
-   * @returns {Promise<boolean>}  false: cancelled
+   * @template {'engrave' | 'spots'} Name
+   * @param {Job<Name>} job
+   * @returns {Promise<JobAnswers[Name] | null>}  answer of the last step; null if cancelled
    */
   async runJob_(job) {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
@@ -384,51 +377,29 @@ export class EngineHost {
     try {
       const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) =>
         this.notify_({ event: 'progress', progress: { stage, fraction } });
-      const begun = parseAnswer(job.start());
+      const begun = this.engine_.startJob(job.name, job.options ?? {});
       if (begun.stage) tell(begun);
       let told = begun.stage?.code;
-      for (let done = false; !done;) {
+      for (;;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
         do {
-          progress = parseAnswer(job.advance());
+          progress = this.engine_.advanceJob(job.name);
+          job.onStep?.(progress);
           if (progress.stage?.code !== told) tell(progress); // even if the previous stage ended in the same slice
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
         tell(progress);
-        job.watch?.(progress);
-        done = progress.done;
+        job.onSlice?.(progress);
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
-        if (this.job_ !== job) return done; // a message cancelled it; the next job may already run
+        if (progress.done) return progress;
+        if (this.job_ !== job) return null; // a message cancelled it; the next job may already run
       }
-      return true;
     } finally {
       if (this.job_ === job) this.job_ = undefined;
       this.invalidate_();
     }
-  }
-
-  /** @returns {import('./types.js').MemoryUse} */
-  memory_() {
-    const { GL, HEAPU8 } = this.module_;
-    const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
-    const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
-    const glKinds = Object.fromEntries(
-      Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]),
-    );
-    const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
-    return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
-  }
-
-  /** Refines the view for up to kPictureMs and returns it as PNG. */
-  async picture_() {
-    this.verbs.resize(this.size_); // redraws: the presented frame can no longer be read
-    const until = performance.now() + kPictureMs;
-    do this.waitForFrame_();
-    while (!this.lost_ && performance.now() < until && this.engine_.draw());
-    const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
-    return new Uint8Array(await blob.arrayBuffer());
   }
 
   /**
@@ -454,15 +425,16 @@ export class EngineHost {
 
   /**
    * Reports the inspector's state. Dear ImGui takes several frames to lay out a change, so draw until two are equal.
+   * @param {import('./verbs.js').InspectorState} state
    */
-  tellInspector_() {
-    const state = this.engine_.inspectorState();
-    const still = state === this.inspectorState_;
+  tellInspector_(state) {
+    const text = JSON.stringify(state);
+    const still = text === this.inspectorState_;
     if (!still) this.invalidate_();
     if (still && this.inspectorStill_) return;
-    this.inspectorState_ = state;
+    this.inspectorState_ = text;
     this.inspectorStill_ = still;
-    this.notify_({ event: 'inspector', state: { ...JSON.parse(state), still } });
+    this.notify_({ event: 'inspector', state: { ...state, still } });
   }
 
   /** Requests a frame. Requests before the next frame are merged. */
@@ -491,29 +463,40 @@ export class EngineHost {
     return false;
   }
 
-  /** Reports the view state if it has changed. */
-  tellView_() {
-    const state = this.engine_.viewState();
-    if (state === this.viewState_) return;
-    this.viewState_ = state;
-    this.notify_({ event: 'view', state: JSON.parse(state) });
+  /** Reports the view state if it has changed. @param {import('./types.js').ViewState} state */
+  tellView_(state) {
+    const text = JSON.stringify(state);
+    if (text === this.viewState_) return;
+    this.viewState_ = text;
+    this.notify_({ event: 'view', state });
   }
 
   drawFrame_() {
     if (this.lost_) return;
     try {
-      const wantsAnother = this.engine_.draw();
+      const { more, view, inspector } = this.engine_.draw();
       this.gl_.deleteSync(this.fence_);
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
-      this.tellView_();
-      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_(); // not after its first layout
-      if (wantsAnother && !this.job_) this.invalidate_(); // no refinement during a job
+      this.tellView_(view);
+      if (inspector && ++this.inspectorFrames_ > 1) this.tellInspector_(inspector); // not after its first layout
+      if (more && !this.job_) this.invalidate_(); // no refinement during a job
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });
     }
   }
+}
+
+/**
+ * Returns the bytes of a file.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {string} format
+ * @throws {EngineFailure} if the module has written none
+ */
+function written(bytes, format) {
+  if (bytes.length > 0) return bytes;
+  throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
 }
 
 /** @param {HTMLCanvasElement | OffscreenCanvas} canvas @returns {Promise<Blob>} */

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulates one print in its own module. The engine keeps working, and ending the worker frees the memory.
-import { copyOf, parseAnswer } from './answers.js';
 import { describeThrown } from './engine_error.js';
 import { loadModule } from './module.js';
+import { callsOf } from './module_calls.js';
+import { kPrintVerbs } from './verbs.js';
 
 /** @typedef {import('./types.js').PrintJob} PrintJob */
 
@@ -14,15 +15,15 @@ loading.catch(() => {}); // the job reports the error
 scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
   try {
     const { module } = await loading;
-    const print = new module.PrintedCode();
-    let progress = parseAnswer(print.start(stl, JSON.stringify(order)));
+    const printed = callsOf(new module.PrintedCode(), kPrintVerbs);
+    let progress = printed.start(stl, order);
     while (!progress.done) {
       scope.postMessage({ progress });
-      progress = parseAnswer(print.advance());
+      progress = printed.advance();
     }
     const { facingDeg, misread } = progress;
-    const pictures = print.readingPictures().map(copyOf);
-    scope.postMessage({ print: { facingDeg, misread, pictures, picture: copyOf(print.picture()) } });
+    const [picture] = printed.pictures('front');
+    scope.postMessage({ print: { facingDeg, misread, pictures: printed.pictures('reading'), picture } });
   } catch (thrown) {
     scope.postMessage({ error: describeThrown(thrown) });
   }

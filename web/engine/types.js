@@ -81,14 +81,22 @@
  *   module of this pattern that the printer can make
  */
 
-/** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
+/**
+ * A centre of the code: the surface point at a position on the canvas, the one nearest to a point, or a spot found last.
+ * @typedef {{ at: [number, number] } | { mm: [number, number, number] } | { spot: number }} CentreChoice
+ * @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult
+ */
+/**
+ * A change to the placed code: to a position on the canvas, or to a rotation and size.
+ * @typedef {{ at: [number, number] } | { rotateDeg: number, symbolMm: number }} CodeChange
+ */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
 /**
  * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse
  *   `heapBytes` never shrinks
  */
-/** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
+/** @typedef {{ width: number, height: number, pixels: Uint8Array<ArrayBuffer> }} GreyImage */
 /** The maps of the latest pass of a depth search. @typedef {{ luminance: JobMap, depths: JobMap }} SearchMaps */
 /** @typedef {'surface' | 'luminance' | 'depths' | 'search-luminance' | 'search-depths'} JobMapName */
 /**
@@ -154,6 +162,12 @@
  *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  plus `details` of DescribedRow
  */
 
+/**
+ * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
+ * `fixed`: keys of settings that must not change.
+ * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
+ */
+
 /** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model and the print order */
 /**
  * A simulated print of a carved code.
@@ -176,107 +190,7 @@
  *   none: no print process is chosen
  */
 
-/**
- * The module's answer to a verb that failed.
- * @typedef {{ ok: false, error: EngineError }} Failure
- */
-
-/**
- * The class `Engine` of the module (embind); JSON travels as strings.
- * @typedef {object} Engine
- * @property {() => string} capabilities
- * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} loadModel
- * @property {(width: number, height: number, devicePixelRatio: number) => void} resize
- * @property {(settings: string) => string} configure
- * @property {(settings: string) => string} symbol
- * @property {(x: number, y: number) => string} pick
- * @property {(x: number, y: number, z: number) => string} setCentre
- * @property {() => string} placement
- * @property {(x: number, y: number) => string} hover
- * @property {() => void} endHover
- * @property {() => string} startSettling
- * @property {() => string} advanceSettling
- * @property {(x: number, y: number) => string} moveCode
- * @property {(rotateDeg: number, symbolMm: number) => string} adjustCode
- * @property {() => string} startSpotSearch
- * @property {() => string} advanceSpotSearch
- * @property {() => void} cancelSpotSearch
- * @property {() => string} spots
- * @property {(index: number) => string} chooseSpot
- * @property {(shown: boolean) => void} showSizes
- * @property {() => string} prepareEngrave
- * @property {(options: string, withOverrides: boolean) => string} startEngrave
- * @property {() => string} nextStep
- * @property {() => string} advance
- * @property {() => void} cancel
- * @property {() => number} carving
- * @property {(number: number) => boolean} useCarving
- * @property {() => string} report
- * @property {() => GreyImage} readerImage
- * @property {(name: JobMapName) => JobMap | null} jobMap
- * @property {() => GreyImage[]} readingPictures
- * @property {(texts: string, reader: string) => string} setReadings
- * @property {(changed: string) => string} printOrder
- * @property {() => Uint8Array} stlToPrint
- * @property {() => string} otherPrints
- * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
- * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
- * @property {(totalMs: number) => string} describeRow
- * @property {(copies: number) => string} startPlate
- * @property {(place: number, id: string) => string} addToPlate
- * @property {(title: string) => Uint8Array} exportPlate
- * @property {() => string} startViewTrials
- * @property {() => GreyImage[]} viewTrialPictures
- * @property {(read: boolean) => string} noteViewTrial
- * @property {(format: string) => Uint8Array} exportModel
- * @property {(dark: boolean) => void} setTheme
- * @property {(axis: UpAxis) => void} setUpAxis
- * @property {(carved: boolean) => void} showCarved
- * @property {(dx: number, dy: number) => void} orbit
- * @property {(dx: number, dy: number) => void} pan
- * @property {(factor: number, x: number, y: number) => void} zoom
- * @property {() => void} fit
- * @property {(name: StandardView) => void} standardView
- * @property {() => void} readerView
- * @property {(shown: boolean, offset: number) => void} showSection
- * @property {() => void} faceSection
- * @property {(shown: boolean) => string} showDepths
- * @property {() => string} viewState
- * @property {(index: number, width: number, height: number) => ColourImage} spotPicture
- * @property {() => void} faceCode
- * @property {() => boolean} draw
- * @property {() => number} memoryInUse            bytes of the heap
- * @property {() => void} openInspector
- * @property {(shown: boolean) => void} showInspector
- * @property {(texts: string) => void} inspectorTexts
- * @property {(x: number, y: number, width: number, height: number) => void} inspectorArea
- * @property {(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void} inspectorGlyphs
- * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
- * @property {(key: string, control: boolean, shift: boolean) => void} inspectorKey
- * @property {(x: number, y: number) => boolean} inspectorPick
- * @property {() => string} inspectorState
- */
-
-/**
- * The class `PrintedCode` of the module: simulates one print. It needs no canvas.
- * @typedef {object} PrintedCode
- * @property {(stl: Uint8Array, order: string) => string} start
- * @property {() => string} advance
- * @property {() => GreyImage[]} readingPictures
- * @property {() => GreyImage} picture
- */
-
-/**
- * The class `PlannedBatch` of the module: the rows of a list and the lines of the manifest. It needs no canvas and no
- * model.
- * @typedef {object} PlannedBatch
- * @property {(list: Uint8Array, wanted: string) => string} plan
- * @property {(from: number, count: number) => string} rows
- * @property {(index: number) => string} row
- * @property {(index: number, placed: string) => string} toHash
- * @property {(entry: string) => string} manifestLine
- * @property {(lines: string, withHeader: boolean) => string} manifestCsv
- */
+/** An object of the module (embind), by verb. @typedef {Record<string, (...given: any[]) => any>} ModuleObject */
 
 /**
  * The class `Facts` of the module: what it says about a model's file and a symbol without a canvas.
@@ -293,22 +207,41 @@
 
 /**
  * @typedef {object} QReliefModule
- * @property {new () => Engine} Engine
- * @property {new () => PrintedCode} PrintedCode
- * @property {new () => PlannedBatch} PlannedBatch
- * @property {new () => Facts} Facts
+ * @property {new () => ModuleObject & { memoryInUse: () => number }} Engine  `memoryInUse`: bytes of the heap
+ * @property {new () => ModuleObject} PrintedCode
+ * @property {new () => ModuleObject} PlannedBatch
+ * @property {new () => ModuleObject} Facts
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
  * @property {Uint8Array} HEAPU8
  */
 
 /**
- * An action of the view; positions in CSS pixels of the canvas.
+ * A camera action; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
- *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }
- *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
- *   | { kind: 'key', key: string, control: boolean, shift: boolean }} ViewAction  `key`: for the inspector
+ *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }} LookAction
+ */
+
+/**
+ * An event that the camera leaves to the inspector.
+ * @typedef {{ kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
+ *   | { kind: 'key', key: string, control: boolean, shift: boolean }} InputEvent
+ */
+
+/** An action in the view. @typedef {LookAction | InputEvent} ViewAction */
+
+/**
+ * An event for the inspector. `open`: its part of the module is loaded, and nothing is shown yet; comes before all
+ * others; `texts`: translations, by English text; `area`: part of the canvas that no control covers.
+ * @typedef {{ kind: 'open' } | { kind: 'show', shown: boolean } | { kind: 'texts', texts: Record<string, string> }
+ *   | { kind: 'area' } & Area | { kind: 'pick', x: number, y: number } | InputEvent} InspectorEvent
+ */
+
+/**
+ * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
+ * `depths`: carved depths as colours; `section`: offset of a section from the code's centre, -1 … 1, null: none.
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, section?: number | null }} Shown
  */
 
 /** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */

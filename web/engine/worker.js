@@ -23,8 +23,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
       scope.postMessage({ id, value: undefined });
       return;
     }
-    const { verbs } = /** @type {EngineHost} */ (await host);
-    const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
+    const value = await /** @type {EngineHost} */ (await host).answer(verb, args);
     scope.postMessage({ id, value }, transferables(value));
   } catch (thrown) {
     if (!(thrown instanceof EngineFailure)) console.error(thrown); // a bug: log its stack

@@ -129,7 +129,7 @@ class Demonstration {
     this.view_.announceSize();
     await this.client_.setTheme(this.theme_.dark);
     const { triangles } = await this.client_.loadModel(await fetchBytes(`samples/${sample.file}`), sample.file, 1);
-    await this.client_.setCentre(sample.centreMm);
+    await this.client_.setCentre({ mm: sample.centreMm });
     await this.client_.configure(kSettings);
     const { guaranteedMm, symbolMm, moduleMm, modules } = await this.client_.placement();
     await this.client_.act({ kind: 'face' });
@@ -176,11 +176,11 @@ class Demonstration {
   }
 
   async read_() {
-    const photo = await this.client_.readerImage();
+    const [photo] = await this.client_.pictures('reader');
     const rgba = new Uint8ClampedArray(4 * photo.pixels.length);
     photo.pixels.forEach((grey, at) => rgba.set([grey, grey, grey, 255], 4 * at));
     show('photo', { width: photo.width, height: photo.height, rgba });
-    await this.client_.setReadings(await readEach(await this.client_.readingPictures()), kReaderName);
+    await this.client_.setReadings(await readEach(await this.client_.pictures('reading')), kReaderName);
     const { text: read } = (await this.client_.report()).verification;
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }
@@ -188,7 +188,7 @@ class Demonstration {
   /** @param {boolean} shown */
   async showCarved_(shown) {
     this.carved_.setAttribute('aria-pressed', String(shown));
-    await this.client_.showCarved(shown);
+    await this.client_.show({ carved: shown });
   }
 
   async lookFromAside_() {

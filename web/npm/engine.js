@@ -111,7 +111,7 @@ export class Engine {
    * @param {number} index
    */
   async chooseSpot(index) {
-    await this.client_.chooseSpot(index);
+    await this.client_.setCentre({ spot: index });
   }
 
   /**
@@ -120,7 +120,7 @@ export class Engine {
    * @returns {Promise<Point>}  the surface point
    */
   async setCentre(centre) {
-    const { centre: found } = await this.client_.setCentre(centre);
+    const { centre: found } = await this.client_.setCentre({ mm: centre });
     if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
     return found;
   }

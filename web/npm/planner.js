@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything of the module that needs no graphics: models, symbols, and the plans of batches.
-import { parseAnswer } from '../engine/answers.js';
-import { makePlanVerbs } from '../engine/batch_verbs.js';
+import { callsOf } from '../engine/module_calls.js';
 import { loadModule } from '../engine/module.js';
+import { kBatchVerbs, kFactVerbs } from '../engine/verbs.js';
 
 /** @typedef {import('./engine.js').Settings} Settings */
 /**
@@ -24,8 +24,8 @@ export class Planner {
 
   /** Call `loadPlanner` instead. @param {import('../engine/types.js').QReliefModule} module */
   constructor(module) {
-    this.facts_ = new module.Facts();
-    this.verbs_ = makePlanVerbs(() => new module.PlannedBatch());
+    this.facts_ = callsOf(new module.Facts(), kFactVerbs);
+    this.verbs_ = callsOf(new module.PlannedBatch(), kBatchVerbs);
   }
 
   /**
@@ -36,7 +36,7 @@ export class Planner {
    * @returns {Omit<import('../engine/types.js').ModelInfo, 'centre'>}
    */
   model(bytes, fileName, { scaleToMm = 0 } = {}) {
-    return parseAnswer(this.facts_.model(bytes, fileName, scaleToMm)).model;
+    return this.facts_.model(bytes, fileName, scaleToMm);
   }
 
   /**
@@ -45,7 +45,7 @@ export class Planner {
    * @returns {import('../engine/types.js').SymbolFacts}
    */
   symbol(settings) {
-    return parseAnswer(this.facts_.symbol(JSON.stringify(settings))).symbol;
+    return this.facts_.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));
   }
 
   /**

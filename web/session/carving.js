@@ -167,7 +167,7 @@ export class Carving {
     const exists = this.carved !== undefined;
     this.shown = shown && exists;
     this.changed.tell(exists, this.shown);
-    await this.client_.showCarved(this.shown);
+    await this.client_.show({ carved: this.shown });
   }
 
   /**
@@ -271,9 +271,9 @@ export class Carving {
       return { passed: false }; // the plan goes on without this carving
     }
     this.messages_.say(() => text('page.readingBack'));
-    const pictures = await this.client_.readingPictures();
+    const pictures = await this.client_.pictures('reading');
     // Meanwhile the module prepares the carved model for display.
-    const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);
+    const [texts] = await Promise.all([readEach(pictures), this.client_.show({ carved: true })]);
     return this.client_.setReadings(texts, kReaderName);
   }
 
@@ -424,7 +424,7 @@ export class Carving {
   async tryViews(report, onTrial, signal) {
     for (let all = await this.client_.startViewTrials(), tried = 0; ;) {
       onTrial(tried, all);
-      const read = await readsAny(await this.client_.viewTrialPictures(), report.text);
+      const read = await readsAny(await this.client_.pictures('view-trial'), report.text);
       if (signal.aborted) return undefined;
       const progress = await this.client_.noteViewTrial(read);
       if (progress.done) return progress.views;

@@ -58,7 +58,7 @@ beforeEach(() => {
     carving: async () => number,
     useCarving: async () => true,
     nextStep: async () => steps.shift() ?? { step: 'print', carving: number },
-    readingPictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
+    pictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
     setReadings: async (/** @type {string[]} */ texts) => ({ passed: texts.every((one) => one === kText) }),
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });

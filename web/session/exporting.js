@@ -114,7 +114,7 @@ export class Exporting {
     const onItsModel = !model || (await this.openModelOf_(model));
     const centre = onItsModel ? model?.centreMm : undefined;
     await this.editing_.apply();
-    if (centre) await this.placing_.move(() => this.client_.setCentre(centre));
+    if (centre) await this.placing_.move(() => this.client_.setCentre({ mm: centre }));
     const words = onItsModel
       ? () => text('exports.settingsUsed', { file: file.name })
       : () => text('exports.settingsOtherModel', { file: file.name, model: model.file });

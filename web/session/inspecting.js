@@ -30,12 +30,12 @@ export class Inspecting {
       return;
     }
     try {
-      await this.client_.openInspector();
+      await this.client_.inspector({ kind: 'open' });
       await this.translate_();
       await this.makeRoom();
       if (!this.toolbar_.inspectorShown) return; // closed meanwhile
       this.view_.reportsPointer = true;
-      await this.client_.setInspector(true);
+      await this.client_.inspector({ kind: 'show', shown: true });
     } catch (thrown) {
       this.toolbar_.releaseInspector();
       await this.close_();
@@ -45,7 +45,7 @@ export class Inspecting {
 
   /** Keeps the inspector clear of the page's controls. */
   async makeRoom() {
-    if (this.toolbar_.inspectorShown) await this.client_.inspectorArea(this.window_.area());
+    if (this.toolbar_.inspectorShown) await this.client_.inspector({ kind: 'area', ...this.window_.area() });
   }
 
   /** Reopens the inspector in a new module. */
@@ -57,11 +57,11 @@ export class Inspecting {
   async close_() {
     this.view_.reportsPointer = false;
     this.window_.update(undefined);
-    await this.client_.setInspector(false);
+    await this.client_.inspector({ kind: 'show', shown: false });
   }
 
   async translate_() {
     const { inspectorTexts } = await import('../i18n/inspector_texts.js');
-    await this.client_.inspectorTexts(inspectorTexts());
+    await this.client_.inspector({ kind: 'texts', texts: inspectorTexts() });
   }
 }

@@ -37,7 +37,7 @@ export class Placing {
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     this.again_ = false;
-    panel.listen((centreMm) => void guard(() => this.move(() => client.setCentre(centreMm))));
+    panel.listen((centreMm) => void guard(() => this.move(() => client.setCentre({ mm: centreMm }))));
   }
 
   get mayMove_() {
@@ -58,7 +58,7 @@ export class Placing {
     if (!info.engravable) {
       this.refuse_(info);
     } else if (chosenMm) {
-      await this.move(() => this.client_.setCentre(chosenMm));
+      await this.move(() => this.client_.setCentre({ mm: chosenMm }));
     } else if (info.centre) {
       this.store_.update(centredAt(info.centre, true));
       await this.place();
@@ -75,7 +75,7 @@ export class Placing {
    */
   async put(centreMm, isGuess) {
     if (!centreMm) return;
-    await this.client_.setCentre(centreMm);
+    await this.client_.setCentre({ mm: centreMm });
     this.store_.update(centredAt(centreMm, isGuess));
   }
 

@@ -25,7 +25,7 @@ beforeEach(() => {
   messages = new FakeMessages();
   client = fake(EngineClient, {
     placement: async () => ({ symbolMm: 20 }),
-    setCentre: async (/** @type {number[]} */ mm) => ({ hit: true, centre: mm }),
+    setCentre: async (/** @type {{ mm: number[] }} */ { mm }) => ({ hit: true, centre: mm }),
   });
   model = { info: { engravable: true, centre: [1, 2, 3], findings: [] }, engravable: true };
   store = storeOf();

@@ -60,7 +60,7 @@ export class SpotFinding {
   /** @param {boolean} shown */
   async showSizes_(shown) {
     if (shown) await this.carving_.show(false);
-    await this.client_.showSizes(shown);
+    await this.client_.show({ sizes: shown });
   }
 
   async suggest() {
@@ -104,7 +104,7 @@ export class SpotFinding {
 
   /** @param {number} index */
   async choose(index) {
-    await this.placing_.move(() => this.client_.chooseSpot(index));
+    await this.placing_.move(() => this.client_.setCentre({ spot: index }));
     this.panel_.mark(index);
     if (this.placing_.placement) await this.client_.act({ kind: 'face' });
   }
@@ -114,6 +114,6 @@ export class SpotFinding {
     if (this.searching_) this.jobs_.abort();
     if (!this.panel_.known) return;
     this.panel_.clear();
-    await this.client_.showSizes(false);
+    await this.client_.show({ sizes: false });
   }
 }

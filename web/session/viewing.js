@@ -38,7 +38,7 @@ export class Viewing {
     const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
     const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
     const pick = (/** @type {number} */ x, /** @type {number} */ y) =>
-      guard(() => placing.move(() => client.pick(x, y)));
+      guard(() => placing.move(() => client.setCentre({ at: [x, y] })));
     view.listen({
       onAct: (action) => tools.act(action),
       onPick: pick,
@@ -70,11 +70,11 @@ export class Viewing {
     const { client_: client, tools_: tools, guard_: guard } = this;
     this.toolbar_.listen({
       onCarved: (carved) => guard(() => this.showCarved_(carved)),
-      onBefore: (before) => guard(() => client.showCarved(!before)),
+      onBefore: (before) => guard(() => client.show({ carved: !before })),
       onReaderView: () => tools.act({ kind: 'readerView' }),
       onFit: () => tools.act({ kind: 'fit' }),
       onStandard: (name) => tools.act({ kind: 'standard', name }),
-      onSection: (shown, offset) => guard(() => client.showSection(shown, offset)),
+      onSection: (shown, offset) => guard(() => client.show({ section: shown ? offset : null })),
       onFaceSection: () => tools.act({ kind: 'faceSection' }),
       onDepths: (shown) => guard(() => this.showDepths_(shown)),
       onInspector: (shown) => guard(() => inspecting.show(shown)),
@@ -113,7 +113,7 @@ export class Viewing {
 
   /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
   async showDepths_(shown) {
-    const { topMm, deepestMm } = await this.client_.showDepths(shown);
+    const { topMm, deepestMm } = await this.client_.show({ depths: shown });
     if (shown) this.legend_.show('depths', topMm, deepestMm > topMm);
     else this.legend_.hide('depths');
     if (shown && !this.carving_.shown) await this.showCarved_(true);

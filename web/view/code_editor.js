@@ -288,13 +288,13 @@ export class CodeEditor {
 
   /** @param {Point} at */
   move_([x, y]) {
-    this.ask_(async () => (await this.client_.moveCode(x, y)).code, [x, y]);
+    this.ask_(async () => (await this.client_.adjustCode({ at: [x, y] })).code, [x, y]);
   }
 
   /** @param {number} rotateDeg @param {number} symbolMm @param {Point} beside */
   adjust_(rotateDeg, symbolMm, beside) {
     this.handles_.tell(rotateDeg, symbolMm);
-    this.ask_(() => this.client_.adjustCode(rotateDeg, symbolMm), beside);
+    this.ask_(async () => (await this.client_.adjustCode({ rotateDeg, symbolMm })).code, beside);
   }
 
   /** @param {() => Promise<CodeFacts | undefined>} show @param {Point} beside */

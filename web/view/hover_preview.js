@@ -42,14 +42,14 @@ export class HoverPreview {
     this.chip_.hide();
     if (!this.shown_) return;
     this.shown_ = false;
-    this.client_.endHover().catch(() => {}); // fails only if the engine is replaced, which shows no code either
+    this.client_.hover(null).catch(() => {}); // fails only if the engine is replaced, which shows no code either
   }
 
   /** @param {{ x: number, y: number }} at */
   async update_({ x, y }) {
     const asked = this.latest_;
     try {
-      const { code } = await this.client_.hover(x, y);
+      const { code } = await this.client_.hover([x, y]);
       if (!this.shown_) return;
       if (!code) {
         this.chip_.hide();

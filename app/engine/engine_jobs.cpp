@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the jobs: engravings, searches for spots and for the place of a hovered code, and view trials.
+#include <cassert>
+
+#include "base/parse_json.h"
+#include "engine/answers.h"
+#include "engine/engine.h"
+
+namespace qrelief {
+namespace {
+
+Json jsonOf(const SpotOffers& offers) {
+  Json spots = Json::array();
+  for (const OfferedSpot& spot : offers.spots()) {
+    Json concerns = Json::array();
+    for (const Message& concern : spot.concerns) concerns.push_back(qrelief::jsonOf(concern));
+    spots.push_back({{"centre", qrelief::jsonOf(spot.centreMm)},
+                     {"aimToleranceDeg", spot.aimToleranceDeg},
+                     {"sizeMm", offers.offeredMm(spot)},
+                     {"concerns", concerns}});
+  }
+  return spots;
+}
+
+}  // namespace
+
+std::string Engine::startEngrave(const std::string& options,
+                                 const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+  const Result<Json> given = parseJson(options);
+  if (!given) return answer(given.error());
+  const bool isNext = given->value("next", false);
+  if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
+    return answer(ErrorKind::BadUsage, message("not-engraving"));
+  scene_.show(Scene::Surface::Sizes, false);
+  scene_.show(Scene::Surface::Carved, false);
+  carvings_.setAside();
+  updateView();
+  if (!model_) return answer(kNoModel);
+  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
+  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
+  if (overridden) request = overridden(std::move(request));
+  if (!isNext)
+    carvings_.follow({request,
+                      {.looksAtPrint = given->value("print", true),
+                       .mayChange = !overridden,
+                       .fixed = given->value("fixed", std::vector<std::string>())}});
+  const PlacementSearch* const placed = overridden ? nullptr : placedCode_.found(request, wanted_.symbol());
+  const auto started = carvings_.start(ground(), std::move(request), placed);
+  return started ? answer(*started) : answer(started.error());
+}
+
+std::string Engine::startSpotSearch() {
+  offers_.forget();
+  showSizes(false);
+  if (!model_) return answer(kNoModel);
+  if (!wanted_.symbol()) return answer(wanted_.symbol().error());
+  const Status started = offers_.start(task());
+  return started ? done() : answer(started.error());
+}
+
+std::string Engine::advancePreparation() {
+  bool isDone = true;
+  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
+    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
+    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
+  }
+  return textOf({{"ok", true}, {"done", isDone}});
+}
+
+std::string Engine::advanceEngrave() {
+  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
+  const Result<Progress> progress = carvings_.advance();
+  if (!progress) return answer(progress.error());
+  if (progress->done) {
+    const EngraveResult& result = *carvings_.result();
+    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+    updateView();
+  }
+  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
+}
+
+std::string Engine::advanceSpotSearch() {
+  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
+  const Result<Progress> progress = offers_.advance();
+  if (!progress) return answer(progress.error());
+  if (!progress->done) return answer(*progress);
+  showSizes(true);
+  return answer(*progress, {{"spots", jsonOf(offers_)}, {"topMm", offers_.topMm()}});
+}
+
+std::string Engine::advanceSettling() {
+  if (!placedCode_.isSettling()) return answer(kNoCode);
+  const Result<bool> settled = placedCode_.settle(task());
+  if (!settled) return answer(settled.error());
+  if (!*settled) return textOf({{"ok", true}, {"done", false}});
+  scene_.setGhost(placedCode_.hovered());
+  return describeCode(*placedCode_.hovered());
+}
+
+std::string Engine::startJob(const std::string& job, const std::string& options,
+                             const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+  if (job == "spots") return startSpotSearch();
+  if (job == "settling") return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
+  if (job == "view-trials") {
+    if (!carvings_.result()) return answer(kNoResult);
+    return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});
+  }
+  assert(job == "engrave");
+  return startEngrave(options, overridden);
+}
+
+std::string Engine::advanceJob(const std::string& job) {
+  if (job == "spots") return advanceSpotSearch();
+  if (job == "settling") return advanceSettling();
+  if (job == "preparation") return advancePreparation();
+  assert(job == "engrave");
+  return advanceEngrave();
+}
+
+void Engine::cancelJob(const std::string& job) {
+  if (job == "engrave")
+    carvings_.cancel();
+  else if (job == "spots" && offers_.isRunning())
+    offers_.forget();
+}
+
+}  // namespace qrelief

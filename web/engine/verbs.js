@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs of the module: one row each, named after its C++ method. From the rows come the bindings
+// (wasm/list_verbs.js), the calls of the host (module_calls.js), and the methods of the client with their types
+// (client.js). A row's type is the type of the verb for JavaScript: objects travel to the module as JSON, and JSON
+// answers arrive as objects.
+
+/** @typedef {import('./types.js').Aspect} Aspect */
+/** @typedef {import('./types.js').ColourImage} ColourImage */
+/** @typedef {import('./types.js').EngraveProgress & { done: boolean }} JobProgress */
+/** @typedef {import('./types.js').GreyImage} GreyImage */
+/** @typedef {import('./types.js').HoverResult} HoverResult */
+/** @typedef {Omit<import('./types.js').InspectorState, 'still'>} InspectorState */
+/** @typedef {import('./types.js').PickResult} PickResult */
+/** @typedef {import('./types.js').PrintChange} PrintChange */
+/** @typedef {JobProgress & Pick<import('./types.js').Print, 'facingDeg' | 'misread'>} PrintProgress */
+/** @typedef {import('./types.js').Settings} Settings */
+
+/**
+ * The answers of the jobs' steps. `preparation` is never started.
+ * @typedef {object} JobAnswers
+ * @property {JobProgress & { printable: boolean }} engrave
+ * @property {JobProgress & import('./types.js').Spots} spots  the spots come with the last step
+ * @property {HoverResult & { done: boolean }} settling
+ * @property {{ done: boolean }} preparation
+ */
+/** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
+/** @typedef {import('./types.js').PlanOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
+
+/**
+ * A row.
+ * @template {(...given: any[]) => any} Call
+ * @typedef {object} Verb
+ * @property {'InspectedEngine'} [of]  the C++ class, if it is not the class of the table
+ * @property {string} [part]           the field of the answer that the caller gets; default: the answer
+ * @property {boolean} [draws]         the verb changes the picture
+ * @property {Call} [call]             never set; keeps the type
+ */
+
+/**
+ * The functions of a table.
+ * @template Rows
+ * @typedef {{ [Name in keyof Rows]: Rows[Name] extends Verb<infer Call> ? Call : never }} Calls
+ */
+
+/** Verbs of the engine that the page calls. The C++ class is Engine. */
+export const kPageVerbs = {
+  /** @type {Verb<() => import('./types.js').Capabilities>} */
+  capabilities: {},
+  /**
+   * Loads a model from a file; the bytes remain usable.
+   * @type {Verb<(bytes: Uint8Array, fileName: string, scaleToMm: number) => import('./types.js').ModelInfo>}
+   */
+  loadModel: { part: 'model', draws: true },
+  /** @type {Verb<(settings: Settings) => void>} */
+  configure: { draws: true },
+  /**
+   * Returns the symbol that these settings engrave.
+   * @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>}
+   */
+  symbol: { part: 'symbol' },
+  /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
+  placement: { part: 'placement', draws: true },
+  /** Shows the placed code changed. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
+  adjustCode: { draws: true },
+  /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
+  spotPicture: {},
+
+  /** Returns what to do next for the engraving. @type {Verb<() => import('./types.js').EngraveStep>} */
+  nextStep: {},
+  /**
+   * Returns the number of the finished carving that can be reported and exported; 0: none.
+   * @type {Verb<() => number>}
+   */
+  carving: {},
+  /** Restores the last carving or the one before it; false: it is gone. @type {Verb<(number: number) => boolean>} */
+  useCarving: { draws: true },
+  /** @type {Verb<() => import('./types.js').Report>} */
+  report: {},
+  /**
+   * Draws pictures of the carving, none without one: the one that a phone takes, those to decode, or those of the next
+   * view trial, of which one has to decode.
+   * @type {Verb<(of: 'reader' | 'reading' | 'view-trial') => GreyImage[]>}
+   */
+  pictures: {},
+  /**
+   * Returns a map of the last engraving; null before the first one.
+   * @type {Verb<(name: import('./types.js').JobMapName) => import('./types.js').JobMap | null>}
+   */
+  jobMap: {},
+  /**
+   * Reports the text that each try on the reading pictures decoded, '' if none, and the decoder's name.
+   * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
+   */
+  setReadings: {},
+  /** Reports the outcome of the trial. @type {Verb<(read: boolean) => import('./types.js').ViewTrialProgress>} */
+  noteViewTrial: {},
+  /**
+   * Describes the current carving for the manifest.
+   * @type {Verb<(totalMs: number) => import('./types.js').DescribedRow>}
+   */
+  describeRow: {},
+  /**
+   * Puts the current carving on the plate, which has room for so many copies; places count from 0.
+   * @type {Verb<(place: number, id: string, copies: number) => void>}
+   */
+  addToPlate: {},
+
+  /** @type {Verb<(dark: boolean) => void>} */
+  setTheme: { of: 'InspectedEngine', draws: true },
+  /** Sets the model's up axis, along which the code's top points. @type {Verb<(axis: import('./types.js').UpAxis) => void>} */
+  setUpAxis: { draws: true },
+  /**
+   * Shows or hides what is named. Returns the depth of the last colour and of the deepest pocket; 0 without a carving.
+   * @type {Verb<(what: import('./types.js').Shown) => { topMm: number, deepestMm: number }>}
+   */
+  show: { draws: true },
+};
+
+/** Verbs of the engine that only the host calls. The C++ class is Engine. */
+export const kInnerVerbs = {
+  /** @type {Verb<(where: import('./types.js').CentreChoice) => PickResult>} */
+  setCentre: {},
+  /** @type {Verb<(at: [number, number] | null) => HoverResult>} */
+  hover: {},
+  /**
+   * Starts a job; see Engine::startJob().
+   * @type {Verb<(job: 'engrave' | 'spots' | 'settling' | 'view-trials', options: JobOptions) => StartedJob>}
+   */
+  startJob: { of: 'InspectedEngine' },
+  /**
+   * Does one bounded piece of work.
+   * @type {Verb<<Name extends keyof JobAnswers>(job: Name) => JobAnswers[Name]>}
+   */
+  advanceJob: {},
+  /** @type {Verb<(job: 'engrave' | 'spots') => void>} */
+  cancelJob: {},
+  /** @type {Verb<(changed: PrintChange) => object | null>} */
+  printOrder: { part: 'order' },
+  /** @type {Verb<(texts: string[], facingDeg: number) => boolean>} */
+  setPrintedReadings: { part: 'passed' },
+  /** @type {Verb<() => PrintChange[]>} */
+  otherPrints: { part: 'others' },
+  /** @type {Verb<(changed: PrintChange, texts: string[], facingDeg: number) => Aspect>} */
+  judgePrint: { part: 'prints' },
+  /** @type {Verb<(format: string) => Uint8Array<ArrayBuffer>>} */
+  exportModel: {},
+  /** @type {Verb<(title: string) => Uint8Array<ArrayBuffer>>} */
+  exportPlate: {},
+
+  /** @type {Verb<(width: number, height: number, devicePixelRatio: number) => void>} */
+  resize: { of: 'InspectedEngine' },
+  /** @type {Verb<(action: import('./types.js').LookAction) => void>} */
+  look: {},
+  /**
+   * Draws a frame. `more`: another call would improve the picture; `inspector`: null if it is not shown.
+   * @type {Verb<() => { more: boolean, view: import('./types.js').ViewState, inspector: InspectorState | null }>}
+   */
+  draw: { of: 'InspectedEngine' },
+
+  /** Returns true if the inspector uses the event. @type {Verb<(event: import('./types.js').InspectorEvent) => boolean>} */
+  inspector: { of: 'InspectedEngine', part: 'takes' },
+  /** @type {Verb<(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void>} */
+  inspectorGlyphs: { of: 'InspectedEngine' },
+};
+
+/** Verbs for batches, which the page calls. The C++ class is PlannedBatch. */
+export const kBatchVerbs = {
+  /**
+   * Reads a list, which remains usable, and checks it as a whole. The other batch verbs refer to its rows.
+   * @type {Verb<(list: Uint8Array, wanted: import('./types.js').WantedBatch) => import('./types.js').BatchPlan>}
+   */
+  planBatch: {},
+  /** @type {Verb<(from: number, countAtMost: number) => import('./types.js').BatchRowName[]>} */
+  batchRows: { part: 'rows' },
+  /** @type {Verb<(index: number) => import('./types.js').BatchRow>} */
+  batchRow: { part: 'row' },
+  /**
+   * Returns all settings of a row as one text, to hash for the manifest. `placed`: further inputs of the row's file.
+   * @type {Verb<(index: number, placed: { centre: number[], others: string }) => string>}
+   */
+  batchRowToHash: { part: 'text' },
+  /** Formats a manifest line, without line break. @type {Verb<(entry: import('./types.js').ManifestEntry) => string>} */
+  manifestLine: { part: 'line' },
+  /** Converts manifest lines to CSV. @type {Verb<(lines: string, withHeader: boolean) => string>} */
+  manifestCsv: { part: 'csv' },
+};
+
+/** Verbs that need no graphics. The C++ class is Facts. */
+export const kFactVerbs = {
+  /**
+   * Reads, checks and repairs a model.
+   * @type {Verb<(bytes: Uint8Array, fileName: string, scaleToMm: number) => Omit<import('./types.js').ModelInfo, 'centre'>>}
+   */
+  model: { part: 'model' },
+  /** Returns the symbol that these settings engrave. @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>} */
+  symbol: { part: 'symbol' },
+};
+
+/** Verbs of one simulated print. The C++ class is PrintedCode. */
+export const kPrintVerbs = {
+  /** @type {Verb<(stl: Uint8Array, order: object) => PrintProgress>} */
+  start: {},
+  /** @type {Verb<() => PrintProgress>} */
+  advance: {},
+  /** @type {Verb<(of: 'reading' | 'front') => GreyImage[]>} */
+  pictures: {},
+};
+
+/** Verbs that the host adds for the page, as methods of its own. */
+export const kHostVerbs = /** @type {const} */ ([
+  'resize',
+  'setCentre',
+  'hover',
+  'settle',
+  'findSpots',
+  'prepareEngrave',
+  'engrave',
+  'startViewTrials',
+  'cancel',
+  'memory',
+  'printJob',
+  'otherPrints',
+  'judgePrint',
+  'setPrintedReadings',
+  'exportModel',
+  'exportPlate',
+  'picture',
+  'inspector',
+  'act',
+]);
