@@ -139,7 +139,7 @@ TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneD
   EXPECT_EQ(changes, (std::vector<std::string>{"carveFor=design", "preset=robust"}));
   EXPECT_EQ(step["step"], "print");
   ASSERT_TRUE(engine_->useCarving(first));
-  EXPECT_EQ(Json::parse(engine_->report())["settings"]["preset"], "balanced");
+  EXPECT_EQ(Json::parse(engine_->report())["depth"]["preset"], "balanced");
 
   carveBy(R"({"fixed": ["carveFor", "preset"], "print": false})");
   engine_->setReadings(R"([""])", "a reader");
