@@ -4,7 +4,7 @@
 export const page = {
   en: {
     title: 'QRelief: engrave a QR code into a 3D model',
-    tagline: 'Engrave a QR code into your 3D model, only as deep as it must be to be readable.',
+    tagline: 'Engrave a QR code into your 3D model, just deep enough for a phone to read it.',
     stage: '3D model',
     steps: 'Steps',
     skip: 'Skip to the steps',
@@ -131,7 +131,7 @@ export const page = {
   },
   de: {
     title: 'QRelief: einen QR-Code in ein 3D-Modell gravieren',
-    tagline: 'Einen QR-Code ins 3D-Modell gravieren, nur so tief, wie er zum Lesen sein muss.',
+    tagline: 'Einen QR-Code ins 3D-Modell gravieren, gerade so tief, dass ein Handy ihn liest.',
     stage: '3D-Modell',
     steps: 'Schritte',
     skip: 'Zu den Schritten springen',
