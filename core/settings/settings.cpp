@@ -405,6 +405,7 @@ EngraveRequest defaultRequest() {
   EngraveRequest request;
   request.symbol.raiseErrorCorrection = true;
   request.carveFor = CarveFor::Print;
+  request.placement.maxSizeMm = 40;  // larger codes take deeper pockets and decode no better
   return request;
 }
 

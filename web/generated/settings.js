@@ -50,7 +50,7 @@ export const kSettings = {
   maxDepthMm: {"group":"depth","kind":"number","unit":"mm","min":0.1,"max":1000.0,"step":0.1,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Größte Tiefe","en":"Maximum depth"}},
   minWallMm: {"group":"depth","kind":"number","unit":"mm","min":0.0,"max":1000.0,"step":0.1,"default":0.8,"since":"0.1.0","label":{"de":"Restwand","en":"Minimum wall"}},
   size: {"group":"placement","kind":"choice-or-number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"choices":["free","oriented","best"],"default":"free","since":"0.1.0","label":{"de":"Größe des Codes","en":"Size of the code"},"choiceNames":{"best":{"de":"Größte, passend gedreht","en":"Largest, turned to fit"},"free":{"de":"Größte, gleich wie gedreht","en":"Largest, any way up"},"number":{"de":"Genau","en":"Exactly"},"oriented":{"de":"Größte, so gedreht","en":"Largest, this way up"}},"partLabels":{"number":{"de":"Breite","en":"Width"}}},
-  maxSizeMm: {"group":"placement","kind":"number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"default":60.0,"since":"0.1.0","label":{"de":"Höchstens","en":"At most"}},
+  maxSizeMm: {"group":"placement","kind":"number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"default":40.0,"since":"0.1.0","label":{"de":"Höchstens","en":"At most"}},
   quietZone: {"group":"placement","kind":"switch","default":true,"since":"0.1.0","label":{"de":"Ruhezone von vier Modulen einhalten","en":"Keep a quiet zone of four modules"}},
   up: {"group":"placement","kind":"vector","default":[0.0,0.0,1.0],"since":"0.1.0","label":{"de":"Oben am Code","en":"Top of the code"}},
   rotateDeg: {"group":"placement","kind":"number","unit":"deg","min":-360.0,"max":360.0,"step":5.0,"default":0.0,"since":"0.1.0","label":{"de":"Drehung","en":"Rotation"}},
