@@ -57,7 +57,7 @@ class Carvings {
   const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
   /// Returns the carving to print: the running engraving once its file is written, else result().
   const EngraveResult* printable() const { return runs_ ? job_->writtenResult() : result(); }
-  /// Returns the carved model for display, made at the first call. Null if there is no carving.
+  /// Returns the display mesh of the carved model; null without a carving. Makes it at the first call.
   const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
   /// Returns the display mesh, null before it is made.
   const std::shared_ptr<const GpuMesh>& madeDisplay() const { return current_.display; }

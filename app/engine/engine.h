@@ -18,8 +18,8 @@
 
 namespace qrelief {
 
-/// The core's interface for the page: a set of verbs. Its state is one model, one place on the model and one engraving.
-/// A class of its own keeps each of them; Engine coordinates these classes and serialises their answers.
+/// The core's interface for the page: a set of verbs. Its state is one model, one placement and one engraving. Three
+/// classes keep this state; Engine coordinates them and serialises their answers.
 ///
 /// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}} with the kinds BadUsage,
 /// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
@@ -44,8 +44,8 @@ class Engine {
   /// Describes the symbol for some settings and changes nothing, see describeSymbol.
   std::string symbol(const std::string& settings) const;
 
-  /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: false}
-  /// or {hit: true, centre}; BadUsage if there is no such spot.
+  /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: true,
+  /// centre} if the model is there, else {hit: false}; BadUsage if the spot does not exist.
   /// @param where  {"at": [x, y]}: the point at a screen position; {"mm": [x, y, z]}: the point nearest to this one;
   ///               {"spot": index}: a spot of the last search, with the direction found for it
   std::string setCentre(const std::string& where);
@@ -59,7 +59,7 @@ class Engine {
   /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
   /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
   std::string hover(const std::string& at);
-  /// Shows the placed code changed, until placement. Returns {hit, code}. BadUsage if there is no code to resize.
+  /// Previews a change of the placed code until placement(). Returns {hit, code}; BadUsage if no code is placed.
   /// @param change  {"at": [x, y]}: about another position, until setCentre, too; off the model, the code stays where
   ///                it is. {"rotateDeg", "symbolMm"}: turned and resized
   std::string adjustCode(const std::string& change);
@@ -145,7 +145,7 @@ class Engine {
   /// other format, if the file would differ from the model, and if no solid body can fill the pockets.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
-  /// Puts the current carving on the plate, which is for copies of the model, each carved with a code of its own.
+  /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0
   /// @param id      the copy's name
   /// @param copies  that the plate has room for; counts where it is empty

@@ -80,5 +80,5 @@ export const linkMarkup = (path, words) =>
 /** @param {Said[]} sentences */
 export const textMarkup = (sentences) => inEach('p', (language) => paragraph(language, sentences));
 
-/** Returns a placeholder for a table that does not exist yet. */
+/** Returns the text shown instead of a table that has not been measured. */
 export const missingMarkup = () => textMarkup([said('notMeasured')]);

@@ -60,7 +60,7 @@ export const kPageVerbs = {
   symbol: { part: 'symbol' },
   /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
   placement: { part: 'placement', draws: true },
-  /** Shows the placed code changed. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
+  /** Previews a change of the placed code. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
   adjustCode: { draws: true },
   /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
   spotPicture: {},
@@ -100,7 +100,7 @@ export const kPageVerbs = {
    */
   describeRow: {},
   /**
-   * Puts the current carving on the plate, which has room for so many copies; places count from 0.
+   * Adds the current carving to the plate, at a place from 0; `copies`: number of places.
    * @type {Verb<(place: number, id: string, copies: number) => void>}
    */
   addToPlate: {},
