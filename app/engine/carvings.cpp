@@ -11,6 +11,7 @@
 #include "io/write_checked.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_objects.h"
+#include "pipeline/ink_seen.h"
 #include "settings/setting_json.h"
 #include "verification/baked_light.h"
 #include "verification/reading_variants.h"
@@ -189,8 +190,14 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
 GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg) {
   const EngraveResult& result = *current_.result;
   const ProjectionFrame frame = tilted(result.placement.frame, tiltDeg, azimuthDeg);
-  auto seen = renderReaderView(*ground.pass, *display(ground), frame, result.readerOptions, programs_);
-  return seen ? std::move(seen->picture) : GreyImage{};
+  const bool isInColour = current_.request.isInColour();
+  // A code in colour lies in the surface of the model.
+  auto seen = renderReaderView(*ground.pass, isInColour ? *ground.model.display : *display(ground), frame,
+                               result.readerOptions, programs_);
+  if (!seen) return {};
+  if (!isInColour) return std::move(seen->picture);
+  addInkSeen(seen->luminance, frame, result.readerOptions.extentMm, *ground.model.engravable->raster, result);
+  return photographed(std::move(seen->luminance), result.readerOptions).picture;
 }
 
 Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
@@ -269,6 +276,7 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
   const bool withInlay = format == "3mf-inlay";
+  if (withInlay && current_.request.mark == Mark::Paint) return {};
   if (withInlay && !result.inlay) {
     const Status made = addInlay(*model.engravable, current_.request.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};

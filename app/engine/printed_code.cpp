@@ -32,6 +32,10 @@ PrintedViewRequest requestOf(const Json& order) {
   request.symbolMm = order["symbolMm"];
   request.buildUp = vectorOf(order["buildUp"]);
   request.albedo = order["albedo"];
+  const Json& mark = order["mark"];
+  request.mark = static_cast<Mark>(mark["kind"].get<int>());
+  request.markDepthMm = mark["depthMm"];
+  request.ink = {mark["dark"], mark["light"]};
   if (const Json& lamp = order["oneLight"]; !lamp.is_null())
     request.oneLight = {lamp["azimuthDeg"], lamp["elevationDeg"], lamp["strength"]};
   return request;
@@ -65,6 +69,11 @@ Json jsonOf(const PrintedViewRequest& request) {
           {"symbolMm", request.symbolMm},
           {"buildUp", jsonOf(request.buildUp)},
           {"albedo", request.albedo},
+          {"mark",
+           {{"kind", static_cast<int>(request.mark)},
+            {"depthMm", request.markDepthMm},
+            {"dark", request.ink.dark},
+            {"light", request.ink.light}}},
           {"oneLight", std::move(oneLight)}};
 }
 

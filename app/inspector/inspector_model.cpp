@@ -10,7 +10,7 @@ namespace qrelief {
 namespace {
 
 InspectorModel::Solver solverOf(const EngraveRequest& request) {
-  if (request.objective == DepthObjective::OneLight) return InspectorModel::Solver::OneLight;
+  if (request.isForOneLight()) return InspectorModel::Solver::OneLight;
   return request.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast : InspectorModel::Solver::PaperSteps;
 }
 

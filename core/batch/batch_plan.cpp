@@ -54,7 +54,8 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   plan.firstNumber_ = request.firstNumber;
   const std::string text = request.all.text.empty() ? "{text}" : request.all.text;
   const bool hasFile = plan.list_.find(kFile).has_value();
-  const std::string name = !request.name.empty() ? request.name : hasFile ? "{file}" : "{id}.stl";
+  const char* const usual = hasFile ? "{file}" : request.all.isInColour() ? "{id}.3mf" : "{id}.stl";
+  const std::string name = request.name.empty() ? usual : request.name;
   const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name);
   for (const auto* parsed : {&textTemplate, &nameTemplate})
     if (!*parsed) plan.problems_.push_back(parsed->error().message);
@@ -171,6 +172,8 @@ void BatchPlan::checkRows() {
     } else if (!symbol.version) {
       largest = std::max(largest, needed);
     }
+    if (row->request.isInColour() && formatOfName(row->file) != ModelFormat::ThreeMf)
+      add(row->line, message("colour-not-in-3mf", with::quoted<"name">(row->file)));
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }

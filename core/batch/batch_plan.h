@@ -16,7 +16,8 @@ struct BatchRequest {
   /// Settings of all rows. Its text is a template; empty: the list has a column `text`. If it leaves the version open,
   /// the smallest version that holds every row's text is used, so that all codes have the same size.
   EngraveRequest all;
-  std::string name;             ///< template for file names; empty: the list's column `file`, else "{id}.stl"
+  std::string name;             ///< template for file names; empty: the list's column `file`, else "{id}.stl", or
+                                ///< "{id}.3mf" in colour
   std::size_t firstNumber = 1;  ///< number of the first row
 };
 

@@ -50,7 +50,7 @@ EdgeGrid makeGrid(const Footprint& footprint) {
 struct Carving {
   Arrangement arrangement;
   std::vector<char> untouched;  // by facet of the footprint
-  LiftedSurface surface;
+  LiftedSurface surface;        // flat, without walls, if the outlines only cut it
 
   bool isNew(std::size_t triangle) const {
     if (triangle >= surface.firstWall || arrangement.facets[triangle] == Arrangement::kGridFacet) return true;
@@ -122,9 +122,16 @@ std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& a
   return untouched;
 }
 
+/// Returns the arrangement of the same triangles, nowhere lowered.
+Arrangement flat(Arrangement arrangement) {
+  std::fill(arrangement.levels.begin(), arrangement.levels.end(), 0);
+  arrangement.pieces.clear();
+  return arrangement;
+}
+
 /// Arranges and lifts. Where the result is too fine for 32-bit floats, moves the outlines and tries again.
 Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Footprint& footprint, OutlineGraph graph,
-                      double snapMm) {
+                      double snapMm, bool paint) {
   EdgeGrid edges = makeGrid(footprint);
   Clearance clearance(graph, edges, snapMm);
   clearance.placeAll();
@@ -139,7 +146,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     }
     Carving carving{std::move(*arrangement), {}, {}};
     carving.untouched = findUntouched(footprint, carving.arrangement);
-    carving.surface = lift(mesh, frame, footprint, carving.arrangement);
+    carving.surface = lift(mesh, frame, footprint, paint ? flat(carving.arrangement) : carving.arrangement);
     const LowTriangles low = findLowTriangles(carving, graph);
     if (low.count == 0) return carving;
     if (attempt == kAttempts || low.nodes.empty()) {
@@ -151,7 +158,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
   }
 }
 
-EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving) {
+EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving, bool paint) {
   const std::vector<char>& untouched = carving.untouched;
   std::vector<char> kept(mesh.triangles.size(), 1);
   for (std::size_t f = 0; f < footprint.facets.size(); ++f) kept[footprint.facets[f]] = untouched[f];
@@ -191,13 +198,15 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (!carving.isNew(t)) continue;
     const Triangle& corners = surface.triangles[t];
+    if (paint && carving.arrangement.levels[t] > 0)
+      result.painted.push_back(static_cast<std::uint32_t>(result.mesh.triangles.size()));
     result.newTriangles.push_back(static_cast<std::uint32_t>(result.mesh.triangles.size()));
     result.mesh.triangles.push_back({placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2])});
   }
   return result;
 }
 
-EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}, {}}; }
+EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}, {}, {}}; }
 
 /// Returns the submodules whose facets are affected: with a resampled surface all, even uncarved ones.
 DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
@@ -210,6 +219,7 @@ DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
 Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options) {
+  assert(!options.paint || options.surface == SurfaceMode::Preserved);
   const DepthLevels levels = quantise(depths);
   if (std::none_of(levels.level.begin(), levels.level.end(), [](int level) { return level > 0; }))
     return unchanged(mesh);
@@ -223,9 +233,9 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   OutlineGraph graph = options.surface == SurfaceMode::Resampled
                            ? buildGridOutlines(levels, chamferMm)
                            : buildOutlines(levels, chamferMm, longestOutline(*footprint, levels.submoduleMm(), snapMm));
-  const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm);
+  const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm, options.paint);
   if (!carving) return tl::unexpected(carving.error());
-  EmbedResult result = assemble(mesh, *footprint, *carving);
+  EmbedResult result = assemble(mesh, *footprint, *carving, options.paint);
   if (options.inlay) result.inlay = inlayMesh(carving->arrangement, carving->surface);
   return result;
 }

@@ -16,11 +16,16 @@ struct EmbedResult {
   std::size_t keptTriangles = 0;            ///< facets of the input that are unchanged bit for bit
   std::vector<std::uint32_t> newTriangles;  ///< indices of facets created by carving
   Mesh inlay;                               ///< fills the pockets (inlay.h); empty unless requested
+  std::vector<std::uint32_t> painted;       ///< for EmbedOptions::paint: facets of `mesh` to be painted, ascending
 };
 
 struct EmbedOptions {
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;  ///< also make the body that fills the pockets
+  /// Carve nothing: cut the facets along the outlines, and list those that would be lowered. Every vertex stays and new
+  /// ones lie on the facets, up to the rounding of 32-bit floats, so the solid keeps its shape. Needs a preserved
+  /// surface.
+  bool paint = false;
   /// Largest move of an outline to keep it clear of the model's vertices and edges, mm, > 0. Only where many edges meet
   /// in one point may it be up to an eighth of a submodule.
   double snapMm = 0.01;

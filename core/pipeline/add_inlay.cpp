@@ -13,7 +13,11 @@ Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult
   const auto embedded = embedDepthField(model.prepared.mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = surface, .inlay = true});
   if (!embedded) return tl::unexpected(embedded.error());
-  const auto read = readModel(writeStl(embedded->inlay), "inlay.stl");
+  return setInlay(embedded->inlay, result);
+}
+
+Status setInlay(const Mesh& made, EngraveResult& result) {
+  const auto read = readModel(writeStl(made), "inlay.stl");
   if (!read) return tl::unexpected(read.error());
   Mesh inlay = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
   const auto solidity = checkSolidity(inlay);

@@ -14,4 +14,7 @@ namespace qrelief {
 /// @returns the errors of embedDepthField(); Internal if the round trip fails
 Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult& result);
 
+/// Sets and checks an inlay that was made with the mesh. @returns Internal if the round trip fails
+Status setInlay(const Mesh& inlay, EngraveResult& result);
+
 }  // namespace qrelief

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/default_patterns.h"
 
+#include <cmath>
+
 #include "verification/printability.h"
 
 namespace qrelief {
@@ -45,6 +47,7 @@ bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>
 }
 
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request) {
+  if (request.isInColour()) return std::ceil(100 * lineWidthMm(request.printer) - 1e-6) / 100;
   return leastPrintableModuleMm(symbol, request.modulePattern.value_or(kModules),
                                 request.finderPattern.value_or(kPatternedFinders), request.printer);
 }

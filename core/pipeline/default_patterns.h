@@ -32,7 +32,7 @@ EngraveRequest withDefaultPatterns(EngraveRequest request, double moduleMm, bool
 bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>& limitsMm, double moduleMm);
 
 /// Returns the least width of a printable module before carving, mm, derived from published prints of the patterns
-/// (verification/printability.h).
+/// (verification/printability.h); of a code in colour, the width of a line.
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request);
 
 }  // namespace qrelief

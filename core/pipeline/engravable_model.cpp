@@ -3,6 +3,7 @@
 
 #include "depth/one_light_search.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
 #include "projection/size_bound.h"
 #include "settings/settings.h"
@@ -12,12 +13,18 @@ namespace qrelief {
 /// The patch must also cover the walls next to the largest possible code (see wallLimits).
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
+  if (request.mark == Mark::Paint) return place;  // needs no wall
+  if (request.mark == Mark::Inlay) {
+    const double depth = request.markDepthMm.value_or(deepestInlayMm(request.printer));
+    place.beyondMm = request.minWallMm + depth;
+    place.pockets = {request.minWallMm, 0, depth};
+    return place;
+  }
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const double contrast = request.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // later refused
-  const bool isOneLight = request.objective == DepthObjective::OneLight;
-  const double depth = isOneLight ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
+  const double depth = request.isForOneLight() ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
   place.pockets = {request.minWallMm, depth};
   return place;
 }

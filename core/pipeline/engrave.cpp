@@ -8,45 +8,15 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "carving/embed.h"
-#include "depth/submodule_luminances.h"
-#include "io/read_model.h"
-#include "io/write_stl.h"
-#include "math/tolerance.h"
-#include "mesh/weld.h"
-#include "pipeline/add_inlay.h"
-#include "pipeline/carved_parts.h"
-#include "pipeline/cell_layout.h"
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
 #include "pipeline/depth_solver_of.h"
-#include "pipeline/printed_view.h"
+#include "pipeline/engrave_state.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
-#include "verification/mesh_luminance.h"
-#include "verification/reading_sweep.h"
 
 namespace qrelief {
-namespace {
-
-constexpr int kN = kSubmodulesPerModule;
-constexpr double kReachPerDepth = 8;  // at eight times its height away a wall hides 0.4 % of the sky
-constexpr double kLeastReachModules = 3;
-/// Size of the picture for the decoder, in pixels: at most along its edge, for large symbols, and at least along a
-/// module's edge.
-constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
-
-/// Refuses defects that carving has added. Crossings count only if the model had none, because facets that crossed
-/// before may have been cut.
-Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
-  if (before.crossesItself) solidity.selfIntersections = 0;
-  if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
-}
-
-}  // namespace
-
 DepthSummary summarise(const DepthField& depths) {
   std::vector<double> carved;
   for (const double depth : depths.depthMm)
@@ -65,54 +35,6 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
   for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
   return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
 }
-
-/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
-struct EngraveJob::State {
-  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Writing, Checking, Viewing, Done };
-
-  std::shared_ptr<const EngravableModel> model;
-  EngraveRequest request;
-  EngraveRequest asked;  // before open patterns are filled in
-  std::shared_ptr<const GeometryPass> pass;
-  std::shared_ptr<const LuminancePrograms> programs;
-  Stage stage = Stage::Placing;
-  double fraction = 0;
-
-  Symbol symbol;
-  SubmoduleMask mask;
-  std::vector<std::uint32_t> allCarved;  // indices in the mask
-  CellLayout layout;
-  std::optional<PlacementSearch> placing;
-  std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
-  bool isMeasured = false;
-  LightBy lightBy = LightBy::Renderer;
-  CarvingTarget target;
-  MakeSearch makeOwnSearch;  // empty: the request decides
-  std::unique_ptr<DepthSolver> search;
-  const FastSearch* searchBeforePrint = nullptr;  // `search`, until the print has been taken into account
-  std::vector<float> means;                       // mean luminance of every cell of the map
-  EmbedResult embedded;
-  std::unique_ptr<PrintedViewJob> printing;
-  bool isPrinted = false;  // true once the print has been taken into account
-  EngraveResult result;
-
-  Status place();
-  void take(const PlacementSearch& found);
-  void decidePatterns(bool areWallsThin);
-  std::vector<double> limitsOfMask() const;
-  Status map();
-  void startSearch();
-  Status searchOnce();
-  Status embed();
-  Status print();
-  Status write();
-  Status check();
-  void view();
-  void measure();
-  void startRecord(std::span<const double> limitMm);
-  void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
-  Progress progress();
-};
 
 Progress EngraveJob::State::progress() {
   auto [doing, share] = [&]() -> std::pair<Message, double> {
@@ -154,8 +76,8 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   result.placement = found.placement();
   result.timingsMs.direction = found.directionMs();
   result.timingsMs.size = found.sizeMs();
-  asked = std::move(request);
-  decidePatterns(false);
+  asked = request;
+  if (!request.isInColour()) decidePatterns(false);
   stage = Stage::Mapping;
 }
 
@@ -169,20 +91,26 @@ std::vector<double> EngraveJob::State::limitsOfMask() const {
                      {*request.maxDepthMm, request.minWallMm});
 }
 
-Status EngraveJob::State::map() {
-  const auto start = Clock::now();
+/// Measures the place, if it is not the one measured before.
+Status EngraveJob::State::measurePlace(bool withLight) {
   const Placement& placement = result.placement;
-  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout,
-                                      request.albedo,  request.lamps(),    lightBy};
+  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout, request.albedo, request.lamps(),
+                                      lightBy,         withLight};
   if (measured && measured->request() == wanted) {
-    measured->light().uncarve();
+    if (withLight) measured->light().uncarve();
   } else {
     auto made = MeasuredPlace::create(model, pass, programs, wanted);
     if (!made) return tl::unexpected(made.error());
     measured = std::move(*made);
   }
   isMeasured = true;
+  return {};
+}
 
+Status EngraveJob::State::map() {
+  const auto start = Clock::now();
+  const Placement& placement = result.placement;
+  if (const Status known = measurePlace(true); !known) return known;
   std::vector<double> limits = limitsOfMask();
   if (!asked.finderPattern && request.finderPattern == FinderPattern::None &&
       wallsAreThinForWholeFinders(symbol, limits, placement.moduleMm)) {
@@ -199,90 +127,13 @@ Status EngraveJob::State::map() {
   return {};
 }
 
-void EngraveJob::State::startSearch() {
-  if (makeOwnSearch) {
-    search = makeOwnSearch(target);
-  } else if (request.isForPrint()) {
-    auto rough = makeSearchBeforePrint(request, target);
-    searchBeforePrint = rough.get();
-    search = std::move(rough);
-  } else {
-    search = makeDepthSolver(request, target);
-  }
-}
-
-/// Measures the luminance of the submodules that the search requests, at its depths.
-void EngraveJob::State::measure() {
-  const std::span<const std::uint32_t> due = search->due().empty() ? allCarved : search->due();
-  std::vector<std::uint32_t> cells;
-  for (const std::uint32_t i : due)
-    cells.push_back(layout.ofSymbol(static_cast<int>(i) / mask.size, static_cast<int>(i) % mask.size));
-  std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
-  double deepest = 0;
-  for (int row = 0; row < mask.size; ++row) {
-    for (int column = 0; column < mask.size; ++column) {
-      const double depth = search->depths().depth(row, column);
-      depths[layout.ofSymbol(row, column)] = static_cast<float>(depth);
-      deepest = std::max(deepest, depth);
-    }
-  }
-  means = measured->light().luminance(
-      cells, depths, std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest));
-}
-
-void EngraveJob::State::startRecord(std::span<const double> limitMm) {
-  for (std::size_t i = 0; i < mask.carved.size(); ++i) {
-    if (!mask.carved[i]) continue;
-    result.search.carved.push_back(static_cast<std::uint32_t>(i));
-    result.search.limitMm.push_back(static_cast<float>(limitMm[i]));
-  }
-}
-
-void EngraveJob::State::recordPass(const DepthField& tried, std::span<const double> luminance, double ms) {
-  const SubmoduleLuminances seen(luminance, symbol.size);
-  SearchRecord::Pass made;
-  made.ms = ms;
-  for (const std::uint32_t i : result.search.carved) {
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
-    made.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
-    made.luminance.push_back(static_cast<float>(seen.of(row, column)));
-  }
-  result.search.passes.push_back(std::move(made));
-  result.search.luminance.assign(luminance.begin(), luminance.end());
-}
-
-Status EngraveJob::State::searchOnce() {
-  const auto start = Clock::now();
-  measure();
-  const int edge = kN * (symbol.size + 2 * kQuietZoneModules);
-  std::vector<double> luminance(static_cast<std::size_t>(edge * edge));
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column)
-      luminance[static_cast<std::size_t>(row * edge + column)] = means[layout.ofQuietZone(row, column)];
-  const DepthField tried = request.recordSearch ? search->depths() : DepthField{};
-  search->update(luminance);
-  const double ms = millisecondsSince(start);
-  result.timingsMs.depthSearch += ms;
-  if (request.recordSearch) recordPass(tried, luminance, ms);
-  if (!search->finished()) return {};
-  result.depths = search->depths();
-  result.searchIterations += search->iterations();
-  result.limitedSubmodules = search->limitedCount();
-  result.luminance = std::move(luminance);
-  const std::vector<Received> received = measured->light().received();
-  result.received.clear();
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
-  if (summarise(result.depths).maxMm == 0)
-    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
-  stage = Stage::Embedding;
-  return {};
-}
-
 Status EngraveJob::State::embed() {
   const auto start = Clock::now();
+  const EmbedOptions options =
+      request.isInColour() ? EmbedOptions{.inlay = request.mark == Mark::Inlay, .paint = request.mark == Mark::Paint}
+                           : EmbedOptions{.surface = request.surface};
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                              result.depths, {.surface = request.surface});
+                              request.isInColour() ? marked : result.depths, options);
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -318,69 +169,6 @@ Status EngraveJob::State::print() {
   }
   result.timingsMs.forPrint += millisecondsSince(start);
   return {};
-}
-
-/// Writes the file and reads it back: the result is exactly what a slicer will read.
-Status EngraveJob::State::write() {
-  const auto start = Clock::now();
-  result.stl = writeStl(embedded.mesh);
-  const auto read = readModel(result.stl, "carved.stl");
-  if (!read) return tl::unexpected(read.error());
-  result.mesh = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
-  result.symbol = symbol;
-  result.request = request;
-  result.timingsMs.verify += millisecondsSince(start);
-  stage = Stage::Checking;
-  return {};
-}
-
-Status EngraveJob::State::check() {
-  const auto start = Clock::now();
-  const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
-  if (!solidity) return tl::unexpected(solidity.error());
-  result.solidity = *solidity;
-  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
-  if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
-    const auto whole = checkSolidity(result.mesh);
-    if (!whole) return tl::unexpected(whole.error());
-    result.solidity = *whole;
-    result.inheritedSelfIntersections = whole->selfIntersections;
-  }
-  const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
-  result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
-  result.partOfTriangle =
-      partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
-  if (request.inlay)
-    if (const Status made = addInlay(*model, request.surface, result); !made) return made;
-  result.timingsMs.verify += millisecondsSince(start);
-  embedded = {};
-  stage = Stage::Viewing;
-  return {};
-}
-
-void EngraveJob::State::view() {
-  const auto start = Clock::now();
-  ReaderViewOptions options;
-  const int modulesAcross = symbol.size + 2 * kPictureMarginModules;
-  const int pixels = std::clamp(kMostPixels / modulesAcross, kLeastPixelsPerModule, kBakedPixels);
-  options.extentMm = result.placement.moduleMm * modulesAcross;
-  options.texels = pixels * modulesAcross;
-  options.reliefMm = static_cast<float>(summarise(result.depths).maxMm);
-  options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
-  options.albedo = request.albedo;
-  options.lights = request.lamps();
-  result.readerView = photographed(meshLuminance(result.mesh, result.placement.frame,
-                                                 {.pixels = options.texels,
-                                                  .pixelMm = result.placement.moduleMm / pixels,
-                                                  .nearMm = kPictureMarginModules * result.placement.moduleMm,
-                                                  .albedo = static_cast<double>(request.albedo),
-                                                  .lamps = options.lights,
-                                                  .lampRadiusDeg = kOneLightRadiusDeg}),
-                                   options);
-  result.readerOptions = options;
-  result.readerView.pixelsPerModule = pixels;
-  result.timingsMs.verify += millisecondsSince(start);
-  stage = Stage::Done;
 }
 
 EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -440,7 +228,7 @@ Result<Progress> EngraveJob::advance() {
       done = s.place();
       break;
     case Stage::Mapping:
-      done = s.map();
+      done = s.request.isInColour() ? s.mapMark() : s.map();
       break;
     case Stage::Searching:
       done = s.searchOnce();
@@ -481,7 +269,7 @@ const EngraveResult* EngraveJob::writtenResult() const {
 
 InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
-  if (!state_->isMeasured) return maps;
+  if (!state_->isMeasured || !state_->measured->request().withLight) return maps;
   const MeasuredPlace& measured = *state_->measured;
   maps.luminance = &measured.light().luminanceTexture();
   maps.depths = &measured.light().depthTexture();

@@ -54,7 +54,12 @@ struct EngraveResult {
   SolidityReport solidity;         ///< report on the whole file, after the round trip
   /// Pairs of crossing triangles inherited from the model; any others would have been refused.
   std::size_t inheritedSelfIntersections = 0;
-  std::optional<Mesh> inlay;        ///< if requested; also after an STL round trip
+  /// Mark::Inlay: depth along the rays, the same in all modules, and the depth that would be opaque, mm; else 0.
+  double markDepthMm = 0, opaqueDepthMm = 0;
+  std::size_t modulesLeftOut = 0;  ///< Mark::Inlay: dark modules without an inlay, because walls are too thin
+  /// Mark::Paint: the triangles of `mesh` in the second colour, ascending; else empty.
+  std::vector<std::uint32_t> painted;
+  std::optional<Mesh> inlay;        ///< if EngraveRequest::hasInlay(); also after an STL round trip
   SolidityReport inlaySolidity;     ///< report on the inlay
   ReaderView readerView;            ///< the code as a phone sees it
   ReaderViewOptions readerOptions;  ///< options used to draw it
@@ -67,6 +72,9 @@ struct DepthSummary {
   double meanMm = 0, maxMm = 0, p95Mm = 0;
 };
 DepthSummary summarise(const DepthField& depths);
+
+/// Returns the symbol with the modules that are dark in a code in colour.
+Symbol markedSymbol(const EngraveResult& result);
 
 /// Returns the features that a printer has to make, measured from the depths.
 CarvedFeatures featuresOf(const EngraveResult& result);

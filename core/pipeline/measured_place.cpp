@@ -70,7 +70,7 @@ Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(std::shared_ptr<con
   place->request_ = request;
   place->model_ = std::move(model);
   place->pass_ = std::move(pass);
-  const bool isByProcessor = request.lightBy == LightBy::Processor ||
+  const bool isByProcessor = !request.withLight || request.lightBy == LightBy::Processor ||
                              (request.lightBy == LightBy::Renderer && gl::isSoftware(gl::rendererName()));
   if (isByProcessor)
     place->measureByProcessor();
@@ -127,6 +127,7 @@ void MeasuredPlace::measureByProcessor() {
   const int texelsPerCell = map.texels / request_.layout.cells();
   const HeightMap surface = drawn(map);
   measureThickness(distancesOf(surface), raster.drawBack(frame, map), texelsPerCell);
+  if (!request_.withLight) return;
   light_ = lightByProcessor(coarser(surface, texelsPerCell), drawn(surroundingsOf(map, frame, model_->gpu.box())),
                             lightOptions());
 }

@@ -32,6 +32,7 @@ class MeasuredPlace {
     float albedo = 0.7f;  ///< of the material, 0 … 1
     std::vector<DirectionalLight> lights = {};
     LightBy lightBy = LightBy::Renderer;
+    bool withLight = true;  ///< false: only the thickness, which the CPU draws
 
     bool operator==(const Request&) const = default;
   };
@@ -48,7 +49,7 @@ class MeasuredPlace {
   /// Returns the least thickness along the rays through each submodule of the symbol, mm; infinite where no ray meets
   /// both sides. Row-major from the symbol's top left.
   const std::vector<double>& thicknessMm() const { return thicknessMm_; }
-  /// Returns the light on the place during carving. Only one job may use it at a time.
+  /// Returns the light on the place during carving, if Request::withLight is set. Only one job may use it at a time.
   PlaceLight& light() { return *light_; }
   const PlaceLight& light() const { return *light_; }
 

@@ -58,11 +58,12 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, con
 
 double pitDepth(double contrast) { return 0.5 * std::sqrt(contrast / (1 - contrast)); }
 
-double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules) {
-  assert(modules > 0 && depthModules > 0);
+double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules,
+                         double depthMm) {
+  assert(modules > 0 && depthModules >= 0 && depthMm >= 0 && depthModules + depthMm > 0);
   const double cell = square.edgeMm / square.cells;
   const auto takes = [&](double sizeMm) {
-    const double depth = (1 - kRounding) * depthModules * sizeMm / modules;
+    const double depth = (1 - kRounding) * (depthModules * sizeMm / modules + depthMm);
     int inside = 0, thin = 0;
     for (int row = 0; row < square.cells; ++row) {
       for (int column = 0; column < square.cells; ++column) {

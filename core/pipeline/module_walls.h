@@ -44,8 +44,10 @@ double pitDepth(double contrast);
 /// pockets.
 /// @param walls         walls under the square
 /// @param modules       along the symbol's edge
-/// @param depthModules  depth of the pockets, in modules, > 0
+/// @param depthModules  depth of the pockets, in modules, ≥ 0
+/// @param depthMm       added to it at every size, ≥ 0; not both are 0
 /// @returns mm; 0 if no code of at least a quarter of the square's size fits
-double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules);
+double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules,
+                         double depthMm = 0);
 
 }  // namespace qrelief

@@ -264,13 +264,13 @@ Result<bool> PlacementSearch::refine() {
 /// search then decides whether anything can be carved.
 Status PlacementSearch::leaveWalls() {
   const PocketDemand& pockets = request_.pockets;
-  if (request_.sizeMode == SizeMode::Fixed || !(pockets.depthModules > 0)) return {};
+  if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
   const Stopwatch stopwatch(sizeMs_);
   const CellSquare square{placement_.symbolMm, modules_};
   const auto walls = measureModuleWalls(model_->mesh, *gpu_, *pass_, placement_.frame, placement_.patch, square,
-                                        pockets.depthModules * placement_.moduleMm, pockets.minWallMm);
+                                        pockets.depth(placement_.moduleMm), pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
-  const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules);
+  const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
   if (taken < kMinModuleMm * modules_) return {};
   placement_.symbolMm = taken;
   placement_.moduleMm = taken / modules_;

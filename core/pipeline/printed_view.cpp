@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "light/height_light.h"
 #include "math/angle.h"
+#include "printing/printed_ink.h"
 #include "verification/baked_light.h"
+#include "verification/inlaid_surface.h"
 #include "verification/lit_picture.h"
 #include "verification/reading_sweep.h"
 
@@ -16,7 +19,8 @@ namespace qrelief {
 namespace {
 
 constexpr double kRoughness = 1.5;
-constexpr int kDirections = 12;  // with 64, a module's mean luminance differs by 0.0016 on average
+constexpr double kColourRoughness = 2;  // colours need the shape only for its shades: two texels a layer
+constexpr int kDirections = 12;         // with 64, a module's mean luminance differs by 0.0016 on average
 /// Margin of a rough print: the reach of LightNeighbours, which compares dark modules with light ones, and one module
 /// more. Pixels farther out take the border's value.
 constexpr int kRoughMarginModules = 3;
@@ -34,7 +38,10 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .symbolMm = request.symbolMm,
                             .buildUp = request.buildUp,
                             .albedo = request.albedo,
-                            .oneLight = request.oneLight};
+                            .oneLight = request.oneLight,
+                            .mark = request.mark,
+                            .markDepthMm = request.markDepthMm,
+                            .ink = request.ink};
 }
 
 /// The job's state. Stages are listed in order; each advance() does one stage.
@@ -45,25 +52,61 @@ struct PrintedViewJob::State {
   PrintedViewRequest request;
   Stage stage = Stage::Printing;
   HeightMap printed;
+  Mesh outside;      // of a body with its inlay
+  Symbol marked;     // of a code in colour: the modules in the second colour
+  double bedMm = 0;  // height of the model's lowest point
   PrintedView result;
 
   int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
   /// Returns the edge of the printed area, in modules.
   int printedModules() const { return request.isRough ? request.symbol.size + 2 * kRoughMarginModules : edgeModules(); }
+  double roughness() const {
+    return request.isRough ? kRoughness : request.mark != Mark::Shadow ? kColourRoughness : 1;
+  }
+  const Mesh& shape();
   Status print();
   void light();
+  void addInk(std::vector<float>& luminance, const PictureGrid& grid) const;
 };
 
+/// Finds the shape to print, and the modules in the second colour.
+const Mesh& PrintedViewJob::State::shape() {
+  marked = request.symbol;
+  bedMm = std::numeric_limits<double>::infinity();
+  const Vec3 up = glm::normalize(request.buildUp);
+  for (const Vec3f p : model->positions) bedMm = std::min(bedMm, glm::dot(Vec3(p), up));
+  if (request.mark != Mark::Inlay) return *model;
+  InlaidSurface found =
+      inlaidSurface(*model, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
+  marked.dark = std::move(found.inlaid);
+  outside = std::move(found.mesh);
+  return outside;
+}
+
 Status PrintedViewJob::State::print() {
-  auto surface = printSurface(*model, {.process = request.process,
-                                       .frame = request.frame,
-                                       .extentMm = request.symbolMm / request.symbol.size * printedModules(),
-                                       .buildUp = request.buildUp,
-                                       .roughness = request.isRough ? kRoughness : 1});
+  auto surface = printSurface(shape(), {.process = request.process,
+                                        .frame = request.frame,
+                                        .extentMm = request.symbolMm / request.symbol.size * printedModules(),
+                                        .buildUp = request.buildUp,
+                                        .roughness = roughness()});
   if (!surface) return tl::unexpected(surface.error());
   printed = surface->heightMap();
   stage = Stage::Light;
   return {};
+}
+
+/// Multiplies a picture by the reflectances of the printed materials.
+void PrintedViewJob::State::addInk(std::vector<float>& luminance, const PictureGrid& grid) const {
+  if (request.mark == Mark::Shadow) return;
+  InkMap(printedInk({.process = request.process,
+                     .symbol = marked,
+                     .symbolMm = request.symbolMm,
+                     .frame = request.frame,
+                     .buildUp = request.buildUp,
+                     .bedMm = bedMm},
+                    {grid.pixelMm, grid.pixels}),
+         grid.pixelMm, request.ink)
+      .apply(luminance, grid.pixelMm);
 }
 
 void PrintedViewJob::State::light() {
@@ -80,11 +123,16 @@ void PrintedViewJob::State::light() {
   if (!request.isRough) {
     ReaderView& seen = result.seen;
     seen.luminance = litPicture(printed, luminance, grid, kBackground);
+    addInk(seen.luminance, grid);
     seen.pixelsPerModule = kBakedPixels;
     seen.clean = photograph(seen.luminance, grid.pixels);
   }
-  result.submodules = submoduleMeans(litPicture(printed, luminance, grid, 1), request.symbol.size);
-  result.misread = misreadModules(measureModules(request.symbol, result.submodules));
+  std::vector<float> open = litPicture(printed, luminance, grid, 1);
+  addInk(open, grid);
+  result.submodules = submoduleMeans(open, request.symbol.size);
+  const bool isInverted = request.mark != Mark::Shadow && request.ink.isInverted();
+  result.misread = misreadModules(measureModules(
+      request.symbol, isInverted ? withoutInversion(result.submodules, request.ink) : result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   stage = Stage::Done;

@@ -20,6 +20,9 @@ struct PrintedViewRequest {
   Vec3 buildUp{0, 0, 1};                          ///< the printer's vertical, of any length > 0
   double albedo = 0.7;                            ///< of the printed material
   std::optional<DirectionalLight> oneLight = {};  ///< see VerifyRequest
+  Mark mark = Mark::Shadow;                       ///< see VerifyRequest
+  double markDepthMm = 0;
+  Ink ink = {};
   bool isRough = false;  ///< exact enough for means over modules, in half the time; without a picture
 };
 

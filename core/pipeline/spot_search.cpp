@@ -13,6 +13,7 @@
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
 #include "pipeline/placement.h"
 #include "pipeline/spot_light.h"
@@ -236,7 +237,7 @@ void SpotSearchJob::State::beginTest() {
   placement.centreMm = offered.centreMm;
   if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
   direction = placement.direction;
-  const double pocketMm = placement.pockets.depthModules * wantedMm() / request.modules;
+  const double pocketMm = placement.pockets.depth(wantedMm() / request.modules);
   placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
   if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
   search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
@@ -411,6 +412,9 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
   search.placement = searchedPlacement(request, symbol.size);
   search.modules = symbol.size;
   search.minWallMm = request.minWallMm;
+  if (request.mark == Mark::Inlay)
+    search.leastDepthMm = kLeastInlayDepth * request.markDepthMm.value_or(deepestInlayMm(request.printer));
+  if (request.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
   if (request.process) search.buildUp = request.buildUp;
   search.nozzleMm = request.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);

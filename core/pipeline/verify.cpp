@@ -12,6 +12,7 @@
 #include "mesh/weld.h"
 #include "pipeline/engrave.h"
 #include "settings/settings.h"
+#include "verification/inlaid_surface.h"
 #include "verification/light_path.h"
 #include "verification/mesh_luminance.h"
 
@@ -46,6 +47,8 @@ EngraveRequest settingsOf(const VerifyRequest& request) {
   engraving.printer = request.printer;
   engraving.buildUp.up = request.buildUp;
   engraving.minWallMm = request.minWallMm;
+  engraving.mark = request.mark;
+  engraving.ink = request.ink;
   if (request.oneLight) {
     engraving.objective = DepthObjective::OneLight;
     engraving.lights = {*request.oneLight};
@@ -65,8 +68,11 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   wanted.process = request.process;
   wanted.buildUp = request.buildUp.resolve(wanted.frame);
   wanted.minWallMm = request.minWallMm;
-  wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // undoes the rounding to a float
-  if (request.objective == DepthObjective::OneLight) wanted.oneLight = request.lamps().front();
+  wanted.albedo = std::round(1e6 * static_cast<double>(request.surfaceAlbedo())) / 1e6;  // undoes rounding to a float
+  wanted.mark = request.mark;
+  wanted.markDepthMm = result.markDepthMm;
+  wanted.ink = request.ink;
+  if (request.isForOneLight()) wanted.oneLight = request.lamps().front();
   wanted.ranges = false;
   wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
   return wanted;
@@ -89,7 +95,9 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
 struct VerifyJob::State {
   enum class Stage { Solid, Shape, Light, Reading, Done };
 
-  Mesh mesh;
+  Mesh mesh;                 // of a code in colour: the outer surface
+  std::optional<Mesh> body;  // of a model that waits for its inlay
+  Symbol marked;             // of a code in colour: the modules found to be dark
   VerifyRequest request;
   std::vector<Decoder> decoders;
   Stage stage = Stage::Solid;
@@ -101,7 +109,14 @@ struct VerifyJob::State {
   VerifyResult result;
 
   State(Mesh model, VerifyRequest wanted, std::vector<Decoder> readBy)
-      : mesh(std::move(model)), request(std::move(wanted)), decoders(std::move(readBy)), tree(mesh) {}
+      : mesh(std::move(model)),
+        marked(wanted.symbol),
+        request(std::move(wanted)),
+        decoders(std::move(readBy)),
+        tree(outerSurface()) {}
+
+  const Mesh& outerSurface();
+  bool isInColour() const { return request.mark != Mark::Shadow; }
 
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
   Status checkSolid();
@@ -109,11 +124,22 @@ struct VerifyJob::State {
   void prepareLight();
   void lightMesh();
   bool bake();
+  SymbolGrades gradeInk() const;
   bool read();
 };
 
+/// Finds the outer surface and the modules of an inlaid code, before the tree is built.
+const Mesh& VerifyJob::State::outerSurface() {
+  if (request.mark != Mark::Inlay) return mesh;
+  InlaidSurface found = inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
+  marked.dark = std::move(found.inlaid);
+  if (!found.hasBothBodies) body = std::move(mesh);
+  mesh = std::move(found.mesh);
+  return mesh;
+}
+
 Status VerifyJob::State::checkSolid() {
-  auto solidity = checkSolidity(mesh);
+  auto solidity = checkSolidity(body ? *body : mesh);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
   stage = Stage::Shape;
@@ -121,7 +147,7 @@ Status VerifyJob::State::checkSolid() {
 }
 
 void VerifyJob::State::measureShape() {
-  result.profile = profileCarving(tree, request.frame, request.symbol, request.symbolMm);
+  if (!isInColour()) result.profile = profileCarving(tree, request.frame, request.symbol, request.symbolMm);
   const CarvingProfile& profile = result.profile;
   if (profile.pose == SymbolPose::AsWanted && profile.meanDepthMm > kFlatMm) {
     result.features = measureFeatures(request.symbol, profile.carved, profile.depthMm, moduleMm());
@@ -163,6 +189,16 @@ void VerifyJob::State::lightMesh() {
   light->setLight(std::move(found));
 }
 
+SymbolGrades VerifyJob::State::gradeInk() const {
+  std::vector<float> luminance;
+  for (const SurfaceLight& texel : light->light())
+    luminance.push_back(texel.sky < 0 ? 1 : static_cast<float>(texel.sky));
+  InkMap(marked, request.symbolMm, request.ink).apply(luminance, light->options().texelMm);
+  return gradeSymbol(
+      measureModules(request.symbol, withoutInversion(submoduleMeans(luminance, request.symbol.size), request.ink)),
+      request.ink.light);
+}
+
 /// @returns true when done
 bool VerifyJob::State::bake() {
   bakedRows += kRowsAStep;
@@ -171,13 +207,18 @@ bool VerifyJob::State::bake() {
     light->smooth();
   else
     lightMesh();
-  if (result.profile.pose == SymbolPose::AsWanted) {
+  if (isInColour()) {
+    result.grades = gradeInk();
+  } else if (result.profile.pose == SymbolPose::AsWanted) {
     const ModuleReflectances measured =
         measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
     result.grades = gradeSymbol(measured, request.albedo);
   }
-  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
-                SweepOptions{.ranges = request.ranges, .underLamp = request.oneLight.has_value()});
+  sweep.emplace(
+      *light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
+      SweepOptions{.ranges = request.ranges,
+                   .underLamp = request.oneLight.has_value(),
+                   .ink = isInColour() ? std::optional(InkMap(marked, request.symbolMm, request.ink)) : std::nullopt});
   stage = Stage::Reading;
   return true;
 }
@@ -198,6 +239,8 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
     return fail(ErrorKind::BadUsage, message("verify-no-direction"));
   if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
+  if (request.mark == Mark::Inlay && !(request.markDepthMm > 0))
+    return fail(ErrorKind::BadUsage, message("verify-no-inlay-depth", with::setting<"depth">("markDepthMm")));
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }

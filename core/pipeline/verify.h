@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "carving/mark.h"
 #include "light/directional_light.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/ray_tree.h"
@@ -30,7 +31,10 @@ struct VerifyRequest {
   std::optional<std::size_t> process;  ///< index of the printer in namedPrinters(); none: the print is not simulated
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   double minWallMm = 0.8;
-  double albedo = 0.7;  ///< of the printed material
+  double albedo = 0.7;       ///< of the printed material; of a code in colour: Ink::light
+  Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` tells the painted modules, as meshes have no colours
+  double markDepthMm = 0;    ///< Inlay: depth along the rays, > 0
+  Ink ink;                   ///< Inlay, Paint: the reflectances
   /// The only lamp, in addition to the sky, under which the code must decode, see DepthObjective::OneLight. None: the
   /// code must decode under the sky alone.
   std::optional<DirectionalLight> oneLight;

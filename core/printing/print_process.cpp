@@ -32,7 +32,7 @@ Result<PrintProcess> filament(const Printer& printer) {
   if (!(layer <= nozzle))
     return fail(ErrorKind::BadUsage,
                 message("layer-above-nozzle", with::lengthMm<"layer">(layer), with::lengthMm<"nozzle">(nozzle)));
-  const double line = printer.lineWidthMm.value_or(kLineNozzles * nozzle);
+  const double line = lineWidthMm(printer);
   if (!(line >= nozzle))
     return fail(ErrorKind::BadUsage,
                 message("line-below-nozzle", with::lengthMm<"line">(line), with::lengthMm<"nozzle">(nozzle)));
@@ -47,6 +47,8 @@ Result<PrintProcess> filament(const Printer& printer) {
 }
 
 }  // namespace
+
+double lineWidthMm(const Printer& printer) { return printer.lineWidthMm.value_or(kLineNozzles * printer.nozzleMm); }
 
 Result<PrintProcess> processOf(const Printer& printer) {
   if (!(printer.layerMm > 0 && printer.nozzleMm > 0))

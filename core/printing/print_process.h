@@ -27,6 +27,9 @@ struct Printer {
   bool operator==(const Printer&) const = default;
 };
 
+/// Returns the line width of an outer wall, mm.
+double lineWidthMm(const Printer& printer);
+
 /// The process's effect on a layer's cross-section, as far as it shapes the surface. All in mm.
 struct PrintProcess {
   double layerMm = 0.2;

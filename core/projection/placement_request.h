@@ -21,7 +21,10 @@ const char* sizeModeName(SizeMode mode);
 /// Room that found sizes must leave behind the surface.
 struct PocketDemand {
   double minWallMm = 0;     ///< material that must remain, ≥ 0
-  double depthModules = 0;  ///< pocket depth, in modules; 0: walls are ignored
+  double depthModules = 0;  ///< pocket depth, in modules ...
+  double depthMm = 0;       ///< ... and what is added to it, however large the modules; both 0: walls are ignored
+
+  double depth(double moduleMm) const { return depthModules * moduleMm + depthMm; }
 
   bool operator==(const PocketDemand&) const = default;
 };

@@ -84,6 +84,14 @@ Json describePrinted(const std::optional<PrintedEvidence>& printed) {
           {"reads", count.reads},        {"readsNeeded", count.needed()},   {"read", count.enough()}};
 }
 
+void addMark(Json& report, Mark mark, double markDepthMm, const Ink& ink) {
+  report["mark"] = markName(mark);
+  if (mark == Mark::Shadow) return;
+  report["markDepthMm"] = markDepthMm;
+  report["darkReflectance"] = ink.dark;
+  report["lightReflectance"] = ink.light;
+}
+
 Json describeFeatures(const CarvedFeatures& features, const Printer& printer) {
   return {{"nozzleMm", printer.nozzleMm},
           {"layerMm", printer.layerMm},

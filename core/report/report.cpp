@@ -29,7 +29,7 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
 }
 
 const char* solverName(const EngraveRequest& request) {
-  if (request.objective == DepthObjective::OneLight) return "one-light";
+  if (request.isForOneLight()) return "one-light";
   return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
 }
 
@@ -67,22 +67,55 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
-/// Adds the grades of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
-  GradeReports grades =
-      describeGrades(gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo)));
+  GradeReports grades = describeGrades(gradesOf(request, result));
   verification["iso15415"] = std::move(grades.iso15415);
   verification["iso29158"] = std::move(grades.iso29158);
+}
+
+/// Describes the pockets of a code without a second colour.
+Json describeDepth(const EngraveRequest& request, const EngraveResult& result, const ReportContext& context) {
+  const DepthSummary depth = summarise(result.depths);
+  Json json = {{"meanMm", depth.meanMm},
+               {"maxMm", depth.maxMm},
+               {"p95Mm", depth.p95Mm},
+               {"iterations", result.searchIterations},
+               {"limitedSubmodules", result.limitedSubmodules},
+               {"features", describeFeatures(featuresOf(result), request.printer)},
+               {"objective", depthObjectiveName(request.objective)},
+               {"lights", describeLights(request.lamps())},
+               {"carvedFor", request.isForPrint() ? "print" : "design"},
+               {"solver", solverName(request)},
+               {"contrast", result.request.contrastAsked()}};
+  if (!request.contrast) {
+    json["preset"] = presetName(request.preset);
+    json["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
+  }
+  return json;
+}
+
+/// Describes the pockets of an inlay; a painted code has none.
+Json describeInlay(const EngraveResult& result) {
+  const DepthSummary depth = summarise(result.depths);
+  return {{"meanMm", depth.meanMm},
+          {"maxMm", depth.maxMm},
+          {"p95Mm", depth.p95Mm},
+          {"opaqueMm", result.opaqueDepthMm},
+          {"modulesLeftOut", result.modulesLeftOut}};
+}
+
+/// Returns the warnings about printing, without regard to a simulated print.
+std::vector<Message> printingWarnings(const EngraveRequest& request, const EngraveResult& result,
+                                      const ReportContext& context) {
+  const Aspect prints = judge(request, result, context.reading).prints;
+  return prints.level == Level::Good ? std::vector<Message>() : prints.reasons;
 }
 
 }  // namespace
 
 std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
                        const ReportContext& context) {
-  const DepthSummary depth = summarise(result.depths);
   const SolidityReport& solid = result.solidity;
-  const CarvedFeatures features = featuresOf(result);
-  const Printer& printer = request.printer;
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
   report["text"] = request.text;
@@ -94,21 +127,8 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"guaranteedMm", result.placement.guaranteedMm},
                     {"rotationDeg", result.placement.rotationDeg},
                     {"mode", sizeModeName(request.placement.sizeMode)}};
-  report["depth"] = {{"meanMm", depth.meanMm},
-                     {"maxMm", depth.maxMm},
-                     {"p95Mm", depth.p95Mm},
-                     {"iterations", result.searchIterations},
-                     {"limitedSubmodules", result.limitedSubmodules},
-                     {"features", describeFeatures(features, printer)},
-                     {"objective", depthObjectiveName(request.objective)},
-                     {"lights", describeLights(request.lamps())},
-                     {"carvedFor", request.isForPrint() ? "print" : "design"},
-                     {"solver", solverName(request)},
-                     {"contrast", result.request.contrastAsked()}};
-  if (!request.contrast) {
-    report["depth"]["preset"] = presetName(request.preset);
-    report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
-  }
+  addMark(report, request.mark, result.markDepthMm, request.ink);
+  report["depth"] = request.isInColour() ? describeInlay(result) : describeDepth(request, result, context);
   report["mesh"] = {{"surface", surfaceModeName(request.surface)},
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
@@ -137,7 +157,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                             {"verdict", describeVerdict(context.verdict, context.wording)}};
   addGrades(report["verification"], request, result);
   report["verification"]["printability"] =
-      describeMessages(advisePrinting(features, printer, request.minWallMm), context.wording);
+      describeMessages(printingWarnings(request, result, context), context.wording);
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs},   {"prepare", context.prepareMs},
                          {"direction", t.direction}, {"size", t.size},

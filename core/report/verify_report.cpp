@@ -39,6 +39,21 @@ const char* nameOf(SymbolPose pose) {
   return "not found";
 }
 
+/// Reads the mark; reports of older versions have none. Throws the exceptions of nlohmann's accessors.
+Status readMark(const Json& report, VerifyRequest& request) {
+  const auto name = report.value("mark", std::string(markName(Mark::Shadow)));
+  for (const Mark mark : {Mark::Shadow, Mark::Inlay, Mark::Paint}) {
+    if (name != markName(mark)) continue;
+    request.mark = mark;
+    if (mark == Mark::Shadow) return {};
+    request.markDepthMm = report.at("markDepthMm").get<double>();
+    request.ink = {report.at("darkReflectance").get<double>(), report.at("lightReflectance").get<double>()};
+    request.albedo = request.ink.light;
+    return {};
+  }
+  return badInput(message("report-mark", with::term<"found">(name)));
+}
+
 /// Reads the request. Throws the exceptions of nlohmann's accessors.
 Result<VerifyRequest> readRequest(const Json& report) {
   VerifyRequest request;
@@ -58,6 +73,7 @@ Result<VerifyRequest> readRequest(const Json& report) {
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());
   request.symbol = std::move(*listed);
+  if (const Status marked = readMark(report, request); !marked) return tl::unexpected(marked.error());
   if (const auto depth = report.find("depth"); depth != report.end())
     if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
       request.oneLight = lampFrom(depth->at("lights").at(0));
@@ -168,8 +184,11 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
   for (const SolidityFinding& finding : solid.findings())
     report["mesh"]["findings"].push_back({{"problem", describeMessage(finding.message, context.wording)},
                                           {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
-  report["carving"] = {
-      {"pose", nameOf(result.profile.pose)}, {"fit", result.profile.fit}, {"meanDepthMm", result.profile.meanDepthMm}};
+  addMark(report, request.mark, request.markDepthMm, request.ink);
+  if (request.mark == Mark::Shadow)
+    report["carving"] = {{"pose", nameOf(result.profile.pose)},
+                         {"fit", result.profile.fit},
+                         {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);
   report["lights"] =
       describeLights(request.oneLight ? std::vector{*request.oneLight} : std::vector<DirectionalLight>());

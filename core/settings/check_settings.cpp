@@ -53,7 +53,11 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
-  if (request.objective == DepthObjective::OneLight && request.lamps().size() > 1)
+  if (request.isInColour() && request.ink.contrast() < kLeastInkContrast)
+    return fail(ErrorKind::BadUsage,
+                message("colours-too-alike", with::number<"dark">(request.ink.dark),
+                        with::number<"light">(request.ink.light), with::number<"least">(kLeastInkContrast)));
+  if (request.isForOneLight() && request.lamps().size() > 1)
     return fail(ErrorKind::BadUsage,
                 message("one-light-has-several", with::setting<"objective">("objective"),
                         with::choice<"value">("objective", "one-light"), with::count<"count">(request.lights.size())));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "carving/mark.h"
 #include "carving/surface_mode.h"
 #include "light/directional_light.h"
 #include "printing/build_direction.h"
@@ -14,6 +15,7 @@
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "settings/preset.h"
+#include "verification/ink.h"
 
 namespace qrelief {
 
@@ -50,6 +52,11 @@ struct EngraveRequest {
   std::optional<ModulePattern> modulePattern;  ///< none: see pipeline/default_patterns.h
   std::optional<FinderPattern> finderPattern;  ///< none: the same
   PlacementRequest placement;
+  /// Inlay and Paint need no light: patterns, preset and all else that decides the depth of pockets, lamps, albedo,
+  /// surface and `inlay` have no effect on them.
+  Mark mark = Mark::Shadow;
+  std::optional<double> markDepthMm;  ///< depth of Mark::Inlay along the rays; none: pipeline/mark_depth.h
+  Ink ink;                            ///< of Mark::Inlay and Mark::Paint
   DepthObjective objective = DepthObjective::Contrast;
   Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
   bool keepPreset = false;  ///< never carve deeper than the preset, even if the code or its print does not read
@@ -70,15 +77,24 @@ struct EngraveRequest {
   bool inlay = false;         ///< also make the body that fills the pockets, for printing in two colours
   bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
 
+  bool isInColour() const { return mark != Mark::Shadow; }
+  /// Returns true if the result has a body of a second material.
+  bool hasInlay() const { return mark == Mark::Inlay || (mark == Mark::Shadow && inlay); }
+  bool isForOneLight() const { return !isInColour() && objective == DepthObjective::OneLight; }
+
   bool isForPrint() const {
-    return carveFor == CarveFor::Print && process && lights.empty() && objective == DepthObjective::Contrast &&
-           solver == ContrastSolver::Fast;
+    return !isInColour() && carveFor == CarveFor::Print && process && lights.empty() &&
+           objective == DepthObjective::Contrast && solver == ContrastSolver::Fast;
   }
 
   /// Returns the lamps that the code is carved for and judged under.
   std::vector<DirectionalLight> lamps() const {
-    return objective == DepthObjective::OneLight && lights.empty() ? std::vector{kOneLight} : lights;
+    if (isInColour()) return {};
+    return isForOneLight() && lights.empty() ? std::vector{kOneLight} : lights;
   }
+
+  /// Returns the reflectance of the model's material.
+  float surfaceAlbedo() const { return isInColour() ? static_cast<float>(ink.light) : albedo; }
 
   /// Returns the contrast asked for by itself, or else the preset's.
   double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }

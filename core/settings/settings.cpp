@@ -20,6 +20,7 @@ using Unit = Setting::Unit;
 constexpr double kMaxMm = 1e4;                 // largest edge: no printer is larger
 constexpr double kMaxWallMm = 1000;            // largest wall and largest depth
 constexpr const char* kSinceSecond = "0.2.0";  // older settings files lack these
+constexpr const char* kSinceThird = "0.3.0";
 
 struct Range {
   double min, max, step;
@@ -199,6 +200,30 @@ Setting carveFor() {
   return setting;
 }
 
+Setting mark() {
+  Setting setting = choice(
+      "mark", "mark", [](auto& r) -> auto& { return r.mark; },
+      [] { return namesOf(3, [](int i) { return markName(static_cast<Mark>(i)); }); });
+  setting.since = kSinceThird;
+  return setting;
+}
+
+Setting markDepth() {
+  Setting setting = optionalNumber(
+      "markDepthMm", "mark", Unit::Millimetre, {0.05, kMaxWallMm, 0.05},
+      [](auto& r) -> auto& { return r.markDepthMm; });
+  setting.since = kSinceThird;
+  return setting;
+}
+
+/// Makes the setting for the reflectance of one of two materials.
+template <class Part>
+Setting reflectance(const char* key, Part part) {
+  Setting setting = number(key, "mark", Unit::None, {0.01, 1, 0.05}, part);
+  setting.since = kSinceThird;
+  return setting;
+}
+
 Setting objective() {
   Setting setting = choice(
       "objective", "depth", [](auto& r) -> auto& { return r.objective; },
@@ -315,6 +340,12 @@ std::vector<Setting> makeSettings() {
       optionalNumber(
           "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.symbol.version; }),
       mask(),
+      mark(),
+      markDepth(),
+      reflectance(
+          "darkReflectance", [](auto& r) -> auto& { return r.ink.dark; }),
+      reflectance(
+          "lightReflectance", [](auto& r) -> auto& { return r.ink.light; }),
       choice(
           "preset", "depth", [](auto& r) -> auto& { return r.preset; },
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "verdict/ink_advice.h"
 #include "verification/printability.h"
 
 namespace qrelief {
@@ -38,6 +39,7 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
+  if (request.isInColour()) return;
   if (request.contrast) {
     remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
   } else if (const std::optional<Preset> deeper = deeperPreset(request.preset)) {
@@ -49,7 +51,7 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
 /// Adds carving for any light. One lamp by itself lights a curved surface unevenly; a code carved for the sky reads
 /// there.
 void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  if (request.objective == DepthObjective::OneLight)
+  if (request.isForOneLight())
     remedies.push_back({message("remedy-any-light"), "objective", depthObjectiveName(DepthObjective::Contrast)});
 }
 
@@ -57,6 +59,30 @@ void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
   request.carveFor = CarveFor::Print;
   if (request.isForPrint()) remedies.push_back({message("remedy-carve-for-print"), "carveFor", "print"});
+}
+
+/// Adds paint, which needs no wall.
+void addPaint(const EngraveRequest& request, const EngraveResult& result, std::vector<Remedy>& remedies) {
+  if (request.mark == Mark::Inlay && (result.modulesLeftOut > 0 || result.markDepthMm < result.opaqueDepthMm))
+    remedies.push_back({message("remedy-paint"), "mark", std::string(markName(Mark::Paint))});
+}
+
+void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Remedy>& remedies) {
+  const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
+    return mm <= mostMm + kRoundingMm && mm < request.printer.nozzleMm;
+  });
+  if (finer != kNozzlesMm.end())
+    remedies.push_back({message("remedy-nozzle", with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
+}
+
+std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result) {
+  const double lineMm = lineWidthMm(request.printer), moduleMm = result.placement.moduleMm;
+  std::vector<Remedy> remedies;
+  addLargerCode(request, result, lineMm, remedies);
+  if (moduleMm < lineMm) addFinerNozzle(nozzleForInk(moduleMm, request.printer), request, remedies);
+  addPaint(request, result, remedies);
+  remedies.push_back(anotherSpot());
+  return remedies;
 }
 
 }  // namespace
@@ -67,6 +93,7 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   std::vector<Remedy> remedies;
   addCarvingForAnyLight(request, remedies);
   addDarkerModules(request, remedies);
+  addPaint(request, result, remedies);
   addLargerCode(request, result, 0, remedies);
   if (request.symbol.errorCorrection == ErrorCorrection::L && !request.symbol.raiseErrorCorrection)
     remedies.push_back({message("remedy-more-correction"), "ecc", ""});
@@ -75,6 +102,7 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
 }
 
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
+  if (request.isInColour()) return inkPrintingRemedies(request, result);
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
   const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
@@ -90,12 +118,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
       const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
       remedies.push_back({message("remedy-pattern", with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
     }
-    const double most = printableNozzleMm(features);
-    const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
-      return mm <= most + kRoundingMm && mm < request.printer.nozzleMm;
-    });
-    if (finer != kNozzlesMm.end())
-      remedies.push_back({message("remedy-nozzle", with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
+    addFinerNozzle(printableNozzleMm(features), request, remedies);
   }
   const double thickestLayerMm = printableLayerMm(features);
   if (thickestLayerMm < request.printer.layerMm - kRoundingMm) {

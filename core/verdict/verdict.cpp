@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "printing/build_direction.h"
+#include "verdict/ink_advice.h"
 #include "verdict/remedies.h"
 #include "verification/grades.h"
 
@@ -22,17 +23,21 @@ constexpr double kMisplacedModules = 1.5;
 constexpr double kLeastPrintedFraction = 1.0 / 6;
 
 /// Returns the reasons why a code does not read; empty if it does.
-/// @param grades  null: nothing could be measured
-std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
-                                     const SymbolGrades* grades) {
+/// @param meanDepthMm  none: a code in colour
+/// @param grades       null: nothing could be measured
+std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& wanted,
+                                     std::optional<double> meanDepthMm, const SymbolGrades* grades) {
   const ReadingCount& count = reading.count;
   if (!reading.text.empty() && reading.text != wanted)
     return {message("other-text", with::quoted<"found">(reading.text), with::quoted<"wanted">(wanted))};
   if (count.enough()) return {};
-  if (grades && grades->cellContrast.value < kGoodContrast)
-    return {message("too-shallow", with::lengthMm<"depth">(meanDepthMm),
+  if (meanDepthMm && grades && grades->cellContrast.value < kGoodContrast)
+    return {message("too-shallow", with::lengthMm<"depth">(*meanDepthMm),
                     with::fraction<"contrast">(grades->cellContrast.value), with::count<"reads">(count.reads),
                     with::count<"tries">(count.tries), with::count<"needed">(count.needed()))};
+  if (!meanDepthMm)
+    return {message("ink-unreadable", with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                    with::count<"needed">(count.needed()))};
   return {message("unreadable", with::count<"reads">(count.reads), with::count<"tries">(count.tries),
                   with::count<"needed">(count.needed()))};
 }
@@ -70,11 +75,12 @@ Message readingSummary(const ReadingEvidence& reading, const std::string& wanted
   return message("barely-reads-as", with::term<"text">(wanted));
 }
 
-Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
+/// @param meanDepthMm  none: a code in colour, which is graded like ink on paper
+Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, std::optional<double> meanDepthMm,
                     const SymbolGrades* grades) {
   Aspect aspect;
   aspect.failed = readingFailures(reading, wanted, meanDepthMm, grades);
-  const bool weak = grades && grades->iso29158 < kLeastGrade;
+  const bool weak = grades && (meanDepthMm ? grades->iso29158 : grades->iso15415) < kLeastGrade;
   aspect.level = reading.text != wanted ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
   aspect.summary = readingSummary(reading, wanted, aspect.level);
   if (reading.text.empty()) {
@@ -118,22 +124,38 @@ Message printing(const Printer& printer) {
 }
 
 /// Judges whether a code prints.
-/// @param printed  null: judge by published prints alone
-Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
+/// @param advice   warnings
+/// @param because  reason for a print without warnings
+/// @param printed  null: judge by the warnings alone
+Aspect judgePrinting(std::vector<Message> advice, const Message& because, const Printer& printer,
                      const PrintedEvidence* printed, const std::string& wanted) {
+  if (printed) return judgePrinted(*printed, printer, wanted, std::move(advice));
   Aspect aspect;
-  aspect.reasons = advisePrinting(features, printer, minWallMm);
-  if (printed) return judgePrinted(*printed, printer, wanted, std::move(aspect.reasons));
+  aspect.reasons = std::move(advice);
   if (aspect.reasons.empty()) {
     aspect.summary = message("prints", with::lengthMm<"nozzle">(printer.nozzleMm));
-    const double layers = features.leastDepthMm / printer.layerMm;
-    aspect.reasons.push_back(message("prints-because", with::lengthMm<"pocket">(features.pocketMm),
-                                     with::count<"count">(std::floor(layers + 1e-9))));
+    aspect.reasons.push_back(because);
   } else {
     aspect.level = Level::Barely;
     aspect.summary = message("may-not-print", with::lengthMm<"nozzle">(printer.nozzleMm));
   }
   return aspect;
+}
+
+Aspect judgePocketPrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
+                           const PrintedEvidence* printed, const std::string& wanted) {
+  const double layers = features.leastDepthMm / printer.layerMm;
+  return judgePrinting(advisePrinting(features, printer, minWallMm),
+                       message("prints-because", with::lengthMm<"pocket">(features.pocketMm),
+                               with::count<"count">(std::floor(layers + 1e-9))),
+                       printer, printed, wanted);
+}
+
+Aspect judgeInkPrinting(const InkedCode& code, const PrintedEvidence* printed, const std::string& wanted) {
+  return judgePrinting(adviseInkPrinting(code),
+                       message("colour-prints-because", with::lengthMm<"module">(code.moduleMm),
+                               with::lengthMm<"line">(lineWidthMm(code.printer))),
+                       code.printer, printed, wanted);
 }
 
 /// @param inherited  pairs of crossing triangles that the model already had
@@ -233,19 +255,36 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
   return evidence;
 }
 
+SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result) {
+  return gradeSymbol(
+      measureModules(result.symbol,
+                     request.isInColour() ? withoutInversion(result.luminance, request.ink) : result.luminance),
+      request.isInColour() ? request.ink.light : static_cast<double>(request.albedo));
+}
+
 Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
               const PrintedEvidence* printed) {
-  const SymbolGrades grades =
-      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
+  const SymbolGrades grades = gradesOf(request, result);
   Verdict verdict;
-  verdict.reads = judgeReading(reading, request.text, summarise(result.depths).meanMm, &grades);
-  if (request.objective == DepthObjective::OneLight) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
+  verdict.reads =
+      judgeReading(reading, request.text,
+                   request.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
+  if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
+  if (request.isInColour()) verdict.reads.warnings = adviseInk(request.ink);
+  if (result.modulesLeftOut > 0)
+    verdict.reads.warnings.push_back(message("modules-left-out", with::count<"count">(result.modulesLeftOut),
+                                             with::lengthMm<"wall">(request.minWallMm)));
   if (verdict.reads.level != Level::Good) {
     if (result.limitedSubmodules > 0)
       verdict.reads.reasons.push_back(message("submodules-limited", with::count<"count">(result.limitedSubmodules)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
-  verdict.prints = judgePrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
+  verdict.prints =
+      request.isInColour()
+          ? judgeInkPrinting(
+                {request.mark, result.placement.moduleMm, result.markDepthMm, result.opaqueDepthMm, request.printer},
+                printed, request.text)
+          : judgePocketPrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
   if (verdict.prints.level != Level::Good)
     verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
@@ -261,11 +300,15 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
   const CarvingProfile& profile = result.profile;
   const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText,
                                  request.isTraced};
+  const bool isInColour = request.mark != Mark::Shadow;
   Verdict verdict;
-  verdict.reads = judgeReading(evidence, request.text, profile.meanDepthMm, result.grades ? &*result.grades : nullptr);
+  verdict.reads = judgeReading(evidence, request.text, isInColour ? std::nullopt : std::optional(profile.meanDepthMm),
+                               result.grades ? &*result.grades : nullptr);
   if (request.oneLight) verdict.reads.warnings = {oneLightNeeded(*request.oneLight)};
-  std::vector<Message> failed = shapeFailures(result);
-  const bool isExplained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
+  if (isInColour) verdict.reads.warnings = adviseInk(request.ink);
+  if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message("paint-not-checked"));
+  std::vector<Message> failed = isInColour ? std::vector<Message>() : shapeFailures(result);
+  const bool isExplained = !isInColour && (profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm);
   if (!reading.otherText.empty())
     failed.push_back(
         message("other-text", with::quoted<"found">(reading.otherText), with::quoted<"wanted">(request.text)));
@@ -277,14 +320,19 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
     failed.push_back(message("misplaced", with::number<"modules">(std::round(10 * *reading.cornerErrorModules) / 10)));
   if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
-  if (result.features)
-    verdict.prints = judgePrinting(*result.features, request.printer, request.minWallMm, printed, request.text);
+  if (isInColour)
+    verdict.prints = judgeInkPrinting(
+        {request.mark, request.symbolMm / request.symbol.size, request.markDepthMm, 0, request.printer}, printed,
+        request.text);
+  else if (result.features)
+    verdict.prints = judgePocketPrinting(*result.features, request.printer, request.minWallMm, printed, request.text);
   verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
   return verdict;
 }
 
 std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,
                                              const PrintedEvidence* printed) {
+  if (request.isInColour()) return std::nullopt;  // depth does not make ink darker
   const bool reads = verdict.reads.passed();
   if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
     return std::nullopt;

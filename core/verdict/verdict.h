@@ -53,6 +53,8 @@ struct PrintedEvidence {
 /// The answer to three questions: does a carved code read, does it print, is it a solid? `engrave`, `verify`, the
 /// report and the page all use it.
 ///
+/// A code in colour is judged by the same rules, as ink: by ISO/IEC 15415, and with warnings about its colours.
+///
 /// - The code reads if at least ReadingCount::needed() tries succeed; in `verify`, also no try may give another text.
 ///   It barely reads if fewer succeed, or if a verifier would grade it F (ISO/IEC 29158).
 /// - It prints if the simulated print still reads by the same rule. It barely prints if at least one in six tries
@@ -71,6 +73,9 @@ struct Verdict {
 /// Counts the tries.
 /// @param texts  text of each try, empty for none; a mirrored code counts as none
 ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced = false);
+
+/// Returns the grades of the luminance that carving ended with, not of a picture.
+SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result);
 
 /// Judges a carved code, with remedies among the request's settings.
 /// @param printed  null: the print was not simulated

@@ -134,7 +134,7 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int
   return traced(at, seen, row, column);
 }
 
-LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm) const {
+LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm, const InkMap* ink) const {
   assert(baked_ == options_.texels);
   const std::size_t count = static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels);
   const float addedBackground = kBackground * static_cast<float>(openLight() - 1);
@@ -149,8 +149,9 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
       if (!hit) continue;
       const std::size_t pixel = row * static_cast<std::size_t>(texels) + column;
       const SurfaceLight light = lightAt(*hit, ray, static_cast<int>(row), static_cast<int>(column));
-      picture.sky[pixel] = static_cast<float>(light.sky);
-      picture.added[pixel] = static_cast<float>(light.lamp);
+      const float factor = ink ? ink->factor(frame_.project(hit->position)) : 1.0f;
+      picture.sky[pixel] = factor * static_cast<float>(light.sky);
+      picture.added[pixel] = factor * static_cast<float>(light.lamp);
     }
   });
   return picture;

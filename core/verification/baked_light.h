@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/frame.h"
+#include "verification/ink.h"
 #include "verification/light_path.h"
 
 namespace qrelief {
@@ -64,7 +65,8 @@ class BakedLight {
   /// Takes a picture with `texels` of `texelMm` along the edge of a square on the camera's own QR plane. Cost: a ray
   /// per texel, and the paths of those texels that the bake does not cover.
   /// @param camera  must have the code's centre
-  LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm) const;
+  /// @param ink     of a code in colour; null: the surface has one material
+  LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm, const InkMap* ink = nullptr) const;
 
   /// Returns the light of the baked square, row-major from the lower left; negative where rays miss the model.
   const std::vector<SurfaceLight>& light() const { return light_; }

@@ -80,7 +80,7 @@ std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
   if (seenTilt_ != view.tiltDeg || seenAzimuth_ != view.azimuthDeg) {
     const ProjectionFrame camera = view.tiltDeg > 0 ? tilted(frame_, view.tiltDeg, view.azimuthDeg) : frame_;
     seen_ = light_->picture(camera, kBakedPixels * (modules_ + 2 * kPictureMarginModules),
-                            symbolMm_ / modules_ / kBakedPixels);
+                            symbolMm_ / modules_ / kBakedPixels, options_.ink ? &*options_.ink : nullptr);
     seenTilt_ = view.tiltDeg;
     seenAzimuth_ = view.azimuthDeg;
   }
@@ -172,22 +172,24 @@ ReadingSummary ReadingSweep::summary() const {
   return summary;
 }
 
-std::vector<double> submoduleMeans(std::span<const float> picture, int modules) {
-  constexpr int kN = kSubmodulesPerModule, kPerSubmodule = kBakedPixels / kN;
+std::vector<double> submoduleMeans(std::span<const float> picture, int modules, int pixelsPerModule) {
+  constexpr int kN = kSubmodulesPerModule;
+  assert(pixelsPerModule >= kN);
   const int edge = kN * (modules + 2 * kQuietZoneModules),
-            texels = kBakedPixels * (modules + 2 * kPictureMarginModules);
+            texels = pixelsPerModule * (modules + 2 * kPictureMarginModules);
   assert(picture.size() == static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels));
-  const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
+  const int margin = pixelsPerModule * (kPictureMarginModules - kQuietZoneModules);
+  // A submodule's first pixel from the margin is the first whose middle lies in it.
+  const auto first = [&](int submodule) { return (2 * submodule * pixelsPerModule + kN - 1) / (2 * kN); };
   std::vector<double> means;
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
       double sum = 0;
-      for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
-        const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
-        const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
-        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
-      }
-      means.push_back(sum / (kPerSubmodule * kPerSubmodule));
+      for (int y = first(row); y < first(row + 1); ++y)
+        for (int x = first(column); x < first(column + 1); ++x)
+          sum +=
+              static_cast<double>(picture[static_cast<std::size_t>((texels - 1 - margin - y) * texels + margin + x)]);
+      means.push_back(sum / ((first(row + 1) - first(row)) * (first(column + 1) - first(column))));
     }
   return means;
 }

@@ -53,6 +53,7 @@ struct SweepOptions {
   bool ranges = true;      ///< true: also find the limits of tilt, blur and so on; false: only check that the code
                            ///< reads
   bool underLamp = false;  ///< take every picture under sky and lamp, because the code is meant for that light only
+  std::optional<InkMap> ink = {};  ///< of a code in colour
 };
 
 /// Takes pictures of a baked surface, a few at a time, and decodes them.
@@ -95,10 +96,10 @@ class ReadingSweep {
 inline constexpr int kBakedPixels = 10;
 
 /// Averages over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
-/// @param picture  luminance at kBakedPixels per module, with the margin of a picture, 1 = unoccluded; row 0 at the
-///                 bottom
-/// @param modules  along the symbol's edge
-std::vector<double> submoduleMeans(std::span<const float> picture, int modules);
+/// @param picture          luminance with the margin of a picture, 1 = unoccluded; row 0 at the bottom
+/// @param modules          along the symbol's edge
+/// @param pixelsPerModule  of the picture, ≥ 5; a pixel counts for the submodule that its middle lies in
+std::vector<double> submoduleMeans(std::span<const float> picture, int modules, int pixelsPerModule = kBakedPixels);
 
 /// Averages baked light in the same way. Texels off the model count as open.
 /// @param light      baked at kBakedPixels per module, with the margin of a picture

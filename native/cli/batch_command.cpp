@@ -219,7 +219,9 @@ std::function<int()> addBatchCommand(CLI::App& app) {
       *c, "text",
       "template; a column's name in braces is replaced, and {n:05} is the row's number in five digits [{text}]: ");
   c->add_option("-o", o->folder, "output folder")->required();
-  c->add_option("--name", o->name, "template of the file names [{file} if the list has that column, else {id}.stl]");
+  c->add_option(
+      "--name", o->name,
+      "template of the file names [{file} if the list has that column, else {id}.stl, or {id}.3mf in colour]");
   c->add_option(
        "--at", o->at,
        "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")

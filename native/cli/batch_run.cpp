@@ -118,7 +118,7 @@ Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<Manifes
     entry.status = RowStatus::Done;
     if (plate.empty()) continue;
     const BatchRow& row = rows[i];
-    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.inlay), row.id,
+    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.hasInlay()), row.id,
                                            row.request.text, offsets[i]))
       objects.push_back(std::move(object));
   }
@@ -143,7 +143,7 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
     return fail(ErrorKind::NoSolution, failures.front());
   if (isFiled()) {
-    const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.inlay, row.id);
+    const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.hasInlay(), row.id);
     if (!bytes) return tl::unexpected(bytes.error());
     if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written)
       return tl::unexpected(written.error());

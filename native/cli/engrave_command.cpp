@@ -47,7 +47,11 @@ Status completeRequest(EngraveOptions& options) {
   options.request = std::move(*request);
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
-  if (options.request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
+  if (options.request.isInColour() && formatOfName(options.output) != ModelFormat::ThreeMf)
+    return fail(ErrorKind::BadUsage,
+                message("colour-is-for-3mf", with::setting<"setting">("mark"),
+                        with::term<"mark">(markName(options.request.mark)), with::term<"output">(options.output)));
+  if (options.request.hasInlay() && formatOfName(options.output) != ModelFormat::ThreeMf)
     return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
   return {};
 }
@@ -55,7 +59,7 @@ Status completeRequest(EngraveOptions& options) {
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto bytes = encodeCarved(result, partNames, options.output, options.request.inlay,
+  const auto bytes = encodeCarved(result, partNames, options.output, options.request.hasInlay(),
                                   fileNameOf(options.model.path), options.ascii);
   if (!bytes) return tl::unexpected(bytes.error());
   if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
@@ -70,11 +74,16 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
   return writeFileAtomically(options.report, makeReport(options.request, model, result, context));
 }
 
-void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
+std::string depthInWords(const EngraveResult& result) {
+  if (result.request.mark == Mark::Paint) return "painted";
+  if (result.request.mark == Mark::Inlay) return fmt::format("an inlay {:.2g} mm deep", result.markDepthMm);
   const DepthSummary depth = summarise(result.depths);
-  fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {:.2g} mm deep on average, {:.2g} mm at most\n",
-             options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
-             depth.maxMm);
+  return fmt::format("{:.2g} mm deep on average, {:.2g} mm at most", depth.meanMm, depth.maxMm);
+}
+
+void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
+  fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
+             result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
   if (result.limitedSubmodules > 0)
     fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n",
                result.limitedSubmodules);

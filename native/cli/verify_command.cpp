@@ -39,6 +39,10 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const Engra
   request.symbol = std::move(*encoded);
   const Vec3 centre(options.at[0], options.at[1], options.at[2]);
   request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
+  request.mark = settings.mark;
+  request.markDepthMm = settings.markDepthMm.value_or(0);
+  request.ink = settings.ink;
+  if (settings.isInColour()) request.albedo = settings.ink.light;
   return request;
 }
 
@@ -140,7 +144,7 @@ int verifyModel(const VerifyOptions& options) {
 
   std::optional<PrintedEvidence> printed;
   // A slicer does not make the intended solid from an open mesh, and without a carving there is nothing to decode.
-  if (result.solidity.closed() && result.features) {
+  if (result.solidity.closed() && (result.features || request->mark != Mark::Shadow)) {
     ProgressBar bar(options.quiet);
     auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });
     if (!read) return printError(read.error(), name);
@@ -178,6 +182,8 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
       ->expected(3);
   for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
   o->flags.addGroup(*c, "symbol");
+  for (const char* key : {"mark", "markDepthMm", "darkReflectance", "lightReflectance"})
+    o->flags.add(*c, key, kWithoutReport);
   o->flags.addGroup(*c, "printing");
   o->flags.add(*c, "minWallMm");
   o->flags.add(*c, "light", "instead of the report's lamps, at most one: ");

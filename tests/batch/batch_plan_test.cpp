@@ -72,6 +72,17 @@ TEST(BatchPlan, AppliesColumnsOfSettings) {
   EXPECT_EQ(plan.row(1).request.preset, defaultRequest().preset);
 }
 
+TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
+  EXPECT_THAT(problemsOf(planOf("text,mark,file\na,shadow,a.stl\nb,paint,b.stl\nc,inlay,c.3mf\n")),
+              ElementsAre("3 colour-not-in-3mf"));
+  BatchRequest request;
+  request.all.text = "part {n}";
+  request.all.mark = Mark::Inlay;
+  const BatchPlan plan = BatchPlan::make(countedBatchList(1), request);
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(0).file, "1.3mf");
+}
+
 TEST(BatchPlan, UsesTheVersionOfTheLongestTextForAllRows) {
   const std::string longest(60, 'x');
   const BatchPlan plan = planOf("id,text,version\n1,a,\n2," + longest + ",\n3,c,7\n");

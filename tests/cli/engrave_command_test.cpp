@@ -127,6 +127,30 @@ TEST_F(EngraveCommandTest, AnInlayNeeds3mf) {
   }
 }
 
+TEST_F(EngraveCommandTest, ColourNeeds3mf) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
+  for (const char* mark : {"inlay", "paint"}) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--mark", mark, "--quiet"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(std::string("--mark ") + mark + " needs a file with colours"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("out.stl")));
+  }
+}
+
+TEST_F(EngraveCommandTest, AnInlayIsWrittenReportedAndVerified) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 5));
+  const Outcome engraved =
+      run({"engrave", model, "--text", "HELLO", "--at", "0,0,40", "--size", "25", "--mark", "inlay", "--mark-depth",
+           "0.5", "-o", path("ball.3mf"), "--report", path("ball.json"), "--quiet"});
+  EXPECT_EQ(engraved.status, 0) << engraved.err;
+  EXPECT_NE(engraved.out.find("an inlay 0.5 mm deep"), std::string::npos) << engraved.out;
+  const Outcome verified = run({"verify", path("ball.3mf"), "--report", path("ball.json"), "--quick", "--quiet"});
+  EXPECT_EQ(verified.status, 0) << verified.err << verified.out;
+  EXPECT_NE(verified.out.find("a closed solid"), std::string::npos) << verified.out;
+}
+
 TEST_F(EngraveCommandTest, UsesTheUnitOfA3mfByDefault) {
   const std::string model =
       writeBytes("box.3mf", zip_file::threeMf(zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1),

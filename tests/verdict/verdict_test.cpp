@@ -207,5 +207,76 @@ TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
   EXPECT_EQ(judge(request_, result, evidence(72)).solid.level, Level::Bad);
 }
 
+class ColourVerdictTest : public VerdictTest {
+ protected:
+  ColourVerdictTest() {
+    request_.mark = Mark::Inlay;
+    result_ = carved(request_, 30, 0);
+    result_.markDepthMm = result_.opaqueDepthMm = 0.4;
+    lay(request_.ink);
+  }
+  /// Sets the luminance of whole modules in two colours.
+  void lay(Ink ink) {
+    request_.ink = ink;
+    const int edge = 5 * (result_.symbol.size + 2 * kQuietZoneModules), quiet = 5 * kQuietZoneModules;
+    for (int row = 0; row < 5 * result_.symbol.size; ++row)
+      for (int column = 0; column < 5 * result_.symbol.size; ++column)
+        result_.luminance[static_cast<std::size_t>((row + quiet) * edge + column + quiet)] =
+            result_.symbol.isDark(row / 5, column / 5) ? ink.dark / ink.light : 1;
+  }
+  Verdict judged(int reads) { return judge(request_, result_, evidence(reads)); }
+  static std::vector<std::string> codesOf(const std::vector<Message>& messages) {
+    std::vector<std::string> codes;
+    for (const Message& one : messages) codes.push_back(one.code);
+    return codes;
+  }
+  EngraveResult result_;
+};
+
+TEST_F(ColourVerdictTest, BlackOnWhiteIsGradedAndNeedsNoWarning) {
+  const Verdict verdict = judged(72);
+  EXPECT_EQ(verdict.reads.level, Level::Good);
+  EXPECT_EQ(verdict.prints.level, Level::Good);
+  EXPECT_THAT(verdict.reads.warnings, IsEmpty());
+  EXPECT_EQ(gradesOf(request_, result_).iso15415, 4);
+}
+
+TEST_F(ColourVerdictTest, WarnsOfInvertedCodesAndOfColoursThatAreAlike) {
+  lay({.dark = 0.85, .light = 0.05});
+  EXPECT_THAT(codesOf(judged(72).reads.warnings), ElementsAre("code-inverted"));
+  EXPECT_EQ(judged(72).reads.level, Level::Good);
+  lay({.dark = 0.5, .light = 0.8});
+  EXPECT_THAT(codesOf(judged(72).reads.warnings), ElementsAre("colours-alike"));
+}
+
+TEST_F(ColourVerdictTest, NeverBlamesTheDepthAndNeverAsksForMore) {
+  const Verdict verdict = judged(3);
+  EXPECT_EQ(verdict.reads.failed.front().code, "ink-unreadable");
+  EXPECT_EQ(changeToTryNext(request_, verdict), std::nullopt);
+  EXPECT_THAT(settingsOf(verdict.reads.remedies), testing::Not(testing::Contains("preset=robust")));
+}
+
+TEST_F(ColourVerdictTest, WarnsOfModulesNarrowerThanALineAndOffersAFinerNozzle) {
+  result_.placement.moduleMm = 0.4;  // a line is 0.45 mm wide
+  const Verdict verdict = judged(72);
+  EXPECT_EQ(verdict.prints.level, Level::Barely);
+  EXPECT_THAT(codesOf(verdict.prints.reasons), ElementsAre("modules-narrower-than-line"));
+  EXPECT_THAT(settingsOf(verdict.prints.remedies), testing::Contains("nozzleMm=0.3"));
+}
+
+TEST_F(ColourVerdictTest, WarnsOfAProcessWithOneMaterial) {
+  request_.printer.technique = PrintTechnique::Resin;
+  EXPECT_THAT(codesOf(judged(72).prints.reasons), ElementsAre("one-material-process"));
+}
+
+TEST_F(ColourVerdictTest, AThinInlayOffersPaint) {
+  result_.markDepthMm = 0.25;
+  const Verdict verdict = judged(72);
+  EXPECT_THAT(codesOf(verdict.prints.reasons), ElementsAre("inlay-not-opaque"));
+  EXPECT_THAT(settingsOf(verdict.prints.remedies), testing::Contains("mark=paint"));
+  result_.modulesLeftOut = 2;
+  EXPECT_THAT(codesOf(judged(72).reads.warnings), ElementsAre("modules-left-out"));
+}
+
 }  // namespace
 }  // namespace qrelief

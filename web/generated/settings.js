@@ -31,7 +31,7 @@
  * @property {{ code: string, values: Record<string, any> }} why  the message that says what to use instead
  */
 
-/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {
@@ -39,6 +39,10 @@ export const kSettings = {
   ecc: {"group":"symbol","kind":"choice","choices":["auto","L","M","Q","H"],"default":"auto","since":"0.1.0","label":{"de":"Schäden, die er übersteht","en":"Damage it survives"},"choiceNames":{"H":{"de":"H, 30 %","en":"H, 30 %"},"L":{"de":"L, 7 %","en":"L, 7 %"},"M":{"de":"M, 15 %","en":"M, 15 %"},"Q":{"de":"Q, 25 %","en":"Q, 25 %"},"auto":{"de":"So hoch wie möglich, mindestens M","en":"As high as fits, at least M"}}},
   version: {"group":"symbol","kind":"number","min":1.0,"max":40.0,"step":1.0,"whole":true,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Version","en":"Version"}},
   mask: {"group":"symbol","kind":"choice-or-number","min":0.0,"max":7.0,"step":1.0,"whole":true,"choices":["auto","shadiest"],"default":"auto","since":"0.1.0","label":{"de":"Maske","en":"Mask"},"choiceNames":{"auto":{"de":"Norm","en":"Standard"},"number":{"de":"Fest","en":"Fixed"},"shadiest":{"de":"Kleinste dunkle Flächen","en":"Smallest dark areas"}},"partLabels":{"number":{"de":"Feste Maske","en":"Fixed mask"}}},
+  mark: {"group":"mark","kind":"choice","choices":["shadow","inlay","paint"],"default":"shadow","since":"0.3.0","label":{"de":"Gemacht durch","en":"Made by"},"choiceNames":{"inlay":{"de":"Zweite Farbe, eingelegt","en":"Second colour, inlaid"},"paint":{"de":"Zweite Farbe, aufgemalt","en":"Second colour, painted"},"shadow":{"de":"Schatten","en":"Shadow"}}},
+  markDepthMm: {"group":"mark","kind":"number","unit":"mm","min":0.05,"max":1000.0,"step":0.05,"mayBeEmpty":true,"default":null,"since":"0.3.0","label":{"de":"Tiefe der Einlage","en":"Depth of the inlay"}},
+  darkReflectance: {"group":"mark","kind":"number","min":0.01,"max":1.0,"step":0.05,"default":0.05,"since":"0.3.0","label":{"de":"Reflexion der zweiten Farbe","en":"Reflectance of the second colour"}},
+  lightReflectance: {"group":"mark","kind":"number","min":0.01,"max":1.0,"step":0.05,"default":0.85,"since":"0.3.0","label":{"de":"Reflexion des Modells","en":"Reflectance of the model"}},
   preset: {"group":"depth","kind":"choice","choices":["shallow","balanced","robust"],"default":"balanced","since":"0.1.0","label":{"de":"Wie tief","en":"How deep"},"choiceNames":{"balanced":{"de":"Ausgewogen","en":"Balanced"},"robust":{"de":"Robust, für schlechtes Licht","en":"Robust, for poor light"},"shallow":{"de":"Flach, für gleichmäßiges Licht","en":"Shallow, for even light"}}},
   keepPreset: {"group":"depth","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Nicht tiefer als die Voreinstellung","en":"No deeper than the preset"}},
   pattern: {"group":"depth","kind":"choice","choices":["auto","none","square","thin-plus","diamond","thick-plus"],"default":"auto","since":"0.1.0","label":{"de":"Module","en":"Modules"},"choiceNames":{"auto":{"de":"Automatisch","en":"Automatic"},"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"square":{"de":"Quadrat","en":"Square"},"thick-plus":{"de":"Dickes Plus","en":"Thick plus"},"thin-plus":{"de":"Dünnes Plus","en":"Thin plus"}}},
@@ -95,6 +99,7 @@ export const kSettingGroups = {
   depth: {"de":"Muster und Tiefe","en":"Pattern and depth"},
   light: {"de":"Licht","en":"Light"},
   making: {"de":"Ausgabe","en":"Output"},
+  mark: {"de":"Markierung","en":"Mark"},
   placement: {"de":"Lage","en":"Placement"},
   printing: {"de":"Druck","en":"Printing"},
   symbol: {"de":"Symbol","en":"Symbol"},

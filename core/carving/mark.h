@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace qrelief {
+
+/// How the dark modules are made.
+enum class Mark : std::uint8_t {
+  Shadow,  ///< pockets of the model's own material, dark by their shade
+  Inlay,   ///< a flush body of a second material, of even depth
+  Paint    ///< the model's own facets, cut along the modules' outlines and given a second material; nothing is carved
+};
+
+/// Returns "shadow", "inlay" or "paint". Scripts rely on these names.
+constexpr std::string_view markName(Mark mark) {
+  constexpr std::array<std::string_view, 3> kNames = {"shadow", "inlay", "paint"};
+  return kNames[static_cast<std::size_t>(mark)];
+}
+
+}  // namespace qrelief

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the last stages of EngraveJob (engrave.h): file, checks and picture of the result.
+#include <algorithm>
+
+#include "base/clock.h"
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "mesh/weld.h"
+#include "pipeline/add_inlay.h"
+#include "pipeline/carved_parts.h"
+#include "pipeline/engrave_state.h"
+#include "pipeline/verify.h"
+#include "verification/ink.h"
+#include "verification/mesh_luminance.h"
+#include "verification/reading_sweep.h"
+
+namespace qrelief {
+namespace {
+
+/// Size of the picture for the decoder, in pixels: at most along its edge, for large symbols, and at least along a
+/// module's edge.
+constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
+constexpr double kFlatReliefMm = 0.1;  // where nothing is lowered; shaders divide by it
+
+/// Refuses defects that carving has added. Crossings count only if the model had none, because facets that crossed
+/// before may have been cut.
+Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
+  if (before.crossesItself) solidity.selfIntersections = 0;
+  if (solidity.solid()) return {};
+  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
+}
+
+}  // namespace
+
+/// Writes the file and reads it back: the result is exactly what a slicer will read.
+Status EngraveJob::State::write() {
+  const auto start = Clock::now();
+  result.stl = writeStl(embedded.mesh);
+  const auto read = readModel(result.stl, "carved.stl");
+  if (!read) return tl::unexpected(read.error());
+  result.mesh = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
+  result.symbol = symbol;
+  result.request = request;
+  result.painted = std::move(embedded.painted);
+  result.timingsMs.verify += millisecondsSince(start);
+  stage = Stage::Checking;
+  return {};
+}
+
+Status EngraveJob::State::check() {
+  const auto start = Clock::now();
+  const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
+  if (!solidity) return tl::unexpected(solidity.error());
+  result.solidity = *solidity;
+  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
+  if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
+    const auto whole = checkSolidity(result.mesh);
+    if (!whole) return tl::unexpected(whole.error());
+    result.solidity = *whole;
+    result.inheritedSelfIntersections = whole->selfIntersections;
+  }
+  const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
+  result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
+  result.partOfTriangle =
+      partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
+  if (request.hasInlay())
+    if (const Status made =
+            request.mark == Mark::Inlay ? setInlay(embedded.inlay, result) : addInlay(*model, request.surface, result);
+        !made)
+      return made;
+  result.timingsMs.verify += millisecondsSince(start);
+  embedded = {};
+  stage = Stage::Viewing;
+  return {};
+}
+
+void EngraveJob::State::view() {
+  const auto start = Clock::now();
+  const Placement& placement = result.placement;
+  ReaderViewOptions options;
+  const int modulesAcross = symbol.size + 2 * kPictureMarginModules;
+  const int pixels = std::clamp(kMostPixels / modulesAcross, kLeastPixelsPerModule, kBakedPixels);
+  options.extentMm = placement.moduleMm * modulesAcross;
+  options.texels = pixels * modulesAcross;
+  options.reliefMm = static_cast<float>(request.isInColour() ? kFlatReliefMm : summarise(result.depths).maxMm);
+  options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
+  options.albedo = request.surfaceAlbedo();
+  options.lights = request.lamps();
+  // A body with its inlay has the surface of the model.
+  std::vector<float> luminance =
+      meshLuminance(request.mark == Mark::Inlay ? model->prepared.mesh : result.mesh, placement.frame,
+                    {.pixels = options.texels,
+                     .pixelMm = placement.moduleMm / pixels,
+                     .nearMm = kPictureMarginModules * placement.moduleMm,
+                     .albedo = static_cast<double>(options.albedo),
+                     .lamps = options.lights,
+                     .lampRadiusDeg = kOneLightRadiusDeg});
+  if (request.isInColour()) {
+    InkMap(markedSymbol(result), placement.symbolMm, request.ink).apply(luminance, placement.moduleMm / pixels);
+    result.luminance = submoduleMeans(luminance, symbol.size, pixels);
+  }
+  result.readerView = photographed(std::move(luminance), options);
+  result.readerOptions = options;
+  result.readerView.pixelsPerModule = pixels;
+  result.timingsMs.verify += millisecondsSince(start);
+  stage = Stage::Done;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements what EngraveJob (engrave.h) does for codes in colour in place of a depth search.
+#include "base/clock.h"
+#include "pipeline/depth_limits.h"
+#include "pipeline/engrave_state.h"
+#include "pipeline/mark_depth.h"
+
+namespace qrelief {
+
+Symbol markedSymbol(const EngraveResult& result) {
+  Symbol marked = result.symbol;
+  if (result.request.mark != Mark::Inlay) return marked;
+  for (int row = 0; row < marked.size; ++row)
+    for (int column = 0; column < marked.size; ++column) {
+      const bool isCarved = result.depths.depth(row * kSubmodulesPerModule, column * kSubmodulesPerModule) > 0;
+      marked.dark[static_cast<std::size_t>(row * marked.size + column)] = isCarved;
+    }
+  return marked;
+}
+
+/// Chooses the modules to mark, and the depth of an inlay. Neither needs light.
+Status EngraveJob::State::mapMark() {
+  const auto start = Clock::now();
+  const Placement& placement = result.placement;
+  mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
+  marked = paintedModules(symbol, placement.symbolMm);
+  result.depths = {marked.size, marked.symbolMm, std::vector<double>(marked.depthMm.size(), 0)};
+  if (request.mark == Mark::Inlay)
+    if (const Status chosen = chooseInlay(); !chosen) return chosen;
+  result.timingsMs.surface = millisecondsSince(start);
+  stage = Stage::Embedding;
+  return {};
+}
+
+Status EngraveJob::State::chooseInlay() {
+  const Placement& placement = result.placement;
+  if (const Status known = measurePlace(false); !known) return known;
+  result.opaqueDepthMm =
+      inlayDepthMm(model->prepared.mesh, placement, request.buildUp.resolve(placement.frame), request.printer);
+  const double wantedMm = request.markDepthMm.value_or(result.opaqueDepthMm);
+  const std::vector<double> limits =
+      depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(), {wantedMm, request.minWallMm});
+  InlayPockets pockets = inlayPockets(symbol, placement.symbolMm, limits, wantedMm);
+  if (pockets.depthMm == 0)
+    return fail(ErrorKind::NoSolution, message("inlay-needs-walls", with::lengthMm<"depth">(wantedMm),
+                                               with::lengthMm<"wall">(request.minWallMm)));
+  result.markDepthMm = pockets.depthMm;
+  result.modulesLeftOut = pockets.leftOut;
+  marked = result.depths = std::move(pockets.depths);
+  return {};
+}
+
+}  // namespace qrelief

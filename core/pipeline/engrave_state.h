@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "carving/embed.h"
+#include "depth/fast_search.h"
+#include "pipeline/cell_layout.h"
+#include "pipeline/engrave.h"
+#include "pipeline/printed_view.h"
+
+namespace qrelief {
+
+/// Reach of light, in depths: at eight times its height away a wall hides 0.4 % of the sky.
+inline constexpr double kReachPerDepth = 8;
+
+/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
+struct EngraveJob::State {
+  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Writing, Checking, Viewing, Done };
+
+  std::shared_ptr<const EngravableModel> model;
+  EngraveRequest request;
+  EngraveRequest asked;  // before open patterns are filled in
+  std::shared_ptr<const GeometryPass> pass;
+  std::shared_ptr<const LuminancePrograms> programs;
+  Stage stage = Stage::Placing;
+  double fraction = 0;
+
+  Symbol symbol;
+  SubmoduleMask mask;
+  std::vector<std::uint32_t> allCarved;  // indices in the mask
+  CellLayout layout;
+  std::optional<PlacementSearch> placing;
+  std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
+  bool isMeasured = false;
+  DepthField marked;  // of a code in colour: what to embed
+  LightBy lightBy = LightBy::Renderer;
+  CarvingTarget target;
+  MakeSearch makeOwnSearch;  // empty: the request decides
+  std::unique_ptr<DepthSolver> search;
+  const FastSearch* searchBeforePrint = nullptr;  // `search`, until the print has been taken into account
+  std::vector<float> means;                       // mean luminance of every cell of the map
+  EmbedResult embedded;
+  std::unique_ptr<PrintedViewJob> printing;
+  bool isPrinted = false;  // true once the print has been taken into account
+  EngraveResult result;
+
+  Status place();
+  void take(const PlacementSearch& found);
+  void decidePatterns(bool areWallsThin);
+  std::vector<double> limitsOfMask() const;
+  Status measurePlace(bool withLight);
+  Status map();
+  Status mapMark();
+  Status chooseInlay();
+  void startSearch();
+  Status searchOnce();
+  Status embed();
+  Status print();
+  Status write();
+  Status check();
+  void view();
+  void measure();
+  void startRecord(std::span<const double> limitMm);
+  void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
+  Progress progress();
+};
+
+}  // namespace qrelief

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "pipeline/engrave.h"
+#include "projection/surface_raster.h"
+
+namespace qrelief {
+
+/// Multiplies a camera's picture of a code in colour by the reflectances of the materials that it sees.
+/// Cost: as SurfaceRaster::draw().
+/// @param luminance  square, row 0 at the bottom
+/// @param extentMm   edge of the picture on the camera's QR plane
+/// @param surface    of the model before engraving, which such a code leaves as it is
+void addInkSeen(std::vector<float>& luminance, const ProjectionFrame& camera, double extentMm,
+                const SurfaceRaster& surface, const EngraveResult& result);
+
+}  // namespace qrelief

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/printed_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "base/parallel.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kNodesPerLine = 13;  // odd: a node is the middle of a line
+constexpr double kMaxNodes = 2000;    // along an edge
+constexpr int kSamples = 3;           // of a pixel, along its edge
+constexpr double kRounding = 1e-9;
+constexpr double kBlurReach = 3;  // in standard deviations
+
+/// A square grid whose rows are horizontal in the printer, centred on the code.
+struct Nodes {
+  int edge = 0;
+  double stepMm = 0;
+  std::vector<std::uint8_t> dark;
+
+  Vec2 at(int column, int row) const { return stepMm * (Vec2(column, row) + 0.5 - edge / 2.0); }
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * edge + column); }
+};
+
+/// How the QR plane lies in the printer.
+struct Slope {
+  Vec2 across{1, 0}, uphill{0, 1};  ///< unit vectors on the plane: level, and up the slope
+  double sine = 0, cosine = 1;      ///< of the angle θ between plane and horizontal
+  double centreMm = 0;              ///< height of the code's centre over the bed
+
+  explicit Slope(const PrintedInkRequest& request) {
+    const Vec3 up = glm::normalize(request.buildUp);
+    const Vec2 rise(glm::dot(request.frame.right, up), glm::dot(request.frame.up, up));
+    sine = std::min(1.0, glm::length(rise));
+    cosine = std::sqrt(1 - sine * sine);
+    centreMm = glm::dot(request.frame.centre, up) - request.bedMm;
+    if (sine < 1e-9) return;
+    uphill = rise / glm::length(rise);
+    across = {uphill.y, -uphill.x};
+  }
+
+  /// Returns the place up the slope whose material a strip shows.
+  double shown(double uphillMm, double layerMm) const {
+    if (sine < 1e-9) return uphillMm;
+    const double height = centreMm + uphillMm * sine, strip = layerMm / sine;
+    const double bottomMm = (std::floor(height / layerMm) * layerMm - centreMm) / sine;
+    const double within = uphillMm - bottomMm;
+    // Below: the riser of this layer, seen layer·sin θ high, then its tread.
+    const double riser = std::min(strip, layerMm * sine);
+    return (within < riser ? bottomMm + riser : uphillMm) - layerMm / 2 * sine;
+  }
+};
+
+bool isDark(const Symbol& symbol, double symbolMm, Vec2 onPlane) {
+  const double moduleMm = symbolMm / symbol.size;
+  const double column = std::floor((onPlane.x + symbolMm / 2) / moduleMm);
+  const double row = std::floor((symbolMm / 2 - onPlane.y) / moduleMm);
+  if (column < 0 || row < 0 || column >= symbol.size || row >= symbol.size) return false;
+  return symbol.isDark(static_cast<int>(row), static_cast<int>(column));
+}
+
+Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope) {
+  const double lineMm = 2 * request.process.cornerRadiusMm;
+  const double edgeMm = std::numbers::sqrt2 * request.symbolMm + 4 * lineMm;
+  Nodes nodes;
+  nodes.edge = static_cast<int>(std::ceil(std::min(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
+  nodes.stepMm = edgeMm / nodes.edge;
+  nodes.dark.resize(static_cast<std::size_t>(nodes.edge) * static_cast<std::size_t>(nodes.edge));
+  parallelFor(static_cast<std::size_t>(nodes.edge), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < nodes.edge; ++column) {
+      const Vec2 at = nodes.at(column, row);
+      const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.shown(at.y, request.process.layerMm);
+      nodes.dark[nodes.index(column, row)] = isDark(request.symbol, request.symbolMm, onPlane);
+    }
+  });
+  return nodes;
+}
+
+/// Returns the nodes around which an ellipse holds nothing but `value` [erosion].
+/// @param halfWidths  of the ellipse in each row from its middle, in nodes
+std::vector<std::uint8_t> eroded(const Nodes& nodes, const std::vector<std::uint8_t>& map, std::uint8_t value,
+                                 const std::vector<int>& halfWidths) {
+  const int edge = nodes.edge, reach = static_cast<int>(halfWidths.size()) - 1;
+  // Distance along the row to the nearest other value; beyond the edge lies the body.
+  std::vector<int> clear(map.size());
+  const int beyond = value == 0 ? edge : 0;
+  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    int last = beyond;
+    for (int column = 0; column < edge; ++column) {
+      last = map[nodes.index(column, row)] == value ? last + 1 : 0;
+      clear[nodes.index(column, row)] = last;
+    }
+    last = beyond;
+    for (int column = edge - 1; column >= 0; --column) {
+      last = map[nodes.index(column, row)] == value ? last + 1 : 0;
+      clear[nodes.index(column, row)] = std::min(clear[nodes.index(column, row)], last);
+    }
+  });
+  std::vector<std::uint8_t> kept(map.size());
+  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < edge; ++column) {
+      bool isWhole = true;
+      for (int k = -reach; k <= reach && isWhole; ++k) {
+        if (row + k < 0 || row + k >= edge) continue;
+        isWhole = clear[nodes.index(column, row + k)] > halfWidths[static_cast<std::size_t>(std::abs(k))];
+      }
+      kept[nodes.index(column, row)] = isWhole;
+    }
+  });
+  return kept;
+}
+
+/// Returns the nodes of one value that a line of an ellipse's outline covers without leaving them [opening].
+std::vector<std::uint8_t> opened(const Nodes& nodes, std::uint8_t value, const std::vector<int>& halfWidths) {
+  const std::vector<std::uint8_t> middles = eroded(nodes, nodes.dark, value, halfWidths);
+  std::vector<std::uint8_t> covered = eroded(nodes, middles, 0, halfWidths);  // dilation of the complement's
+  for (std::uint8_t& node : covered) node = !node;
+  return covered;
+}
+
+std::vector<int> lineOutline(const Nodes& nodes, double radiusMm, double cosine) {
+  std::vector<int> halfWidths;
+  const double radius = radiusMm / nodes.stepMm, height = radius * cosine;
+  for (int k = 0; k <= height; ++k) {
+    const double share = height > 0 ? k / height : 0;
+    const double reach = radius * std::sqrt(1 - share * share) - 0.5;
+    halfWidths.push_back(std::max(0, static_cast<int>(std::floor(reach + kRounding))));
+  }
+  return halfWidths;
+}
+
+/// Blurs along the rows and transposes; two calls blur both ways.
+std::vector<float> blurredAcross(const std::vector<float>& map, int edge, double sigma) {
+  const int reach = static_cast<int>(std::ceil(kBlurReach * sigma));
+  std::vector<float> weights;
+  double sum = 0;
+  for (int k = -reach; k <= reach; ++k) sum += std::exp(-k * k / (2 * sigma * sigma));
+  for (int k = -reach; k <= reach; ++k)
+    weights.push_back(static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)) / sum));
+  std::vector<float> blurred(map.size());
+  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < edge; ++column) {
+      float value = 0;
+      for (int k = -reach; k <= reach; ++k)
+        value += weights[static_cast<std::size_t>(k + reach)] *
+                 map[static_cast<std::size_t>(row * edge + std::clamp(column + k, 0, edge - 1))];
+      blurred[static_cast<std::size_t>(column * edge + row)] = value;
+    }
+  });
+  return blurred;
+}
+
+}  // namespace
+
+std::vector<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid) {
+  const Slope slope(request);
+  const Nodes nodes = slicedCode(request, slope);
+  const std::vector<int> line = lineOutline(nodes, request.process.cornerRadiusMm, slope.cosine);
+  const std::vector<std::uint8_t> dark = opened(nodes, 1, line), light = opened(nodes, 0, line);
+  std::vector<float> shares(nodes.dark.size());
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    shares[k] = nodes.dark[k] ? static_cast<float>(dark[k]) : static_cast<float>(!light[k]);
+  const double sigma = kBleedLines * 2 * request.process.cornerRadiusMm / nodes.stepMm;
+  shares = blurredAcross(blurredAcross(shares, nodes.edge, sigma), nodes.edge, sigma);
+
+  std::vector<float> picture(static_cast<std::size_t>(grid.pixels) * static_cast<std::size_t>(grid.pixels));
+  parallelFor(static_cast<std::size_t>(grid.pixels), [&](std::size_t y) {
+    for (int column = 0; column < grid.pixels; ++column) {
+      float sum = 0;
+      for (int k = 0; k < kSamples * kSamples; ++k) {
+        const Vec2 pixel(column + (k % kSamples + 0.5) / kSamples,
+                         static_cast<double>(y) + (k / kSamples + 0.5) / kSamples);
+        const Vec2 onPlane = grid.pixelMm * (pixel - grid.pixels / 2.0);
+        const Vec2 node =
+            Vec2(glm::dot(onPlane, slope.across), glm::dot(onPlane, slope.uphill)) / nodes.stepMm + nodes.edge / 2.0;
+        if (!(node.x >= 0 && node.y >= 0 && node.x < nodes.edge && node.y < nodes.edge)) continue;
+        sum += shares[nodes.index(static_cast<int>(node.x), static_cast<int>(node.y))];
+      }
+      picture[y * static_cast<std::size_t>(grid.pixels) + static_cast<std::size_t>(column)] =
+          sum / (kSamples * kSamples);
+    }
+  });
+  return picture;
+}
+
+}  // namespace qrelief
