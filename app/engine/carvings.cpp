@@ -10,6 +10,7 @@
 #include "engine/symbol_decal.h"
 #include "io/write_checked.h"
 #include "pipeline/add_inlay.h"
+#include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
 #include "settings/setting_json.h"
 #include "verification/baked_light.h"
@@ -273,9 +274,14 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
     const Status made = addInlay(*model.engravable, current_.request.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};
   }
+  const ModelFormat written = withInlay ? ModelFormat::ThreeMf : formatOfName("." + format);
+  if (written == ModelFormat::ThreeMf) {
+    const auto file =
+        writeCarved3mf(model.engravable->prepared, result, model.partNames, withInlay, {.title = model.fileName});
+    return file ? file->bytes : std::vector<std::uint8_t>();
+  }
   const auto bytes =
-      writeChecked(carvedObjects(result, model.partNames, withInlay),
-                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model.fileName});
+      writeChecked(carvedObjects(result, model.partNames, withInlay), written, {.title = model.fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 

@@ -25,9 +25,11 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   if (!withInlay || !result.inlay) return objects;
   ModelObject& carved = objects[carvedObject(result)];
   carved.bodies.front().colour = kBodyColour;
-  carved.bodies.push_back({"QR code", *result.inlay, kInlayColour});
+  carved.bodies.push_back(codeBody(*result.inlay));
   return objects;
 }
+
+ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour}; }
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {

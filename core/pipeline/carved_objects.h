@@ -16,6 +16,9 @@ namespace qrelief {
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay);
 
+/// Returns the body of the second colour.
+ModelBody codeBody(const Mesh& inlay);
+
 /// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
 /// the copy's id, and its description is the code's text.
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,

@@ -72,6 +72,16 @@ TEST(BatchPlan, AppliesColumnsOfSettings) {
   EXPECT_EQ(plan.row(1).request.preset, defaultRequest().preset);
 }
 
+TEST(BatchPlan, RefusesASecondFileWithTheNameOfAnotherRowsFile) {
+  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x.stl,true\n2,b,X-2.stl,false\n")),
+              ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x-2.stl,\n2,b,x.stl,\n")), IsEmpty());
+  const BatchPlan plan = planOf("id,text,file,inlay\n1,a,x.obj,true\n2,b,y.3mf,true\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_THAT(plan.row(0).files(), ElementsAre("x.obj", "x.mtl"));
+  EXPECT_THAT(plan.row(1).files(), ElementsAre("y.3mf"));
+}
+
 TEST(BatchPlan, UsesTheVersionOfTheLongestTextForAllRows) {
   const std::string longest(60, 'x');
   const BatchPlan plan = planOf("id,text,version\n1,a,\n2," + longest + ",\n3,c,7\n");
