@@ -156,16 +156,17 @@ BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
     const auto read = entryAt(name, found->second);
     if (!read) continue;
     const ManifestEntry& entry = *read;
-    if (entry.file != wanted.file || entry.plate != wanted.plate || entry.sha256.input != wanted.sha256.input ||
-        entry.sha256.settings != wanted.sha256.settings)
+    if (entry.file != wanted.file || entry.plate != wanted.plate || entry.second != wanted.second ||
+        entry.sha256.input != wanted.sha256.input || entry.sha256.settings != wanted.sha256.settings)
       continue;
     if (entry.status != RowStatus::Done) {
       if (best.state == Known::State::New) best = {Known::State::Failed, entry};
       continue;
     }
-    const auto file = hashOf(entry.file), plate = hashOf(entry.plate);
-    if (!file || !plate) continue;  // the file is gone: make it again
-    if (*file == entry.sha256.output && *plate == entry.sha256.plate) return {Known::State::Done, entry};
+    const auto file = hashOf(entry.file), plate = hashOf(entry.plate), second = hashOf(entry.second);
+    if (!file || !plate || !second) continue;  // the file is gone: make it again
+    if (*file == entry.sha256.output && *plate == entry.sha256.plate && *second == entry.sha256.second)
+      return {Known::State::Done, entry};
     best = {Known::State::Changed, entry};
   }
   return best;
@@ -177,8 +178,9 @@ void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
     if (found == rows.end()) continue;
     const auto entry = entryAt(name, found->second);
     if (!entry || entry->status != RowStatus::Done || entry->file != failed.file) continue;
-    const auto file = hashOf(failed.file);
-    if (file && *file == entry->sha256.output) ::unlink(pathOf(failed.file).c_str());
+    for (const auto& [made, hash] :
+         {std::pair(entry->file, entry->sha256.output), std::pair(entry->second, entry->sha256.second)})
+      if (!made.empty() && hashOf(made) == hash) ::unlink(pathOf(made).c_str());
   }
 }
 

@@ -45,7 +45,7 @@ class BatchFolder {
   };
 
   /// Looks a row up. Cost: reading the row's file and plate.
-  /// @param wanted  number, file, plate, and the hashes of the row's input and settings
+  /// @param wanted  number, file, plate, second file, and the hashes of the row's input and settings
   Known known(const ManifestEntry& wanted) const;
 
   /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other

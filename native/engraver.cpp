@@ -5,8 +5,8 @@
 
 #include "base/clock.h"
 #include "io/sniff_format.h"
-#include "io/write_checked.h"
 #include "native/read_carving.h"
+#include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
 
 namespace qrelief {
@@ -125,12 +125,20 @@ Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& te
   return follow({request, {.looksAtPrint = looksAtPrint}}, tell);
 }
 
-Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,
-                                               const std::string& fileName, bool withInlay, const std::string& title,
-                                               bool ascii) {
+Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
+                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
+                                 const WriteOptions& options) {
   const ModelFormat format = formatOfName(fileName);
-  if (format == ModelFormat::Stl && !ascii) return result.stl;
-  return writeChecked(carvedObjects(result, partNames, withInlay), format, {.title = title, .ascii = ascii});
+  const bool hasInlay = withInlay && result.inlay;
+  if (format == ModelFormat::Stl && !options.ascii && !hasInlay) return CarvedFiles{{{fileName, result.stl}}, {}};
+  if (format == ModelFormat::ThreeMf) {
+    auto written = writeCarved3mf(before, result, partNames, withInlay, options);
+    if (!written) return tl::unexpected(written.error());
+    return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
+  }
+  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay), fileName, options);
+  if (!files) return tl::unexpected(files.error());
+  return CarvedFiles{std::move(*files), {}};
 }
 
 }  // namespace qrelief

@@ -10,6 +10,7 @@
 #include "engine/symbol_decal.h"
 #include "io/write_checked.h"
 #include "pipeline/add_inlay.h"
+#include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/ink_seen.h"
 #include "settings/setting_json.h"
@@ -275,15 +276,20 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format) {
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
-  const bool withInlay = format == "3mf-inlay";
-  if (withInlay && current_.request.mark == Mark::Paint) return {};
+  const bool withInlay = format == "3mf-inlay" || current_.request.mark == Mark::Inlay;
   if (withInlay && !result.inlay) {
     const Status made = addInlay(*model.engravable, current_.request.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};
   }
+  const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);
+  if (!holdsColoursOf(current_.request, written)) return {};
+  if (written == ModelFormat::ThreeMf) {
+    const auto file =
+        writeCarved3mf(model.engravable->prepared, result, model.partNames, withInlay, {.title = model.fileName});
+    return file ? file->bytes : std::vector<std::uint8_t>();
+  }
   const auto bytes =
-      writeChecked(carvedObjects(result, model.partNames, withInlay),
-                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model.fileName});
+      writeChecked(carvedObjects(result, model.partNames, withInlay), written, {.title = model.fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 

@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "io/sniff_format.h"
+#include "io/write_files.h"
+#include "pipeline/carved_objects.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
@@ -32,6 +34,8 @@ bool isDeviceName(std::string_view name) {
 }
 
 }  // namespace
+
+std::vector<std::string> BatchRow::files() const { return fileNames(file, request.isTwoColoured()); }
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
   if (name.empty()) return message("name-empty");
@@ -172,8 +176,8 @@ void BatchPlan::checkRows() {
     } else if (!symbol.version) {
       largest = std::max(largest, needed);
     }
-    if (row->request.isInColour() && formatOfName(row->file) != ModelFormat::ThreeMf)
-      add(row->line, message("colour-not-in-3mf", with::quoted<"name">(row->file)));
+    if (row->request.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
+      add(row->line, message("colour-has-no-file", with::quoted<"name">(row->file)));
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }
@@ -187,6 +191,7 @@ void BatchPlan::checkRows() {
              [](const BatchRow& row, std::uint32_t other) {
                return message("name-twice", with::quoted<"name">(row.file), with::count<"other">(other));
              });
+  checkSecondFiles();
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
                return message("id-twice", with::quoted<"id">(row.id), with::count<"other">(other));
@@ -206,6 +211,26 @@ void BatchPlan::checkTwice(std::string (*of)(const BatchRow&),
     if (hashes[i].first != hashes[i - 1].first) continue;
     const auto row = made(hashes[i].second), before = made(hashes[i - 1].second);
     if (of(*row) == of(*before)) add(row->line, problem(*row, before->line));
+  }
+}
+
+/// Finds rows whose second files have the name of another row's file.
+void BatchPlan::checkSecondFiles() {
+  std::vector<std::pair<std::string, std::size_t>> names;
+  bool isAnySecond = false;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::vector<std::string> files = made(i)->files();
+    isAnySecond |= files.size() > 1;
+    if (i == 0 && !isAnySecond && settings_.empty()) return;  // no row has a second file
+    for (const std::string& file : files) names.emplace_back(lowered(file), i);
+  }
+  if (!isAnySecond) return;
+  std::sort(names.begin(), names.end());
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const std::size_t row = names[i].second, before = names[i - 1].second;
+    if (names[i].first != names[i - 1].first || row == before) continue;
+    add(list_.line(row),
+        message("name-twice", with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
   }
 }
 

@@ -28,6 +28,9 @@ struct BatchRow {
   std::string id;          ///< the column `id`, or else the number
   std::string file;        ///< a plain name, without a folder
   EngraveRequest request;
+
+  /// Returns the names of all files of this row, `file` first (io/write_files.h).
+  std::vector<std::string> files() const;
 };
 
 /// The rows that a list asks for, all checked before the first one is carved.
@@ -71,6 +74,7 @@ class BatchPlan {
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
   void checkRows();
+  void checkSecondFiles();
   void checkTwice(std::string (*of)(const BatchRow&), Message (*problem)(const BatchRow&, std::uint32_t otherLine));
   void add(std::uint32_t line, Message problem);
 

@@ -19,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kStatusNames = {"done", "failed", "refused"};
-constexpr std::array<const char*, 8> kOwnKeys = {"number", "id", "text", "file", "plate", "sha256", "status", "reason"};
+constexpr std::array<const char*, 9> kOwnKeys = {"number", "id",     "text",   "file",  "plate",
+                                                 "second", "sha256", "status", "reason"};
 
 /// Writes JSON. Replaces text that is not UTF-8, so that the line is not lost.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -54,8 +55,10 @@ std::string manifestLine(const ManifestEntry& entry) {
                {"sha256", {{"input", entry.sha256.input}, {"settings", entry.sha256.settings}}},
                {"status", rowStatusName(entry.status)}};
   if (!entry.plate.empty()) json["plate"] = entry.plate;
+  if (!entry.second.empty()) json["second"] = entry.second;
   if (!entry.sha256.output.empty()) json["sha256"]["output"] = entry.sha256.output;
   if (!entry.sha256.plate.empty()) json["sha256"]["plate"] = entry.sha256.plate;
+  if (!entry.sha256.second.empty()) json["sha256"]["second"] = entry.sha256.second;
   if (!entry.reason.empty()) json["reason"] = entry.reason;
   std::string line = dumped(json);
   if (!entry.details.empty()) line.replace(line.size() - 1, 1, "," + entry.details.substr(1));
@@ -74,8 +77,9 @@ std::optional<ManifestEntry> readManifestLine(std::string_view line) {
     entry.file = json.at("file").get<std::string>();
     const Json& hashes = json.at("sha256");
     entry.plate = json.value("plate", "");
+    entry.second = json.value("second", "");
     entry.sha256 = {hashes.at("input").get<std::string>(), hashes.at("settings").get<std::string>(),
-                    hashes.value("output", ""), hashes.value("plate", "")};
+                    hashes.value("output", ""), hashes.value("plate", ""), hashes.value("second", "")};
     const auto name = json.at("status").get<std::string>();
     const auto status = std::find(kStatusNames.begin(), kStatusNames.end(), name);
     if (status == kStatusNames.end()) return std::nullopt;
@@ -91,7 +95,7 @@ std::optional<ManifestEntry> readManifestLine(std::string_view line) {
 
 std::string manifestCsvHeader() {
   return "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,"
-         "sha256\r\n";
+         "sha256,second,sha256Second\r\n";
 }
 
 std::string manifestCsvLine(const ManifestEntry& entry) {
@@ -101,7 +105,7 @@ std::string manifestCsvLine(const ManifestEntry& entry) {
        {entry.id, entry.text, entry.file, entry.plate, std::string(rowStatusName(entry.status)), entry.reason,
         detail(details, "/verdict/reads"), detail(details, "/verdict/prints"), detail(details, "/verdict/solid"),
         detail(details, "/depth/meanMm"), detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"),
-        detail(details, "/timingsMs/total"), entry.sha256.output})
+        detail(details, "/timingsMs/total"), entry.sha256.output, entry.second, entry.sha256.second})
     line += ',' + csvCell(cell);
   return line + "\r\n";
 }

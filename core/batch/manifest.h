@@ -21,10 +21,11 @@ std::string_view rowStatusName(RowStatus status);
 
 /// Lower-case hexadecimal SHA-256 of a row's inputs and outputs.
 struct RowHashes {
-  std::string input;     ///< the model's file
-  std::string settings;  ///< everything else that decides the output, see settingsToHash()
-  std::string output;    ///< the file; empty unless Done
-  std::string plate;     ///< the plate, if there is one in addition to the file; empty unless Done
+  std::string input;        ///< the model's file
+  std::string settings;     ///< everything else that decides the output, see settingsToHash()
+  std::string output;       ///< the file; empty unless Done
+  std::string plate;        ///< the plate, if there is one in addition to the file; empty unless Done
+  std::string second = {};  ///< the row's second file, if there is one; empty unless Done
 
   bool operator==(const RowHashes&) const = default;
 };
@@ -37,13 +38,14 @@ struct ManifestEntry {
   std::string plate;  ///< plate that also holds the row; empty: none in addition to `file`
   RowHashes sha256;
   RowStatus status = RowStatus::Failed;
-  std::string reason;   ///< why it is not Done, in words; otherwise empty
-  std::string details;  ///< a JSON object, see describeRow(); or empty
+  std::string reason;       ///< why it is not Done, in words; otherwise empty
+  std::string details;      ///< a JSON object, see describeRow(); or empty
+  std::string second = {};  ///< second file of this row (BatchRow::files()); empty: none
 };
 
 /// Writes an entry as a line of JSON without its end:
-/// {"number", "id", "text", "file", "plate", "sha256": {"input", "settings", "output", "plate"}, "status", "reason",
-/// …details}; empty values are left out
+/// {"number", "id", "text", "file", "plate", "second", "sha256": {"input", "settings", "output", "plate", "second"},
+/// "status", "reason", …details}; empty values are left out
 std::string manifestLine(const ManifestEntry& entry);
 
 /// Parses a line of a manifest.

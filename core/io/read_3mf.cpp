@@ -7,6 +7,8 @@
 
 #include "io/polygon_list.h"
 #include "io/three_mf_model.h"
+#include "io/three_mf_source.h"
+#include "io/three_mf_volumes.h"
 #include "io/xml_reader.h"
 #include "io/zip_archive.h"
 
@@ -117,6 +119,10 @@ class Package {
 
   const ThreeMfModel& model(const std::string& name) const { return models_.at(name); }
 
+  ThreeMfVolumes volumes(std::vector<Message>& warnings) const {
+    return readThreeMfVolumes(archive_, limits_.maxExpandedBytes - expanded_, warnings);
+  }
+
  private:
   Result<ZipStream> open(const ZipEntry& entry) {
     Result<ZipStream> stream = ZipStream::open(entry, limits_.maxExpandedBytes - expanded_);
@@ -177,10 +183,12 @@ class Builder {
  public:
   Builder(const Package& package, const ReadLimits& limits) : package_(package), limits_(limits) {}
 
-  Result<PolygonSoup> build(const std::string& start) {
+  /// @param bytes  the file
+  Result<PolygonSoup> build(const std::string& start, std::span<const std::uint8_t> bytes) {
     const ThreeMfModel& model = package_.model(start);
     soup_.format = "3MF";
     soup_.unitMm = model.unitMm;
+    volumes_ = package_.volumes(soup_.warnings);
     Extent total{0, 0, 0, 0};
     for (const ThreeMfInstance& item : model.items) {
       const Result<Extent> extent = measure(item, start);
@@ -188,7 +196,11 @@ class Builder {
       if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
     }
     for (const ThreeMfInstance& item : model.items) addItem(item, model.unitMm);
-    return finish(model);
+    Result<PolygonSoup> soup = finish(model);
+    if (soup)
+      soup->source = std::make_shared<const ThreeMfSource>(
+          ThreeMfSource{{bytes.begin(), bytes.end()}, start, model.unitMm, std::move(runs_)});
+    return soup;
   }
 
  private:
@@ -250,12 +262,16 @@ class Builder {
 
   void addItem(const ThreeMfInstance& item, double unitMm) {
     const ThreeMfObject& object = *find(item);
+    const std::size_t number = items_++;
     if (object.type != "model") {
       ++notModels_;
       return;
     }
     const std::size_t first = soup_.triangles.size();
-    place(item, Affine(), unitMm);
+    ThreeMfRun run;
+    run.item = number;
+    run.itemObject = item.object;
+    place(item, Affine(), unitMm, run);
     if (soup_.triangles.size() == first)
       ++empty_;
     else
@@ -264,7 +280,8 @@ class Builder {
 
   /// @param outer   transform of the referring part's coordinates
   /// @param unitMm  unit of the referring part
-  void place(const ThreeMfInstance& instance, const Affine& outer, double unitMm) {
+  /// @param run     says which item it is
+  void place(const ThreeMfInstance& instance, const Affine& outer, double unitMm, ThreeMfRun run) {
     const ThreeMfObject& object = *find(instance);
     const double ownUnitMm = package_.model(instance.path).unitMm;
     Affine transform = outer.after(instance.transform);
@@ -272,22 +289,89 @@ class Builder {
       const double factor = ownUnitMm / unitMm;
       transform = transform.after({{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}, Vec3(0)});
     }
-    const auto offset = static_cast<std::uint32_t>(soup_.positions.size());
-    for (const Vec3& p : object.positions) soup_.positions.push_back(transform(p));
-    const bool mirrored = transform.determinant() < 0;
-    for (const auto& [a, b, c] : object.triangles) {
-      if (mirrored)
-        soup_.triangles.push_back({a + offset, c + offset, b + offset});
+    run.part = instance.path;
+    run.object = instance.object;
+    run.toFile = transform;
+    run.mirrored = transform.determinant() < 0;
+    addMesh(object, run);
+    for (const ThreeMfInstance& component : object.components) {
+      if (isModel(component, run.itemObject))
+        place(component, transform, ownUnitMm, run);
       else
-        soup_.triangles.push_back({a + offset, b + offset, c + offset});
+        ++modifiers_;
     }
-    for (const ThreeMfInstance& component : object.components) place(component, transform, ownUnitMm);
+  }
+
+  /// Returns false for a component that slicers do not print.
+  bool isModel(const ThreeMfInstance& component, std::uint32_t itemObject) const {
+    return find(component)->type == "model" && !volumes_.notModels.count({itemObject, component.object});
+  }
+
+  /// Adds a mesh, except for the volumes that slicers do not print.
+  void addMesh(const ThreeMfObject& object, const ThreeMfRun& run) {
+    const std::size_t triangles = object.triangles.size();
+    if (triangles == 0) return;
+    const auto known = volumes_.ranges.find(run.object);
+    if (known == volumes_.ranges.end() || !isDivision(known->second, triangles))
+      return addTriangles(object, run, 0, triangles);
+    const std::vector<VolumeRange>& ranges = known->second;
+    std::vector<std::size_t> volumeOf(triangles, ranges.size());  // ranges.size(): in no volume
+    for (std::size_t v = 0; v < ranges.size(); ++v)
+      std::fill(volumeOf.begin() + static_cast<std::ptrdiff_t>(ranges[v].first),
+                volumeOf.begin() + static_cast<std::ptrdiff_t>(ranges[v].last + 1), v);
+    for (std::size_t first = 0, end = 0; first < triangles; first = end) {
+      for (end = first; end < triangles && volumeOf[end] == volumeOf[first];) ++end;
+      const bool isModelVolume = volumeOf[first] == ranges.size() || ranges[volumeOf[first]].isModel;
+      if (isModelVolume)
+        addTriangles(object, run, first, end);
+      else
+        ++modifiers_;
+    }
+  }
+
+  /// Returns true if the ranges are those of a mesh with so many triangles, and do not overlap.
+  static bool isDivision(const std::vector<VolumeRange>& ranges, std::size_t triangles) {
+    std::size_t sum = 0;
+    for (const VolumeRange& range : ranges) {
+      if (range.first > range.last || range.last >= triangles) return false;
+      sum += range.last - range.first + 1;
+      if (sum > triangles) return false;
+    }
+    return true;
+  }
+
+  /// Adds triangles `first` to `end` of a mesh, with the positions that they need.
+  void addTriangles(const ThreeMfObject& object, ThreeMfRun run, std::size_t first, std::size_t end) {
+    constexpr std::uint32_t kNowhere = 0xffffffffu;
+    const bool isWhole = first == 0 && end == object.triangles.size();
+    std::vector<std::uint32_t> place(object.positions.size(), kNowhere);
+    const auto add = [&](std::uint32_t v) {
+      if (place[v] == kNowhere) {
+        place[v] = static_cast<std::uint32_t>(soup_.positions.size());
+        soup_.positions.push_back(run.toFile(object.positions[v]));
+      }
+      return place[v];
+    };
+    if (isWhole)  // in the file's order, those that no triangle needs included
+      for (std::uint32_t v = 0; v < object.positions.size(); ++v) add(v);
+    run.firstTriangle = soup_.triangles.size();
+    run.firstInMesh = first;
+    run.count = end - first;
+    runs_.push_back(run);
+    for (std::size_t t = first; t < end; ++t) {
+      const auto& [a, b, c] = object.triangles[t];
+      if (run.mirrored)
+        soup_.triangles.push_back({add(a), add(c), add(b)});
+      else
+        soup_.triangles.push_back({add(a), add(b), add(c)});
+    }
   }
 
   Result<PolygonSoup> finish(const ThreeMfModel& model) {
     if (notModels_ > 0)
       soup_.warnings.push_back(
           message("3mf-items-not-models", with::count<"count">(notModels_), with::count<"items">(model.items.size())));
+    if (modifiers_ > 0) soup_.warnings.push_back(message("3mf-modifiers", with::count<"count">(modifiers_)));
     if (empty_ > 0) soup_.warnings.push_back(message("3mf-items-empty", with::count<"count">(empty_)));
     if (!model.hasBuild) return badInput(message("3mf-build-missing", with::count<"count">(model.objects.size())));
     if (model.items.empty()) return badInput(message("3mf-build-empty", with::count<"count">(model.objects.size())));
@@ -300,7 +384,9 @@ class Builder {
   const Package& package_;
   const ReadLimits& limits_;
   std::map<Key, std::optional<Extent>> extents_;
-  std::size_t depth_ = 0, notModels_ = 0, empty_ = 0;
+  std::size_t depth_ = 0, items_ = 0, notModels_ = 0, modifiers_ = 0, empty_ = 0;
+  ThreeMfVolumes volumes_;
+  std::vector<ThreeMfRun> runs_;
   PolygonSoup soup_;
 };
 
@@ -312,7 +398,7 @@ Result<PolygonSoup> read3mf(std::span<const std::uint8_t> bytes, const ReadLimit
   Package package(std::move(*archive), limits);
   const Result<std::string> start = package.readStart();
   if (!start) return tl::unexpected(start.error());
-  return Builder(package, limits).build(*start);
+  return Builder(package, limits).build(*start, bytes);
 }
 
 }  // namespace qrelief

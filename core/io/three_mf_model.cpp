@@ -287,6 +287,13 @@ Affine Affine::after(const Affine& inner) const {
 
 double Affine::determinant() const { return glm::dot(glm::cross(x, y), z); }
 
+Affine Affine::inverse() const {
+  const Vec3 yz = glm::cross(y, z) / determinant(), zx = glm::cross(z, x) / determinant(),
+             xy = glm::cross(x, y) / determinant();
+  const Affine turned{{yz.x, zx.x, xy.x}, {yz.y, zx.y, xy.y}, {yz.z, zx.z, xy.z}};
+  return {turned.x, turned.y, turned.z, -turned(origin)};
+}
+
 Result<ThreeMfModel> readThreeMfModel(ZipStream& stream, const std::string& part, const ReadLimits& limits) {
   ModelHandler handler(limits);
   if (const Status read = readXml(stream, part, handler); !read) return tl::unexpected(read.error());

@@ -19,6 +19,8 @@ struct Affine {
   /// Returns the transform that applies `inner` first and then this one.
   Affine after(const Affine& inner) const;
   double determinant() const;
+  /// Returns the transform that undoes this one; the determinant must not be 0.
+  Affine inverse() const;
 };
 
 /// An object with a transform: a component of another object, or an item of the build.

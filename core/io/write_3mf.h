@@ -5,18 +5,30 @@
 
 namespace qrelief {
 
-/// Writes 3MF in millimetres, with one build item per object. Bodies of one object are its components, so they keep
-/// their relative positions.
+/// Writes 3MF in millimetres, with one build item per object.
 ///
-/// A body with a colour gets an extruder: the first for the first colour, and so on. Each slicer looks for it in a
-/// different place:
-/// - all: `m:colorgroup` of the materials extension, with exactly that prefix and marked as required (Bambu Studio and
-///   OrcaSlicer read no other; they turn it into filaments);
-/// - Bambu Studio, OrcaSlicer: a part with its extruder in Metadata/model_settings.config;
-/// - PrusaSlicer, which reads no colours: an extruder for every mesh in Metadata/Slic3r_PE_model.config. It asks
-///   whether meshes at several heights are parts of one object; if you answer yes, it numbers the extruders in the same
-///   order;
-/// - Cura: `cura:extruder_nr` in the metadata group of each mesh.
+/// Colours become filaments: the first for the first colour, and so on. Each slicer looks for them in a different
+/// place, and `slicer` chooses (docs/decisions/0044):
+/// - Any: bodies are components, each with a colour group of one colour (`m:colorgroup` of the materials extension,
+/// with
+///   exactly that prefix), an extruder in Metadata/model_settings.config and in Metadata/Slic3r_PE_model.config, and
+///   `cura:extruder_nr`. PrusaSlicer asks whether meshes at several heights are parts of one object. Objects with
+///   painted facets have a part file of their own, and each painted facet has the attributes of all programs and its
+///   colour.
+/// - PrusaSlicer: one mesh for each object, which Metadata/Slic3r_PE_model.config divides into volumes, each with its
+///   extruder. Nothing is asked. Painted facets have `slic3rpe:mmu_segmentation`.
+/// - OrcaSlicer, BambuStudio: each object in a part file of its own behind components, because OrcaSlicer drops the
+///   paint of meshes in the root model; extruders in Metadata/model_settings.config; `paint_color`; colour groups. All
+///   objects together are moved to the middle of a plate.
+///
+/// With `palette`, a file for OrcaSlicer or Bambu Studio says that Bambu Studio wrote it, and
+/// Metadata/project_settings.config lists the colours. Only then do these programs take over the filaments' colours.
 Result<std::vector<std::uint8_t>> write3mf(std::span<const ModelObject> objects, const WriteOptions& options);
+
+/// Returns true if files for that program can list the filaments' colours.
+bool hasPalette(Slicer slicer);
+
+/// Returns the move of all objects that write3mf() puts into the transforms of the items, mm.
+Vec3 plateMove(std::span<const ModelObject> objects, Slicer slicer);
 
 }  // namespace qrelief

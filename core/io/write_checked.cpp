@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/read_model.h"
+#include "io/write_3mf.h"
 
 namespace qrelief {
 namespace {
@@ -25,14 +26,16 @@ bool isEqual(Vec3 read, Vec3f written, Vec3 offset) {
 }
 
 /// Counts the leading triangles of the soup that equal those of the bodies, in order; all of them if the file is right.
-std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects) {
+/// @param move  of all objects
+std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects, Vec3 move) {
   std::size_t equal = 0;
   for (const ModelObject& object : objects)
     for (const ModelBody& body : object.bodies)
       for (const Triangle& triangle : body.mesh.triangles) {
         if (equal == soup.triangles.size()) return equal;
         for (std::size_t k = 0; k < 3; ++k)
-          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]], object.offsetMm))
+          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]],
+                       object.offsetMm + move))
             return equal;
         ++equal;
       }
@@ -57,7 +60,8 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   if (!soup)
     return fail(ErrorKind::Internal,
                 message("write-not-read-back", with::term<"format">(name), with::cause<"cause">(soup.error().message)));
-  const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects);
+  const Vec3 move = format == ModelFormat::ThreeMf ? plateMove(objects, options.slicer) : Vec3(0);
+  const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects, move);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
     return fail(ErrorKind::Internal, message("write-read-differently", with::count<"triangles">(expected),
                                              with::term<"format">(name), with::count<"count">(equal)));

@@ -26,10 +26,14 @@ Mesh joined(std::span<const ModelObject> objects) {
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message("write-text-no-choice", with::term<"format">(nameOf(format))));
-  const bool several =
-      std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
-  if (several && format != ModelFormat::ThreeMf)
+  const bool several = std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) {
+    return o.bodies.size() > 1 || (!o.bodies.empty() && o.bodies.front().paint);
+  });
+  const bool holdsSeveral =
+      format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
+  if (several && !holdsSeveral)
     return fail(ErrorKind::BadUsage, message("write-several-bodies", with::term<"format">(nameOf(format))));
+  if (options.palette && !hasPalette(options.slicer)) return fail(ErrorKind::BadUsage, message("write-no-palette"));
   return {};
 }
 
@@ -61,6 +65,44 @@ Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat forma
   return writeModel(std::span(&object, 1), format, options);
 }
 
+std::vector<Colour> coloursOf(std::span<const ModelObject> objects) {
+  std::vector<Colour> colours;
+  const auto add = [&](Colour colour) {
+    if (std::find(colours.begin(), colours.end(), colour) == colours.end()) colours.push_back(colour);
+  };
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies) {
+      if (body.colour) add(*body.colour);
+      if (body.paint) add(body.paint->colour);
+    }
+  return colours;
+}
+
+std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, std::uint32_t part) {
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t t = 0; t < partOf.size(); ++t)
+    if (partOf[t] == part) triangles.push_back(static_cast<std::uint32_t>(t));
+  return triangles;
+}
+
+Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  Mesh part;
+  std::vector<std::uint32_t> used;
+  used.reserve(3 * triangles.size());
+  for (const std::uint32_t t : triangles) used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (const std::uint32_t v : used) part.positions.push_back(mesh.positions[v]);
+  const auto place = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  for (const std::uint32_t t : triangles) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    part.triangles.push_back({place(a), place(b), place(c)});
+  }
+  return part;
+}
+
 std::vector<ModelObject> objectsOf(const Mesh& mesh, std::span<const std::uint32_t> partOf,
                                    std::span<const std::string> names) {
   const std::size_t parts = partOf.empty() ? 1 : *std::max_element(partOf.begin(), partOf.end()) + std::size_t{1};
@@ -73,26 +115,9 @@ std::vector<ModelObject> objectsOf(const Mesh& mesh, std::span<const std::uint32
     objects.front().bodies.front().mesh = mesh;
     return objects;
   }
-  constexpr std::uint32_t kNowhere = 0xffffffffu;
-  std::vector<std::vector<std::uint32_t>> trianglesOf(parts);
-  for (std::size_t t = 0; t < partOf.size(); ++t) trianglesOf[partOf[t]].push_back(static_cast<std::uint32_t>(t));
-  std::vector<std::uint32_t> place(mesh.positions.size(), kNowhere), used;
-  for (std::size_t p = 0; p < parts; ++p) {
-    Mesh& body = objects[p].bodies.front().mesh;
-    used.clear();
-    for (const std::uint32_t t : trianglesOf[p])
-      used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (const std::uint32_t v : used) {
-      place[v] = static_cast<std::uint32_t>(body.positions.size());
-      body.positions.push_back(mesh.positions[v]);
-    }
-    for (const std::uint32_t t : trianglesOf[p]) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      body.triangles.push_back({place[a], place[b], place[c]});
-    }
-  }
+  std::vector<std::vector<std::uint32_t>> ofPart(parts);
+  for (std::size_t t = 0; t < partOf.size(); ++t) ofPart[partOf[t]].push_back(static_cast<std::uint32_t>(t));
+  for (std::size_t p = 0; p < parts; ++p) objects[p].bodies.front().mesh = submesh(mesh, ofPart[p]);
   std::erase_if(objects, [](const ModelObject& o) { return o.bodies.front().mesh.triangles.empty(); });
   return objects;
 }

@@ -17,11 +17,18 @@ namespace qrelief {
 /// Red, green, blue; sRGB.
 using Colour = std::array<std::uint8_t, 3>;
 
-/// The part of an object that is printed in one material.
+/// Facets of a body in the colour of another filament.
+struct FacetPaint {
+  Colour colour;
+  std::vector<std::uint32_t> triangles;  ///< indices into the body's triangles, ascending, each once
+};
+
+/// The part of an object that is printed in one material, except for its painted facets.
 struct ModelBody {
-  std::string name;              ///< UTF-8; may be empty
-  Mesh mesh;                     ///< mm, at least one triangle
-  std::optional<Colour> colour;  ///< if only other bodies have a colour, this one gets the first of theirs
+  std::string name;                      ///< UTF-8; may be empty
+  Mesh mesh;                             ///< mm, at least one triangle
+  std::optional<Colour> colour;          ///< if only other bodies have a colour, this one gets the first of theirs
+  std::optional<FacetPaint> paint = {};  ///< needs a colour of the body, too; only 3MF and OBJ can hold it
 };
 
 /// One thing on the build plate: a body, or several that keep their relative positions and are printed together, such
@@ -33,23 +40,39 @@ struct ModelObject {
   Vec3 offsetMm{0};              ///< moves the bodies to their place on the plate; 3MF only, else 0
 };
 
+/// The program that will open a 3MF file. Each looks for filaments in other places (write_3mf.h).
+enum class Slicer { Any, PrusaSlicer, OrcaSlicer, BambuStudio };
+
 struct WriteOptions {
   std::string title = "QRelief";  ///< title of the whole file, UTF-8
   bool ascii = false;             ///< writes STL as text; other formats have no choice
+  Slicer slicer = Slicer::Any;    ///< 3MF only
+  bool palette = false;           ///< lists the filaments' colours in the name of Bambu Studio (write_3mf.h)
+  std::string materialFile = {};  ///< OBJ only: the file with the colours (write_obj.h); empty: none
 };
 
 /// Writes objects as a file. Reading it gives the same 32-bit positions and the same triangles in the same order.
 ///
 /// STL, OBJ and PLY hold one surface: the objects' triangles one after the other. 3MF keeps objects and bodies apart,
-/// see write_3mf.h.
+/// see write_3mf.h; OBJ, too, if there is a file with the colours. write_files.h writes several files.
 /// Cost: linear.
-/// @returns BadUsage for a format that cannot be written, for text in a format without that choice, or for several
-///          bodies in an object if the format cannot hold them
+/// @returns BadUsage for a format that cannot be written, for text or a palette where there is no such choice, or for
+///          several bodies in an object or painted facets if the format cannot hold them
 Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> objects, ModelFormat format,
                                              const WriteOptions& options = {});
 
 /// Writes one object of one body.
 Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat format, const WriteOptions& options = {});
+
+/// Returns the objects' colours, each once, in order of appearance: those of bodies and of painted facets.
+std::vector<Colour> coloursOf(std::span<const ModelObject> objects);
+
+/// Returns the triangles of a part, ascending. @param partOf  the part of each triangle
+std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, std::uint32_t part);
+
+/// Returns some triangles as a mesh, with the positions that they use, in their order.
+/// @param triangles  ascending
+Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 /// Splits a mesh by part; every part's vertices and triangles keep their order.
 /// @param partOf  the part of each triangle; empty: all belong to part 0

@@ -269,6 +269,7 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
     if (file.entry.name.ends_with('/')) continue;  // a folder
     const std::string shown = excerpt(file.entry.name);
     const std::string key = comparable(file.entry.name);
+    archive.order_.push_back(key);
     if (!archive.entries_.emplace(key, std::move(file.entry)).second)
       return damaged(message("zip-same-name", with::quoted<"file">(shown)));
   }
@@ -278,6 +279,12 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
 const ZipEntry* ZipArchive::find(std::string_view name) const {
   const auto found = entries_.find(comparable(name));
   return found == entries_.end() ? nullptr : &found->second;
+}
+
+std::vector<const ZipEntry*> ZipArchive::files() const {
+  std::vector<const ZipEntry*> files;
+  for (const std::string& key : order_) files.push_back(&entries_.at(key));
+  return files;
 }
 
 struct ZipStream::State {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
@@ -40,8 +41,12 @@ class ZipArchive {
   /// to ASCII case, and "%20" is a blank.
   const ZipEntry* find(std::string_view name) const;
 
+  /// Returns all files, folders excluded, in the directory's order.
+  std::vector<const ZipEntry*> files() const;
+
  private:
   std::map<std::string, ZipEntry> entries_;  ///< keys are names in the form used for comparison
+  std::vector<std::string> order_;           ///< keys in the directory's order
 };
 
 /// Unpacks one file, a bounded piece at a time.

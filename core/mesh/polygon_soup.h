@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "mesh/mesh.h"
 
 namespace qrelief {
+
+struct ThreeMfSource;  // io/three_mf_source.h
 
 /// One of several objects in a file (3MF build items).
 struct ModelPart {
@@ -21,10 +24,11 @@ struct ModelPart {
 struct PolygonSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::string format;             ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
-  std::vector<Message> warnings;  ///< content that the parser ignored
-  std::vector<ModelPart> parts;   ///< ascending by first triangle; empty: the file holds one object only
-  std::optional<double> unitMm;   ///< millimetres in a file unit, if the file states it (3MF)
+  std::string format;                           ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
+  std::vector<Message> warnings;                ///< content that the parser ignored
+  std::vector<ModelPart> parts;                 ///< ascending by first triangle; empty: the file holds one object only
+  std::optional<double> unitMm;                 ///< millimetres in a file unit, if the file states it (3MF)
+  std::shared_ptr<const ThreeMfSource> source;  ///< of a 3MF file: to write its other contents again
 };
 
 }  // namespace qrelief

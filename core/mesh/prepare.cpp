@@ -162,6 +162,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   if (!welded) return tl::unexpected(welded.error());
 
   const std::vector<std::uint32_t> parts = partsOf(soup);
+  const Mesh unrepaired = soup.source ? *welded : Mesh();
   Result<Repaired> repaired = repairMesh(std::move(*welded), parts, options.repair);
   if (!repaired) return tl::unexpected(repaired.error());
   if (repaired->mesh.triangles.empty()) return badInput(nothingLeft(soup, repaired->cleaning));
@@ -171,6 +172,12 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   if (!parts.empty())
     for (const std::uint32_t t : repaired->origin) model.partOfTriangle.push_back(parts[t]);
   reportRepairs(*repaired, options.repair, soup.parts, model.partOfTriangle, findings);
+  model.source = soup.source;
+  if (model.source) {
+    model.originOfTriangle = std::move(repaired->origin);
+    model.equalsSource =
+        unrepaired.positions == repaired->mesh.positions && unrepaired.triangles == repaired->mesh.triangles;
+  }
   model.mesh = std::move(repaired->mesh);
   model.adjacency = std::move(repaired->adjacency);
   model.shells = repaired->consistency.shells.count;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/result.h"
@@ -43,6 +44,10 @@ struct PreparedModel {
   bool crossesItself = false;                   ///< some triangles cross and were not separated
   std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
   std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny models; may be empty
+  std::shared_ptr<const ThreeMfSource> source;  ///< the soup's, if there is one
+  /// The soup's triangle that each triangle comes from or adjoins; empty: there is no source.
+  std::vector<std::uint32_t> originOfTriangle;
+  bool equalsSource = true;  ///< no repair changed the source's triangles
 
   /// Returns the first blocking finding as an error, if there is one.
   Status engravable() const;

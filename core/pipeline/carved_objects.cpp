@@ -17,17 +17,44 @@ std::size_t carvedObject(const EngraveResult& result) {
   return static_cast<std::size_t>(std::lower_bound(parts.begin(), parts.end(), result.carvedPart) - parts.begin());
 }
 
+std::vector<std::uint32_t> paintedOfCarvedPart(const EngraveResult& result) {
+  if (result.partOfTriangle.empty()) return result.painted;
+  return paintedWithin(result, trianglesOf(result.partOfTriangle, result.carvedPart));
+}
+
 }  // namespace
+
+bool holdsColoursOf(const EngraveRequest& request, ModelFormat format) {
+  if (format == ModelFormat::ThreeMf || format == ModelFormat::Obj) return true;
+  if (format == ModelFormat::Stl) return request.mark != Mark::Paint;
+  return !request.isInColour() && !request.inlay;
+}
+
+std::vector<std::uint32_t> paintedWithin(const EngraveResult& result, std::span<const std::uint32_t> partTriangles) {
+  std::vector<std::uint32_t> painted;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < partTriangles.size() && next < result.painted.size(); ++i) {
+    while (next < result.painted.size() && result.painted[next] < partTriangles[i]) ++next;
+    if (next < result.painted.size() && result.painted[next] == partTriangles[i])
+      painted.push_back(static_cast<std::uint32_t>(i));
+  }
+  return painted;
+}
 
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay) {
   std::vector<ModelObject> objects = objectsOf(result.mesh, result.partOfTriangle, partNames);
-  if (!withInlay || !result.inlay) return objects;
+  const bool hasInlay = withInlay && result.inlay;
+  if (!hasInlay && result.painted.empty()) return objects;
   ModelObject& carved = objects[carvedObject(result)];
-  carved.bodies.front().colour = kBodyColour;
-  carved.bodies.push_back({"QR code", *result.inlay, kInlayColour});
+  ModelBody& body = carved.bodies.front();
+  body.colour = kBodyColour;
+  if (!result.painted.empty()) body.paint = FacetPaint{kInlayColour, paintedOfCarvedPart(result)};
+  if (hasInlay) carved.bodies.push_back(codeBody(*result.inlay));
   return objects;
 }
+
+ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour}; }
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {

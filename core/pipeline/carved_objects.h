@@ -10,11 +10,22 @@
 
 namespace qrelief {
 
+/// Returns true if files of that format hold all that a request makes: one body, a body and its inlay, or painted facets.
+bool holdsColoursOf(const EngraveRequest& request, ModelFormat format);
+
 /// Returns the objects of a carved model's file, one for each part of the model. The carved part's object has the inlay
-/// as its second body, in its own colour, if there is an inlay and `withInlay` is set.
+/// as its second body, in its own colour, if there is an inlay and `withInlay` is set. Painted facets have the inlay's
+/// colour.
 /// @param partNames  names of the model's parts; empty: one part only
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay);
+
+/// Returns the body of the second colour.
+ModelBody codeBody(const Mesh& inlay);
+
+/// Returns the painted triangles of a part of the mesh, as indices into that part's triangles, ascending.
+/// @param partTriangles  ascending
+std::vector<std::uint32_t> paintedWithin(const EngraveResult& result, std::span<const std::uint32_t> partTriangles);
 
 /// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
 /// the copy's id, and its description is the code's text.

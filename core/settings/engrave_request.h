@@ -80,6 +80,7 @@ struct EngraveRequest {
   bool isInColour() const { return mark != Mark::Shadow; }
   /// Returns true if the result has a body of a second material.
   bool hasInlay() const { return mark == Mark::Inlay || (mark == Mark::Shadow && inlay); }
+  bool isTwoColoured() const { return isInColour() || inlay; }
   bool isForOneLight() const { return !isInColour() && objective == DepthObjective::OneLight; }
 
   bool isForPrint() const {

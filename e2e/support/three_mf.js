@@ -52,14 +52,16 @@ const elements = (xml, name) =>
  * @returns {Map<string, Body>}
  */
 export function bodiesOf(model) {
-  const colours = elements(model, 'm:color').map(({ color }) => color);
+  const colours = new Map(
+    [...model.matchAll(/<m:colorgroup id="(\d+)">\s*<m:color color="([^"]*)"/g)].map(([, id, colour]) => [id, colour]),
+  );
   /** @type {Map<string, Body>} */ const bodies = new Map();
   for (const [text] of model.matchAll(/<object\b.*?<\/object>/gs)) {
     if (!text.includes('<mesh>')) continue;
-    const [{ id, name, pindex }] = elements(text, 'object');
+    const [{ id, name, pid }] = elements(text, 'object');
     bodies.set(id, {
       name,
-      colour: colours[Number(pindex)],
+      colour: colours.get(pid) ?? '',
       cura: /name="cura:extruder_nr"[^>]*>(\d+)</.exec(text)?.[1] ?? '',
       mesh: {
         positions: elements(text, 'vertex').map(({ x, y, z }) => [Number(x), Number(y), Number(z)]),

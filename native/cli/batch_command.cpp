@@ -155,10 +155,15 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
   std::set<std::string> warned;
-  std::map<std::string, std::pair<std::size_t, std::string>> known;  // number and text by file
+  struct KnownRow {
+    std::size_t number;
+    std::string text, file;
+  };
+  std::map<std::string, KnownRow> known;  // by each of its files
   std::size_t next = 1;
   const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
-    known[entry.file] = {entry.number, entry.text};
+    known[entry.file] = {entry.number, entry.text, entry.file};
+    if (!entry.second.empty()) known[entry.second] = known[entry.file];
     next = entry.number + 1;
     return {};
   });
@@ -168,9 +173,12 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   LineReader lines(std::cin, kMostLineBytes);
   for (auto line = lines.next(); line; line = lines.next()) {
     auto row = *line ? rowOf(**line, request, next, warned) : tl::unexpected(line->error());
-    const auto same = row ? known.find(row->file) : known.end();
-    if (same != known.end() && same->second.second != row->request.text)
-      row = badInput(message("name-taken", with::quoted<"name">(row->file), with::quoted<"text">(same->second.second)));
+    auto same = known.end();
+    if (row)
+      for (const std::string& file : row->files())
+        if (same == known.end()) same = known.find(file);
+    if (same != known.end() && (same->second.text != row->request.text || same->second.file != row->file))
+      row = badInput(message("name-taken", with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;
@@ -185,9 +193,10 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
         return printError(prepared.error(), options.model.path);
     }
     if (same != known.end())
-      row->number = same->second.first;
+      row->number = same->second.number;
     else
-      known[row->file] = {next++, row->request.text};
+      for (const std::string& file : row->files()) known[file] = {next, row->request.text, row->file};
+    if (same == known.end()) ++next;
     const auto entries = run.make({*row}, *placed);
     if (!entries) return printError(entries.error());
     std::cout << manifestLine(entries->front()) << std::endl;  // flush: the client waits for the line
@@ -196,6 +205,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
 }
 
 int runBatch(const BatchOptions& options) {
+  if (const Status writable = options.fileFlags.check(); !writable) return printError(writable.error());
   const auto all = options.flags.request();
   if (!all) return printError(all.error());
   const BatchRequest request{*all, options.name};
@@ -244,6 +254,7 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   c->add_flag("--reports", o->reports, "also write a report for each row, as FILE.json");
   c->add_flag("--quiet", o->quiet, "print no progress");
   o->flags.addAll(*c);
+  o->fileFlags.add(*c);
   return [o] { return runBatch(*o); };
 }
 

@@ -21,8 +21,8 @@ namespace {
 /// Returns everything that a row's output depends on beyond its request.
 std::string otherSettings(const BatchOptions& options) {
   const RepairFlags& r = options.model.repair;
-  return fmt::format("{} {} {} {} {}", options.model.units, options.model.scale.value_or(0), r.weldTolerance, r.maxHole,
-                     fmt::join(r.without, ","));
+  return fmt::format("{} {} {} {} {}{}", options.model.units, options.model.scale.value_or(0), r.weldTolerance,
+                     r.maxHole, fmt::join(r.without, ","), options.fileFlags.text());
 }
 
 }  // namespace
@@ -74,7 +74,8 @@ Result<std::vector<ManifestEntry>> BatchRun::make(std::vector<BatchRow> rows, co
     entry.text = row.request.text;
     entry.file = isFiled() ? row.file : plate;
     entry.plate = isFiled() ? plate : std::string();
-    entry.sha256 = {input_, sha256(settingsToHash(row, others)), {}, {}};
+    if (const std::vector<std::string> files = row.files(); isFiled() && files.size() > 1) entry.second = files[1];
+    entry.sha256 = {input_, sha256(settingsToHash(row, others)), {}, {}, {}};
     const BatchFolder::Known known = folder_.known(entry);
     if (known.state == State::Done || (known.state == State::Failed && !options_->retryFailed)) {
       entry = known.entry;
@@ -123,7 +124,7 @@ Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<Manifes
       objects.push_back(std::move(object));
   }
   if (objects.empty()) return {};
-  const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.title = plate});
+  const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, options_->fileFlags.writeOptions(plate));
   if (!bytes) return tl::unexpected(bytes.error());
   if (const Status written = writeFileAtomically(folder_.pathOf(plate), *bytes); !written) return written;
   for (ManifestEntry& entry : entries)
@@ -143,16 +144,27 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
     return fail(ErrorKind::NoSolution, failures.front());
   if (isFiled()) {
-    const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.hasInlay(), row.id);
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written)
-      return tl::unexpected(written.error());
-    entry.sha256.output = sha256(*bytes);
+    const auto encoded = encodeCarved(model_->prepared, engraved->result, partNames_, row.file, row.request.hasInlay(),
+                                      options_->fileFlags.writeOptions(row.id));
+    if (!encoded) return tl::unexpected(encoded.error());
+    tellNotKept(encoded->notKept);
+    for (const NamedFile& file : encoded->files) {
+      if (const Status written = writeFileAtomically(folder_.pathOf(file.name), file.bytes); !written)
+        return tl::unexpected(written.error());
+      (file.name == row.file ? entry.sha256.output : entry.sha256.second) = sha256(file.bytes);
+    }
   }
   if (options_->reports)
     if (const Status written = writeReport(row, *engraved, millisecondsSince(start)); !written)
       return tl::unexpected(written.error());
   return engraved;
+}
+
+/// Prints once why the contents of the model's 3MF file are lost.
+void BatchRun::tellNotKept(const std::optional<Message>& why) {
+  if (!why || hasToldNotKept_) return;
+  hasToldNotKept_ = true;
+  printWarning(message("3mf-not-kept", with::cause<"cause">(*why)), {});
 }
 
 Status BatchRun::writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const {

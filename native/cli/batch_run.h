@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batch/batch_plan.h"
+#include "cli/file_flags.h"
 #include "cli/model_input.h"
 #include "cli/setting_flags.h"
 #include "native/batch_folder.h"
@@ -20,6 +21,7 @@ namespace qrelief {
 struct BatchOptions {
   ModelFlags model;
   SettingFlags flags;
+  FileFlags fileFlags;
   std::string list, folder, name, shardFlag;
   std::vector<double> at;
   std::size_t count = 0, shards = 0, perPlate = 0, printEvery = 1;
@@ -51,6 +53,7 @@ class BatchRun {
   bool isFiled() const;
   Status carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries, const std::string& plate);
   Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry);
+  void tellNotKept(const std::optional<Message>& why);
   Status writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const;
 
   const BatchOptions* options_;
@@ -62,6 +65,7 @@ class BatchRun {
   std::string input_;     // SHA-256 of the model's file
   ReportContext report_;  // common to the reports of all rows
   std::size_t made_ = 0, kept_ = 0, failed_ = 0;
+  bool hasToldNotKept_ = false;
 };
 
 }  // namespace qrelief

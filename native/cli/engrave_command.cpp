@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
+#include "cli/file_flags.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
@@ -16,6 +17,7 @@
 #include "native/files.h"
 #include "native/png_file.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/carved_objects.h"
 #include "report/report.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -29,6 +31,7 @@ struct EngraveOptions {
   std::string output, report, preview;
   SettingFlags flags;
   std::vector<double> at;
+  FileFlags file;
   bool ascii = false, tryPrints = false, quiet = false;
   EngraveRequest request;
 };
@@ -45,24 +48,27 @@ Status completeRequest(EngraveOptions& options) {
   auto request = options.flags.request();
   if (!request) return tl::unexpected(request.error());
   options.request = std::move(*request);
+  if (const Status writable = options.file.check(); !writable) return writable;
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
-  if (options.request.isInColour() && formatOfName(options.output) != ModelFormat::ThreeMf)
+  const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
+  if (options.request.isInColour() && !isHeld)
     return fail(ErrorKind::BadUsage,
-                message("colour-is-for-3mf", with::setting<"setting">("mark"),
+                message("colour-has-no-place", with::setting<"setting">("mark"),
                         with::term<"mark">(markName(options.request.mark)), with::term<"output">(options.output)));
-  if (options.request.hasInlay() && formatOfName(options.output) != ModelFormat::ThreeMf)
-    return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
+  if (!isHeld) return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
   return {};
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto bytes = encodeCarved(result, partNames, options.output, options.request.hasInlay(),
-                                  fileNameOf(options.model.path), options.ascii);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
+  const auto encoded = encodeCarved(model.prepared, result, partNames, options.output, options.request.hasInlay(),
+                                    options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
+  if (!encoded) return tl::unexpected(encoded.error());
+  if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
+  for (const NamedFile& file : encoded->files)
+    if (const Status written = writeFileAtomically(file.name, file.bytes); !written) return written;
   if (!options.preview.empty()) {
     const auto png = encodePng(result.readerView.clean);
     if (!png) return tl::unexpected(png.error());
@@ -191,6 +197,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       ->delimiter(',')
       ->expected(3);
   o->flags.addAll(*c);
+  o->file.add(*c);
   c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
   c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG");
   c->add_flag(

@@ -74,13 +74,25 @@ TEST(BatchPlan, AppliesColumnsOfSettings) {
 
 TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
   EXPECT_THAT(problemsOf(planOf("text,mark,file\na,shadow,a.stl\nb,paint,b.stl\nc,inlay,c.3mf\n")),
-              ElementsAre("3 colour-not-in-3mf"));
+              ElementsAre("3 colour-has-no-file"));
+  EXPECT_THAT(problemsOf(planOf("text,mark,file\na,inlay,a.ply\nb,inlay,b.stl\nc,paint,c.obj\n")),
+              ElementsAre("2 colour-has-no-file"));
   BatchRequest request;
   request.all.text = "part {n}";
   request.all.mark = Mark::Inlay;
   const BatchPlan plan = BatchPlan::make(countedBatchList(1), request);
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_EQ(plan.row(0).file, "1.3mf");
+}
+
+TEST(BatchPlan, RefusesASecondFileWithTheNameOfAnotherRowsFile) {
+  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x.stl,true\n2,b,X-2.stl,false\n")),
+              ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x-2.stl,\n2,b,x.stl,\n")), IsEmpty());
+  const BatchPlan plan = planOf("id,text,file,inlay\n1,a,x.obj,true\n2,b,y.3mf,true\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_THAT(plan.row(0).files(), ElementsAre("x.obj", "x.mtl"));
+  EXPECT_THAT(plan.row(1).files(), ElementsAre("y.3mf"));
 }
 
 TEST(BatchPlan, UsesTheVersionOfTheLongestTextForAllRows) {

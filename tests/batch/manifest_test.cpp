@@ -38,6 +38,17 @@ TEST(Manifest, ReadsBackWhatItWrote) {
   }
 }
 
+TEST(Manifest, KeepsTheSecondFileOfARow) {
+  ManifestEntry made = entry(4, RowStatus::Done);
+  made.second = "f-2.stl";
+  made.sha256.second = "ee";
+  const auto row = readManifestLine(manifestLine(made));
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->second, "f-2.stl");
+  expectEqual(*row, made);
+  EXPECT_NE(manifestCsvLine(made).find(",cc,f-2.stl,ee\r\n"), std::string::npos) << manifestCsvLine(made);
+}
+
 TEST(Manifest, RefusesLinesThatAreNotOfAManifest) {
   for (const char* line : {"", "{}", "[]", "text", "{\"number\": 1}",
                            R"({"number":"1","id":"","text":"","file":"","sha256":{},"status":"done"})"})
@@ -51,8 +62,9 @@ TEST(Manifest, WritesATableForSpreadsheets) {
   const std::string table = manifestCsvHeader() + manifestCsvLine(entry(7, RowStatus::Failed));
   EXPECT_EQ(
       table,
-      "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n"
-      "7,id7,\"a \"\"text\"\", with commas\nand ü\",f.stl,plate-1.3mf,failed,because,good,barely,good,0.5,,,,\r\n");
+      "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256,"
+      "second,sha256Second\r\n"
+      "7,id7,\"a \"\"text\"\", with commas\nand ü\",f.stl,plate-1.3mf,failed,because,good,barely,good,0.5,,,,,,\r\n");
 }
 
 TEST(Manifest, HashesEverySettingNameAndPlace) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "io/three_mf_model.h"
+#include "io/three_mf_source.h"
 #include "math/box.h"
 #include "messages/sentences.h"
 #include "support/zip_file.h"
@@ -167,6 +168,70 @@ TEST(ThreeMfReader, IgnoresItemsThatAreNotModels) {
             "1 of 2 items of the 3MF file is not a model (a support, for example) and was skipped");
   EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")),
               HasSubstr("The 1 item of the 3MF file has no triangle"));
+}
+
+TEST(ThreeMfReader, LeavesModifiersOfBambuStudioOut) {
+  const std::string resources = boxObject(1, 1, 2, 3) + boxObject(2, 9, 9, 9) + boxObject(3, 8, 8, 8) +
+                                boxObject(4, 7, 7, 7, "type=\"other\"") +
+                                "<object id=\"5\"><components><component objectid=\"2\"/><component objectid=\"1\"/>"
+                                "<component objectid=\"3\"/><component objectid=\"4\"/></components></object>";
+  const auto settings = [](const std::string& kind, const std::string& object) {
+    return zip_file::File{"Metadata/model_settings.config",
+                          "<config><object id=\"" + object + "\"><part id=\"2\" subtype=\"" + kind +
+                              "\"/><part id=\"1\" subtype=\"normal_part\"/><part id=\"3\" subtype=\"unknown\"/>"
+                              "</object></config>"};
+  };
+  const std::string model = modelPart(resources, "<item objectid=\"5\"/>");
+  for (const char* kind : {"modifier_part", "negative_part", "support_blocker", "support_enforcer"}) {
+    const auto soup = read3mf(threeMf(model, {settings(kind, "5")}), {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(soup->triangles.size(), 24u);
+    EXPECT_EQ(soup->positions.size(), 16u);
+    ASSERT_EQ(soup->warnings.size(), 1u);
+    EXPECT_THAT(sentence(soup->warnings[0]), HasSubstr("2 volumes of the 3MF file are not models"));
+    ASSERT_EQ(soup->source->runs.size(), 2u);
+    EXPECT_EQ(soup->source->runs[0].object, 1u);
+    EXPECT_EQ(soup->source->runs[1].object, 3u);
+    EXPECT_EQ(soup->source->runs[1].firstTriangle, 12u);
+    EXPECT_EQ(soup->source->runs[1].itemObject, 5u);
+  }
+  // The settings of another object do not count.
+  EXPECT_EQ(read3mf(threeMf(model, {settings("modifier_part", "6")}), {})->triangles.size(), 36u);
+}
+
+TEST(ThreeMfReader, LeavesModifiersOfPrusaSlicerOut) {
+  std::string two = boxObject(1, 1, 2, 3);  // 12 triangles, of which the settings make two volumes
+  const auto read = [&](const std::string& volumes) {
+    return read3mf(
+        threeMf(modelPart(two, "<item objectid=\"1\"/>"),
+                {{"Metadata/Slic3r_PE_model.config", "<config><object id=\"1\">" + volumes + "</object></config>"}}),
+        {});
+  };
+  const auto volume = [](int first, int last, const std::string& key, const std::string& value) {
+    return "<volume firstid=\"" + std::to_string(first) + "\" lastid=\"" + std::to_string(last) +
+           "\"><metadata type=\"volume\" key=\"" + key + "\" value=\"" + value + "\"/></volume>";
+  };
+  for (const char* kind : {"ParameterModifier", "NegativeVolume", "SupportBlocker", "SupportEnforcer"}) {
+    const auto soup = read(volume(0, 7, "volume_type", "ModelPart") + volume(8, 11, "volume_type", kind));
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(soup->triangles.size(), 8u);
+    EXPECT_EQ(soup->source->runs.size(), 1u);
+  }
+  EXPECT_EQ(read(volume(0, 3, "modifier", "1") + volume(4, 11, "modifier", "0"))->triangles.size(), 8u);
+  // Ranges that overlap, end too late or are reversed divide nothing.
+  EXPECT_EQ(read(volume(0, 8, "modifier", "1") + volume(8, 11, "modifier", "0"))->triangles.size(), 12u);
+  EXPECT_EQ(read(volume(0, 12, "modifier", "1"))->triangles.size(), 12u);
+  EXPECT_EQ(read(volume(5, 4, "modifier", "1"))->triangles.size(), 12u);
+}
+
+TEST(ThreeMfReader, ReadsTheModelsOfAFileWhoseSettingsAreDamaged) {
+  const auto soup = read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>"),
+                                    {{"Metadata/model_settings.config", "<config><object id=\"1\">"}}),
+                            {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles.size(), 12u);
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_THAT(sentence(soup->warnings[0]), HasSubstr("modifiers count as models"));
 }
 
 TEST(ThreeMfReader, RefusesABuildWithoutItems) {

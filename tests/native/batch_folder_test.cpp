@@ -97,6 +97,23 @@ TEST_F(BatchFolderTest, RecognisesADoneRowByItsHashesAndFile) {
   EXPECT_EQ(own.known(entry(2)).state, State::Failed);
 }
 
+TEST_F(BatchFolderTest, ComparesAndRemovesTheSecondFile) {
+  ManifestEntry done = entry(1);
+  done.second = "second.stl";
+  done.sha256.second = sha256("two");
+  writeOutput(done);
+  BatchFolder own = folder();
+  ASSERT_TRUE(own.append(done));
+  EXPECT_EQ(own.known(done).state, State::New) << "the second file is missing";
+  ASSERT_TRUE(writeFileAtomically(path_ / done.second, std::string("one")));
+  EXPECT_EQ(own.known(done).state, State::Changed);
+  ASSERT_TRUE(writeFileAtomically(path_ / done.second, std::string("two")));
+  EXPECT_EQ(own.known(done).state, State::Done);
+  own.removeOutdated(done);
+  EXPECT_FALSE(fs::exists(path_ / done.second));
+  EXPECT_FALSE(fs::exists(path_ / done.file));
+}
+
 TEST_F(BatchFolderTest, RecognisesRowsDoneWithAnotherNumberOfShares) {
   const ManifestEntry done = entry(1);
   writeOutput(done);

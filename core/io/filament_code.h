@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace qrelief {
+
+/// Attributes that hold the paint of a facet. PrusaSlicer compares the whole name with its prefix.
+inline constexpr std::string_view kPrusaPaint = "slic3rpe:mmu_segmentation", kBambuPaint = "paint_color";
+inline constexpr std::string_view kPrusaSpace = "http://schemas.slic3r.org/3mf/2017/06";
+
+/// Writes the paint of a facet that has one filament all over: "4", "8", "0C", "1C" and so on. The text is a tree of
+/// hexadecimal digits, the root last [PrusaSlicer, TriangleSelector::serialize and
+/// FacetsAnnotation::get_triangle_as_string].
+/// @param filament  1 to 17
+std::string filamentCode(unsigned filament);
+
+/// Reads the paint of a facet.
+/// @returns the filament; none if the facet has several or the text is no such code
+std::optional<unsigned> filamentOfCode(std::string_view code);
+
+}  // namespace qrelief

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/write_model.h"
+
+namespace qrelief {
+
+/// A body and its numbers in a 3MF file.
+struct NumberedBody {
+  const ModelBody* body;
+  std::string name;
+  std::size_t id;
+  std::size_t filament;       ///< from 1; its colour group has the same id
+  std::size_t paintFilament;  ///< of the painted facets; 0 if there are none
+};
+
+struct NumberedObject {
+  std::string name;
+  std::size_t id;  ///< id of the mesh itself if the object has no components
+  std::vector<NumberedBody> bodies;
+  const ModelObject* object;
+  bool hasComponents;
+  bool isInOneMesh;  ///< the bodies are joined; none has an object of its own
+  std::string path;  ///< part file of the bodies, with a leading slash; empty: the root model
+};
+
+/// Places and numbers of everything in a 3MF file: one colour group for each colour from 1 on, then bodies and objects.
+/// Ids are unique in the whole package, because slicers look some up without their part.
+struct Numbering {
+  std::vector<Colour> colours;  ///< coloursOf(); empty if nothing has a colour
+  std::vector<NumberedObject> objects;
+
+  Numbering(std::span<const ModelObject> objectsToWrite, const WriteOptions& options);
+
+  bool isColoured() const { return !colours.empty(); }
+  bool hasPaint() const;
+  bool hasPartFiles() const;
+
+ private:
+  std::size_t filamentOf(const std::optional<Colour>& colour) const;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/three_mf_text.h"
+
+#include <algorithm>
+
+#include "base/utf8.h"
+
+namespace qrelief {
+namespace {
+
+/// Returns true for characters that UTF-8 can hold but XML 1.0 cannot: U+FFFE and U+FFFF.
+bool isNoCharacter(std::string_view sequence) { return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF"; }
+
+}  // namespace
+
+std::string escapedXml(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = utf8SequenceLength(text);
+    const char c = text.front();
+    if (length > 1 && isNoCharacter(text.substr(0, length)))
+      result += "???";
+    else if (length > 1)
+      result += text.substr(0, length);
+    else if (length == 0 || (c >= 0 && c < ' '))
+      result += '?';
+    else if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+}  // namespace qrelief

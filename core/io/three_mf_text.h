@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "io/zip_writer.h"
+
+namespace qrelief {
+
+inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+
+/// Escapes a text for the value of an XML attribute. Characters that XML cannot hold become question marks.
+std::string escapedXml(std::string_view text);
+
+/// Text that goes into the archive piece by piece; finish() writes the last piece.
+class PartText {
+ public:
+  /// Begins a file of the archive.
+  PartText(ZipWriter& zip, std::string_view name) : zip_(zip) { zip_.begin(name); }
+  void finish() { zip_.append(text_); }
+  void addText(std::string_view text) { text_ += text; }
+  template <class Format, class... Values>
+  void add(const Format& format, const Values&... values) {
+    fmt::format_to(std::back_inserter(text_), format, values...);
+    if (text_.size() < kPieceBytes) return;
+    zip_.append(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kPieceBytes = 256 * 1024;
+
+  ZipWriter& zip_;
+  std::string text_;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/three_mf_volumes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/parse_number.h"
+#include "io/polygon_list.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::array<std::string_view, 4> kBambuKinds = {"modifier_part", "negative_part", "support_blocker",
+                                                         "support_enforcer"};
+constexpr std::array<std::string_view, 4> kPrusaKinds = {"ParameterModifier", "NegativeVolume", "SupportBlocker",
+                                                         "SupportEnforcer"};
+constexpr std::size_t kMaxVolumes = 100'000;
+
+template <std::size_t N>
+bool contains(const std::array<std::string_view, N>& kinds, std::string_view kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Returns a number from an attribute; 0 if there is none, which no object has.
+std::uint32_t numberOf(const XmlElement& element, std::string_view name) {
+  const auto text = element.attribute(name);
+  const auto number = text ? parseInteger(*text) : std::nullopt;
+  return number && *number >= 0 && *number <= 0x7fffffff ? static_cast<std::uint32_t>(*number) : 0;
+}
+
+/// Reads both programs' files, whose elements and keys have different names.
+class VolumeHandler : public XmlHandler {
+ public:
+  explicit VolumeHandler(ThreeMfVolumes& volumes) : volumes_(volumes) {}
+
+  Status startElement(const XmlElement& element) override {
+    if (element.name == "object")
+      object_ = numberOf(element, "id");
+    else if (element.name == "part")
+      takePart(element);
+    else if (element.name == "volume")
+      takeRange(element);
+    else if (element.name == "metadata" && range_)
+      takeKind(element);
+    return count_ <= kMaxVolumes ? Status()
+                                 : badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxVolumes)));
+  }
+
+ private:
+  void takePart(const XmlElement& element) {
+    range_ = nullptr;
+    ++count_;
+    if (contains(kBambuKinds, element.attribute("subtype").value_or("")))
+      volumes_.notModels.insert({object_, numberOf(element, "id")});
+  }
+
+  void takeRange(const XmlElement& element) {
+    ++count_;
+    auto& ranges = volumes_.ranges[object_];
+    ranges.push_back({numberOf(element, "firstid"), numberOf(element, "lastid"), true});
+    range_ = &ranges.back();
+  }
+
+  void takeKind(const XmlElement& element) {
+    const std::string_view key = element.attribute("key").value_or(""), value = element.attribute("value").value_or("");
+    if ((key == "volume_type" && contains(kPrusaKinds, value)) || (key == "modifier" && value == "1"))
+      range_->isModel = false;
+  }
+
+  ThreeMfVolumes& volumes_;
+  VolumeRange* range_ = nullptr;  // the latest
+  std::uint32_t object_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBytes, std::vector<Message>& warnings) {
+  ThreeMfVolumes volumes;
+  for (const std::string_view name : {kBambuSettings, kPrusaSettings}) {
+    const ZipEntry* entry = archive.find(name);
+    if (!entry) continue;
+    ThreeMfVolumes read = volumes;
+    VolumeHandler handler(read);
+    Result<ZipStream> stream = ZipStream::open(*entry, maxBytes);
+    const Status done = stream ? readXml(*stream, std::string(name), handler) : tl::unexpected(stream.error());
+    if (done)
+      volumes = std::move(read);
+    else
+      warnings.push_back(message("3mf-settings-unread", with::cause<"cause">(done.error().message)));
+  }
+  return volumes;
+}
+
+}  // namespace qrelief

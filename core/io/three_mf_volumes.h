@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/message.h"
+#include "io/xml_reader.h"
+#include "io/zip_archive.h"
+
+namespace qrelief {
+
+inline constexpr std::string_view kBambuSettings = "Metadata/model_settings.config";
+inline constexpr std::string_view kPrusaSettings = "Metadata/Slic3r_PE_model.config";
+
+/// A range of a mesh's triangles, as PrusaSlicer divides it into volumes.
+struct VolumeRange {
+  std::size_t first = 0, last = 0;  ///< both included
+  bool isModel = true;              ///< false: a modifier, negative volume, support blocker or enforcer
+};
+
+/// The volumes of a 3MF file that slicers use without printing them.
+struct ThreeMfVolumes {
+  std::map<std::uint32_t, std::vector<VolumeRange>> ranges;     ///< by object; of PrusaSlicer
+  std::set<std::pair<std::uint32_t, std::uint32_t>> notModels;  ///< build object and part; of Bambu Studio, OrcaSlicer
+};
+
+/// Reads the kinds of volumes from the model settings of PrusaSlicer, and of Bambu Studio and OrcaSlicer. Kinds that
+/// are unknown are models, as in these programs.
+/// @param maxBytes   unpacked size of both files
+/// @param warnings   gets one for a file that cannot be read; its volumes are then models
+ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBytes, std::vector<Message>& warnings);
+
+}  // namespace qrelief

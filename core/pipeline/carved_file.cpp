@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/carved_file.h"
+
+#include "io/rewrite_3mf.h"
+#include "io/write_checked.h"
+#include "pipeline/carved_objects.h"
+#include "pipeline/carved_runs.h"
+
+namespace qrelief {
+namespace {
+
+Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const EngraveResult& result, bool withInlay,
+                                             const WriteOptions& options) {
+  const ThreeMfSource& source = *before.source;
+  if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message("rewrite-scaled"));
+  if (options.palette) return fail(ErrorKind::NoSolution, message("rewrite-palette"));
+  const auto changes = carvedRuns(before, result, withInlay);
+  if (!changes) return tl::unexpected(changes.error());
+  return rewrite3mf(source, *changes, options.slicer);
+}
+
+}  // namespace
+
+Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResult& result,
+                                 std::span<const std::string> partNames, bool withInlay, const WriteOptions& options) {
+  std::optional<Message> notKept;
+  if (before.source) {
+    auto bytes = writeAgain(before, result, withInlay, options);
+    if (bytes) return Carved3mf{std::move(*bytes), {}};
+    if (bytes.error().kind != ErrorKind::NoSolution) return tl::unexpected(bytes.error());
+    notKept = std::move(bytes.error().message);
+  }
+  auto bytes = writeChecked(carvedObjects(result, partNames, withInlay), ModelFormat::ThreeMf, options);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return Carved3mf{std::move(*bytes), std::move(notKept)};
+}
+
+}  // namespace qrelief

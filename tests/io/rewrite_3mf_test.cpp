@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/rewrite_3mf.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/read_3mf.h"
+#include "messages/sentences.h"
+#include "support/shapes.h"
+#include "support/slicer_rules.h"
+#include "support/xml_document.h"
+#include "support/zip_file.h"
+
+namespace qrelief {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using zip_file::boxObject;
+using zip_file::File;
+using What = KeptAttributes::What;
+
+constexpr const char* kSpaces =
+    "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+    "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\"";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// Returns a file as Bambu Studio writes it: two objects on plates, each in a part file, with a modifier, and paint.
+std::vector<std::uint8_t> bambuProject() {
+  const auto part = [](int body, int modifier) {
+    std::string box = boxObject(body, 10, 20, 30);
+    box = replaced(box, "<triangle ", "<triangle paint_color=\"8\" paint_seam=\"4\" ");
+    return zip_file::modelPart(box + boxObject(modifier, 3, 3, 3, "type=\"other\""), "");
+  };
+  const std::string root = zip_file::modelPart(
+      "<object id=\"3\" p:UUID=\"00000001-61cb-4c03-9d28-80fed5dfa1dc\" type=\"model\"><components>"
+      "<component p:path=\"/3D/Objects/a.model\" objectid=\"1\" p:UUID=\"00010000-b206-40ff-9872-83e8017abed1\" "
+      "transform=\"1 0 0 0 1 0 0 0 1 5 6 7\"/>"
+      "<component p:path=\"/3D/Objects/a.model\" objectid=\"2\"/></components></object>"
+      "<object id=\"6\" type=\"model\"><components><component p:path=\"/3D/Objects/b.model\" objectid=\"4\"/>"
+      "<component p:path=\"/3D/Objects/b.model\" objectid=\"5\"/></components></object>",
+      "<item objectid=\"3\" transform=\"0 1 0 -1 0 0 0 0 1 128 100.5 0\"/><item objectid=\"6\"/>", kSpaces);
+  const std::string settings =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n"
+      "  <object id=\"3\">\n    <metadata key=\"name\" value=\"lid &amp; box\"/>\n"
+      "    <metadata key=\"extruder\" value=\"2\"/>\n    <part id=\"1\" subtype=\"normal_part\">\n"
+      "      <metadata key=\"name\" value=\"lid\"/>\n      <metadata key=\"matrix\" value=\"1 0 0 5 0 1 0 6 0 0 1 7 0 "
+      "0 0 1\"/>\n"
+      "    </part>\n    <part id=\"2\" subtype=\"modifier_part\">\n    </part>\n  </object>\n"
+      "  <object id=\"6\">\n    <part id=\"4\" subtype=\"normal_part\">\n    </part>\n"
+      "    <part id=\"5\" subtype=\"support_blocker\">\n    </part>\n  </object>\n"
+      "  <plate>\n    <metadata key=\"plater_id\" value=\"1\"/>\n  </plate>\n</config>\n";
+  return zip_file::threeMf(root,
+                           {{"3D/Objects/a.model", part(1, 2)},
+                            {"3D/Objects/b.model", part(4, 5)},
+                            {"3D/_rels/3dmodel.model.rels",
+                             "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+                             "<Relationship Target=\"/3D/Objects/a.model\"/>"
+                             "<Relationship Target=\"/3D/Objects/b.model\"/></Relationships>"},
+                            {"Metadata/model_settings.config", settings},
+                            {"Metadata/plate_1.png", std::string("\x89PNG\0\1", 6)}});
+}
+
+/// Returns a file as PrusaSlicer writes it: one mesh with a volume, a modifier and another volume.
+std::vector<std::uint8_t> prusaProject() {
+  std::string mesh = boxObject(1, 10, 20, 30);
+  mesh = replaced(mesh, "<triangle ", "<triangle slic3rpe:mmu_segmentation=\"0C\" ");
+  return zip_file::threeMf(
+      zip_file::modelPart(mesh, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 9 9 9\"/>", kSpaces),
+      {{"Metadata/Slic3r_PE_model.config",
+        "<config>\n <object id=\"1\" instances_count=\"1\">\n  <metadata type=\"object\" key=\"extruder\" "
+        "value=\"1\"/>\n"
+        "  <volume firstid=\"0\" lastid=\"5\">\n  <metadata type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/>\n"
+        "  </volume>\n  <volume firstid=\"6\" lastid=\"7\">\n"
+        "   <metadata type=\"volume\" key=\"volume_type\" value=\"ParameterModifier\"/>\n  </volume>\n"
+        "  <volume firstid=\"8\" lastid=\"11\">\n   <metadata type=\"volume\" key=\"extruder\" value=\"3\"/>\n"
+        "  </volume>\n </object>\n</config>\n"},
+       {"Metadata/Slic3r_PE.config", "; layer_height = 0.15\n"}});
+}
+
+PolygonSoup soupOf(const std::vector<std::uint8_t>& bytes) {
+  auto soup = read3mf(bytes, {});
+  EXPECT_TRUE(soup) << sentence(soup.error().message);
+  return soup ? *soup : PolygonSoup();
+}
+
+/// Returns a run's mesh as it was, each triangle with its attributes.
+ChangedRun sameRun(const PolygonSoup& soup, std::size_t run) {
+  ChangedRun change;
+  change.run = run;
+  const ThreeMfRun& from = soup.source->runs[run];
+  for (std::size_t t = from.firstTriangle; t < from.firstTriangle + from.count; ++t) {
+    const auto first = static_cast<std::uint32_t>(change.mesh.positions.size());
+    for (const std::uint32_t v : soup.triangles[t]) change.mesh.positions.emplace_back(soup.positions[v]);
+    change.mesh.triangles.push_back({first, first + 1, first + 2});
+    change.kept.push_back({What::All, static_cast<std::uint32_t>(t)});
+  }
+  return change;
+}
+
+/// Returns the change and a new triangle, which keeps nothing.
+ChangedRun withOneMore(ChangedRun change) {
+  const auto first = static_cast<std::uint32_t>(change.mesh.positions.size());
+  for (const Vec3f p : {Vec3f(100.1f, 110.3f, 7), Vec3f(101, 110, 8), Vec3f(102, 112, 9)})
+    change.mesh.positions.push_back(p);
+  change.mesh.triangles.push_back({first, first + 1, first + 2});
+  change.kept.push_back({});
+  return change;
+}
+
+TEST(Rewrite3mf, KeepsAllOtherPartsOfABambuProjectByteForByte) {
+  const auto bytes = bambuProject();
+  const PolygonSoup soup = soupOf(bytes);
+  ASSERT_EQ(soup.source->runs.size(), 2u);
+  const std::vector<ChangedRun> changes = {withOneMore(sameRun(soup, 0))};
+  const auto written = rewrite3mf(*soup.source, changes, Slicer::Any);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  auto before = unzipped(bytes), after = unzipped(*written);
+  EXPECT_EQ(after.size(), before.size());
+  for (const auto& [name, text] : before)
+    if (name != "3D/Objects/a.model") EXPECT_EQ(after[name], text) << name;
+  // In the changed part, the modifier's object is the same, too, and so is the paint.
+  const std::string modifier = boxObject(2, 3, 3, 3, "type=\"other\"");
+  EXPECT_THAT(after["3D/Objects/a.model"], HasSubstr(modifier));
+  EXPECT_THAT(after["3D/Objects/a.model"], HasSubstr("paint_color=\"8\" paint_seam=\"4\""));
+  EXPECT_EQ(soupOf(*written).triangles.size(), soup.triangles.size() + 1);
+}
+
+TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
+  const PolygonSoup soup = soupOf(bambuProject());
+  ChangedRun change = sameRun(soup, 0);
+  change.inlay = ModelBody{"QR code", shapes::translated(shapes::box({1, 1, 1}), {110, 110, 9}), {}};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::BambuStudio);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  const auto project = slicer_rules::openInBambuStudio(*written);
+  ASSERT_EQ(project.objects.size(), 2u);
+  const auto& volumes = project.objects[0].volumes;
+  ASSERT_EQ(volumes.size(), 3u);
+  EXPECT_EQ(project.objects[0].name, "lid & box");
+  EXPECT_EQ(volumes[0].name, "lid");
+  EXPECT_EQ(volumes[0].filament, 2u);
+  EXPECT_EQ(volumes[0].paint[0], 2u);
+  EXPECT_EQ(volumes[1].name, "QR code");
+  EXPECT_EQ(volumes[1].filament, 1u);  // the object has 2
+  EXPECT_EQ(volumes[1].kind, "normal_part");
+  EXPECT_LT(glm::length(volumes[1].triangles[0][0] - Vec3(change.inlay->mesh.corner(0, 0))), 1e-5);
+  EXPECT_EQ(volumes[2].kind, "modifier_part");
+  EXPECT_EQ(project.objects[1].volumes[1].kind, "support_blocker");
+  // PrusaSlicer's file would need its own settings.
+  const auto refused = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+}
+
+TEST(Rewrite3mf, MovesTheRangesOfPrusaSlicersVolumesAndAddsTheInlay) {
+  const PolygonSoup soup = soupOf(prusaProject());
+  ASSERT_EQ(soup.source->runs.size(), 2u);
+  ChangedRun change = withOneMore(sameRun(soup, 0));
+  change.painted = {1};
+  change.inlay = ModelBody{"QR code", shapes::translated(shapes::box({1, 1, 1}), {10, 10, 9}), {}};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  const auto project = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_5);
+  ASSERT_EQ(project.refused, "");
+  const auto& volumes = project.objects.at(0).volumes;
+  ASSERT_EQ(volumes.size(), 4u);
+  EXPECT_EQ(volumes[0].triangles.size(), 7u);
+  EXPECT_THAT(volumes[0].paint, ElementsAre(3, 2, 0, 0, 0, 0, 0));
+  EXPECT_EQ(volumes[1].triangles.size(), 2u);
+  EXPECT_EQ(volumes[1].kind, "ParameterModifier");
+  EXPECT_EQ(volumes[2].triangles.size(), 4u);
+  EXPECT_EQ(volumes[2].filament, 3u);
+  EXPECT_EQ(volumes[3].triangles.size(), 12u);
+  EXPECT_EQ(volumes[3].name, "QR code");
+  EXPECT_EQ(volumes[3].filament, 2u);
+  EXPECT_EQ(unzipped(*written)["Metadata/Slic3r_PE.config"], "; layer_height = 0.15\n");
+}
+
+TEST(Rewrite3mf, PiecesOfAFacetKeepOnlyPaintThatCoversItWhole) {
+  for (const auto& [code, isKept] : {std::pair("8", true), std::pair("1C", true), std::pair("842", false)}) {
+    const auto bytes = zip_file::threeMf(zip_file::modelPart(
+        replaced(boxObject(1, 1, 2, 3), "<triangle ", fmt::format("<triangle paint_color=\"{}\" pid=\"5\" ", code)),
+        "<item objectid=\"1\"/>"));
+    const PolygonSoup soup = soupOf(bytes);
+    ChangedRun change = sameRun(soup, 0);
+    change.kept[0].what = What::WholePaint;
+    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+    ASSERT_TRUE(written) << sentence(written.error().message);
+    const std::string model = unzipped(*written)["3D/3dmodel.model"];
+    EXPECT_THAT(model, HasSubstr("pid=\"5\""));
+    EXPECT_EQ(model.find("paint_color") != std::string::npos, isKept) << code;
+    change.kept[0].what = What::Nothing;
+    EXPECT_THAT(unzipped(*rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any))["3D/3dmodel.model"],
+                Not(HasSubstr("pid")));
+  }
+}
+
+TEST(Rewrite3mf, SaysWhyAFileMustBeWrittenAnew) {
+  const auto whyNot = [](const std::vector<std::uint8_t>& bytes, bool hasInlay) {
+    const PolygonSoup soup = soupOf(bytes);
+    ChangedRun change = sameRun(soup, 0);
+    if (hasInlay) change.inlay = ModelBody{"", shapes::box({1, 1, 1}), {}};
+    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+    if (written) return std::string("can be written");
+    EXPECT_EQ(written.error().kind, ErrorKind::NoSolution);
+    return sentence(written.error().message);
+  };
+  const std::string box = boxObject(1, 1, 2, 3);
+  const auto twice = zip_file::threeMf(
+      zip_file::modelPart(box, "<item objectid=\"1\"/><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 9 9 9\"/>"));
+  EXPECT_THAT(whyNot(twice, false), HasSubstr("several times"));
+  const auto plain = zip_file::threeMf(zip_file::modelPart(box, "<item objectid=\"1\"/>"));
+  EXPECT_EQ(whyNot(plain, false), "can be written");
+  EXPECT_THAT(whyNot(plain, true), HasSubstr("no settings"));
+}
+
+TEST(Rewrite3mf, TurnsTrianglesOfMirroredMeshesBack) {
+  const auto bytes = zip_file::threeMf(
+      zip_file::modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\" transform=\"-1 0 0 0 2 0 0 0 1 4 5 6\"/>"));
+  const PolygonSoup soup = soupOf(bytes);
+  const ChangedRun change = withOneMore(sameRun(soup, 0));
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  EXPECT_EQ(soupOf(*written).triangles.size(), 13u);
+}
+
+}  // namespace
+}  // namespace qrelief
