@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "math/angle.h"
+#include "printing/colour_changes.h"
 #include "projection/flatness.h"
 #include "qr/codewords.h"
 #include "report/json_parts.h"
@@ -67,6 +68,24 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
+/// Describes the cost of the second colour. Waste is null where the printer changes no filaments.
+Json describeColour(const EngraveRequest& request, const EngraveResult& result) {
+  const auto change = usualFilamentChange(request.printer);
+  const auto process = processOf(request.printer);
+  ColourCost cost;
+  if (result.inlay && process)
+    cost = colourCost(result.mesh, *result.inlay,
+                      {request.buildUp.resolve(result.placement.frame), *process, change.value_or(FilamentChange{})});
+  Json colour = {{"layers", cost.layers},  {"changes", cost.changes}, {"secondG", cost.secondG},
+                 {"firstWasteG", nullptr}, {"secondWasteG", nullptr}, {"wasteMinutes", nullptr}};
+  if (change) {
+    colour["firstWasteG"] = cost.firstWasteG;
+    colour["secondWasteG"] = cost.secondWasteG;
+    colour["wasteMinutes"] = cost.wasteMinutes;
+  }
+  return colour;
+}
+
 /// Adds the grades of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades =
@@ -119,6 +138,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"newSelfIntersections", solid.selfIntersections - result.inheritedSelfIntersections},
                     {"inheritedSelfIntersections", result.inheritedSelfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
+  report["colour"] = describeColour(request, result);
   const ReadingEvidence& reading = context.reading;
   report["verification"] = {{"decoded", context.verdict.reads.passed()},
                             {"text", reading.text},
