@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/result.h"
+#include "carving/outlined_pockets.h"
 #include "carving/surface_mode.h"
 #include "depth/depth_field.h"
 #include "math/frame.h"
@@ -20,7 +21,8 @@ struct EmbedResult {
 
 struct EmbedOptions {
   SurfaceMode surface = SurfaceMode::Preserved;
-  bool inlay = false;  ///< also make the body that fills the pockets
+  bool inlay = false;          ///< also make the body that fills the pockets
+  OutlinedPockets label = {};  ///< pockets outside the symbol's square
   /// Largest move of an outline to keep it clear of the model's vertices and edges, mm, > 0. Only where many edges meet
   /// in one point may it be up to an eighth of a submodule.
   double snapMm = 0.01;
@@ -42,7 +44,8 @@ struct EmbedOptions {
 ///
 /// Cost: O(n log n) in affected facets and outlines, about 1 µs each, and a copy of the rest.
 ///
-/// @param patch   triangles visible from the eye that cover all carved submodules; projections do not overlap
+/// @param patch   triangles visible from the eye that cover all carved submodules and the label; projections do not
+/// overlap
 /// @param depths  field.size² depths; symbolMm > 0
 /// @returns the carved mesh; NoSolution if the carved area leaves the patch, or if its facets are so fine that 32-bit
 ///          floats cannot hold pieces of them; Internal if the arrangement fails

@@ -21,6 +21,7 @@
 #include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
 #include "pipeline/depth_solver_of.h"
+#include "pipeline/label_pockets.h"
 #include "pipeline/printed_view.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
@@ -63,7 +64,9 @@ DepthSummary summarise(const DepthField& depths) {
 CarvedFeatures featuresOf(const EngraveResult& result) {
   std::vector<std::uint8_t> carved;
   for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
-  return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
+  CarvedFeatures features = measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
+  features.labelCapitalMm = labelCapitalMm(result.request.label, result.symbol.size, result.placement.moduleMm);
+  return features;
 }
 
 /// The job's state. Stages are listed in order; each advance() does one step of the current stage.
@@ -281,8 +284,13 @@ Status EngraveJob::State::searchOnce() {
 
 Status EngraveJob::State::embed() {
   const auto start = Clock::now();
+  if (result.label.empty()) {
+    auto label = labelPockets(request, model->prepared.mesh, result.placement, symbol.size);
+    if (!label) return tl::unexpected(label.error());
+    result.label = std::move(*label);
+  }
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                              result.depths, {.surface = request.surface});
+                              result.depths, {.surface = request.surface, .label = result.label});
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;

@@ -86,6 +86,17 @@ Json describeColour(const EngraveRequest& request, const EngraveResult& result) 
   return colour;
 }
 
+/// Describes the label as carved; null without one.
+Json describeLabel(const LabelOptions& label, const EngraveResult& result, const CarvedFeatures& features) {
+  if (label.empty()) return nullptr;
+  Json described = {{"text", label.text},
+                    {"frame", labelFrameName(label.frame)},
+                    {"depthMm", result.label.depthMm},
+                    {"capitalMm", nullptr}};
+  if (features.labelCapitalMm) described["capitalMm"] = *features.labelCapitalMm;
+  return described;
+}
+
 /// Adds the grades of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades =
@@ -128,6 +139,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
     report["depth"]["preset"] = presetName(request.preset);
     report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
   }
+  report["label"] = describeLabel(request.label, result, features);
   report["mesh"] = {{"surface", surfaceModeName(request.surface)},
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},

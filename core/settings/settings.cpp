@@ -20,6 +20,7 @@ using Unit = Setting::Unit;
 constexpr double kMaxMm = 1e4;                 // largest edge: no printer is larger
 constexpr double kMaxWallMm = 1000;            // largest wall and largest depth
 constexpr const char* kSinceSecond = "0.2.0";  // older settings files lack these
+constexpr const char* kSinceThird = "0.3.0";
 
 struct Range {
   double min, max, step;
@@ -141,6 +142,22 @@ Setting text() {
   Setting setting = made("text", "symbol", Kind::Text);
   setting.read = [](const R& r) -> V { return r.text; };
   setting.write = [](R& r, const V& v) { r.text = std::get<std::string>(v); };
+  return setting;
+}
+
+Setting label() {
+  Setting setting = made("label", "making", Kind::Text);
+  setting.since = kSinceThird;
+  setting.read = [](const R& r) -> V { return r.label.text; };
+  setting.write = [](R& r, const V& v) { r.label.text = std::get<std::string>(v); };
+  return setting;
+}
+
+Setting frame() {
+  Setting setting = choice(
+      "frame", "making", [](auto& r) -> auto& { return r.label.frame; },
+      [] { return namesOf(3, [](int i) { return labelFrameName(static_cast<LabelFrame>(i)); }); });
+  setting.since = kSinceThird;
   return setting;
 }
 
@@ -358,6 +375,8 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
       toggle(
           "inlay", "making", [](auto& r) -> auto& { return r.inlay; }),
+      label(),
+      frame(),
       process(),
       number(
           "nozzleMm", "printing", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.printer.nozzleMm; }),
