@@ -106,7 +106,7 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
                                                with::angleDeg<"rotation">(rotateDeg)));
-  placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
+  placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement));
   scene_.setDecal(placedCode_.code());
   return describeCode(*placedCode_.code());
 }

@@ -60,12 +60,14 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   const bool hasFile = plan.list_.find(kFile).has_value();
   const char* const usual = hasFile ? "{file}" : request.all.isInColour() ? "{id}.3mf" : "{id}.stl";
   const std::string name = request.name.empty() ? usual : request.name;
-  const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name);
-  for (const auto* parsed : {&textTemplate, &nameTemplate})
+  const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name),
+             labelTemplate = TextTemplate::parse(request.all.label.text);
+  for (const auto* parsed : {&textTemplate, &nameTemplate, &labelTemplate})
     if (!*parsed) plan.problems_.push_back(parsed->error().message);
   if (!plan.problems_.empty()) return plan;
   plan.text_ = *textTemplate;
   plan.name_ = *nameTemplate;
+  plan.label_ = *labelTemplate;
   if (const Status prepared = plan.prepare(); !prepared)
     plan.problems_.push_back(prepared.error().message);
   else
@@ -75,14 +77,16 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
 
 /// Finds the use of each column.
 Status BatchPlan::prepare() {
-  for (const TextTemplate* wanted : {&text_, &name_})
+  for (const TextTemplate* wanted : {&text_, &name_, &label_})
     if (const Status known = checkNames(*wanted); !known) return known;
   const std::vector<std::string>& columns = list_.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool isNamed = std::find(text_.names().begin(), text_.names().end(), columns[i]) != text_.names().end() ||
-                         std::find(name_.names().begin(), name_.names().end(), columns[i]) != name_.names().end();
+    const auto names = [&](const TextTemplate& in) {
+      return std::find(in.names().begin(), in.names().end(), columns[i]) != in.names().end();
+    };
+    const bool isNamed = names(text_) || names(name_) || names(label_);
     const Setting* setting = findSetting(columns[i]);
-    if (setting && setting->kind == Setting::Kind::Text) setting = nullptr;
+    if (setting && setting->key == kText) setting = nullptr;
     if (setting) settings_.push_back({i, setting});
     if (isNamed || setting || columns[i] == kId) continue;
     if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
@@ -138,6 +142,9 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   if (!text) return tl::unexpected(text.error());
   if (text->empty()) return badInput(message("row-without-text"));
   row.request.text = std::move(*text);
+  auto label = label_.filled(value);
+  if (!label) return tl::unexpected(label.error());
+  row.request.label.text = std::move(*label);
   auto file = name_.filled(value);
   if (!file) return tl::unexpected(file.error());
   if (auto why = whyNoPlainName(*file)) return badInput(std::move(*why));
@@ -178,6 +185,8 @@ void BatchPlan::checkRows() {
     }
     if (row->request.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
       add(row->line, message("colour-has-no-file", with::quoted<"name">(row->file)));
+    if (!row->request.label.text.empty())
+      if (const auto label = layOutLabel(row->request.label, 21); !label) add(row->line, label.error().message);
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }

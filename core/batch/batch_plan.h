@@ -13,8 +13,9 @@ namespace qrelief {
 
 /// The settings and templates that all rows of a batch share.
 struct BatchRequest {
-  /// Settings of all rows. Its text is a template; empty: the list has a column `text`. If it leaves the version open,
-  /// the smallest version that holds every row's text is used, so that all codes have the same size.
+  /// Settings of all rows. Its text is a template; empty: the list has a column `text`. Its label is a template, too.
+  /// If it leaves the version open, the smallest version that holds every row's text is used, so that all codes have
+  /// the same size.
   EngraveRequest all;
   std::string name;             ///< template for file names; empty: the list's column `file`, else "{id}.stl", or
                                 ///< "{id}.3mf" in colour
@@ -81,7 +82,7 @@ class BatchPlan {
   BatchList list_;
   EngraveRequest all_;
   std::size_t firstNumber_ = 1;
-  TextTemplate text_, name_;
+  TextTemplate text_, name_, label_;
   std::vector<SettingColumn> settings_;
   std::vector<std::string> unused_;
   std::vector<Message> problems_, warnings_;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/result.h"
+#include "carving/outlined_pockets.h"
 #include "carving/surface_mode.h"
 #include "depth/depth_field.h"
 #include "math/frame.h"
@@ -26,6 +27,7 @@ struct EmbedOptions {
   /// ones lie on the facets, up to the rounding of 32-bit floats, so the solid keeps its shape. Needs a preserved
   /// surface.
   bool paint = false;
+  OutlinedPockets label = {};  ///< pockets outside the symbol's square
   /// Largest move of an outline to keep it clear of the model's vertices and edges, mm, > 0. Only where many edges meet
   /// in one point may it be up to an eighth of a submodule.
   double snapMm = 0.01;
@@ -47,7 +49,8 @@ struct EmbedOptions {
 ///
 /// Cost: O(n log n) in affected facets and outlines, about 1 µs each, and a copy of the rest.
 ///
-/// @param patch   triangles visible from the eye that cover all carved submodules; projections do not overlap
+/// @param patch   triangles visible from the eye that cover all carved submodules and the label; projections do not
+/// overlap
 /// @param depths  field.size² depths; symbolMm > 0
 /// @returns the carved mesh; NoSolution if the carved area leaves the patch, or if its facets are so fine that 32-bit
 ///          floats cannot hold pieces of them; Internal if the arrangement fails

@@ -10,23 +10,7 @@
 namespace qrelief {
 namespace {
 
-using Corners2 = std::array<Vec2, 3>;
-
-/// Returns true if a counter-clockwise triangle and the box [lo, hi] share a point: no edge of either separates them.
-bool overlaps(const Corners2& t, Vec2 lo, Vec2 hi) {
-  for (int axis = 0; axis < 2; ++axis) {
-    if (std::max({t[0][axis], t[1][axis], t[2][axis]}) < lo[axis]) return false;
-    if (std::min({t[0][axis], t[1][axis], t[2][axis]}) > hi[axis]) return false;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 edge = t[(k + 1) % 3] - t[k];
-    const Vec2 innermost(edge.y > 0 ? lo.x : hi.x, edge.x > 0 ? hi.y : lo.y);  // the corner farthest to the edge's left
-    if (cross2(edge, innermost - t[k]) < 0) return false;
-  }
-  return true;
-}
-
-bool touchesCarving(const Corners2& t, const DepthLevels& levels, double marginMm) {
+bool touchesCarving(const Triangle2& t, const DepthLevels& levels, double marginMm) {
   const double h = levels.submoduleMm();
   const Vec2 origin = levels.corner(0, 0);
   const Vec2 lo = glm::min(glm::min(t[0], t[1]), t[2]) - marginMm;
@@ -76,10 +60,13 @@ void addEdges(Footprint& footprint) {
 }  // namespace
 
 Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, std::span<const std::uint32_t> patch,
-                                const DepthLevels& levels, double marginMm) {
+                                const DepthLevels& levels, double marginMm, const OutlinedPockets& label) {
   Footprint footprint;
+  const auto isTouched = [&](const Triangle2& t) {
+    return touchesCarving(t, levels, marginMm) || touches(t, label, marginMm);
+  };
   for (const std::uint32_t facet : patch) {
-    Corners2 t;
+    Triangle2 t;
     bool inFront = true;
     for (int k = 0; k < 3; ++k) {
       const Vec3 corner = mesh.corner(facet, k);
@@ -87,8 +74,8 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
       t[static_cast<std::size_t>(k)] = frame.project(corner);
     }
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
-      if (touchesCarving(t, levels, marginMm)) footprint.facets.push_back(facet);
-    } else if (inFront && touchesCarving({t[0], t[2], t[1]}, levels, marginMm)) {
+      if (isTouched(t)) footprint.facets.push_back(facet);
+    } else if (inFront && isTouched({t[0], t[2], t[1]})) {
       return fail(ErrorKind::NoSolution, message("facet-from-behind", with::count<"facet">(facet),
                                                  with::lengthMm<"right">(t[0].x), with::lengthMm<"up">(t[0].y)));
     }

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "carving/depth_levels.h"
+#include "carving/outlined_pockets.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
 
@@ -30,11 +31,11 @@ struct Footprint {
   std::vector<Edge> edges;
 };
 
-/// Finds the facets of the patch within `marginMm` of a carved submodule, and flips needles among them.
+/// Finds the facets of the patch within `marginMm` of a carved submodule or of the label, and flips needles among them.
 ///
 /// Cost: O(patch + submodules covered).
 /// @returns NoSolution if the eye sees one of them from behind
 Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, std::span<const std::uint32_t> patch,
-                                const DepthLevels& levels, double marginMm);
+                                const DepthLevels& levels, double marginMm, const OutlinedPockets& label = {});
 
 }  // namespace qrelief

@@ -11,7 +11,7 @@ namespace qrelief {
 Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult& result) {
   const Placement& placement = result.placement;
   const auto embedded = embedDepthField(model.prepared.mesh, placement.frame, placement.patch.triangles, result.depths,
-                                        {.surface = surface, .inlay = true});
+                                        {.surface = surface, .inlay = true, .label = result.label});
   if (!embedded) return tl::unexpected(embedded.error());
   return setInlay(embedded->inlay, result);
 }

@@ -10,7 +10,8 @@
 
 namespace qrelief {
 
-/// Returns true if files of that format hold all that a request makes: one body, a body and its inlay, or painted facets.
+/// Returns true if files of that format hold all that a request makes: one body, a body and its inlay, or painted
+/// facets.
 bool holdsColoursOf(const EngraveRequest& request, ModelFormat format);
 
 /// Returns the objects of a carved model's file, one for each part of the model. The carved part's object has the inlay

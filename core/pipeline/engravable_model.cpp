@@ -22,6 +22,7 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   }
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  place.labelMarginModules = labelMarginModules(request.label, modules);
   const double contrast = request.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // later refused
   const double depth = request.isForOneLight() ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
@@ -32,7 +33,8 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
   if (const Status checked = checkSettings(request); !checked) return checked;
   if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
-  const SizeBound room{symbol.size, roomFactor(symbol.size, request.placement.quietZone)};
+  if (const auto label = layOutLabel(request.label, symbol.size); !label) return tl::unexpected(label.error());
+  const SizeBound room{symbol.size, roomFactor(symbol.size, searchedPlacement(request, symbol.size))};
   return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
 }
 

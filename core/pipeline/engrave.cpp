@@ -13,6 +13,7 @@
 #include "pipeline/depth_limits.h"
 #include "pipeline/depth_solver_of.h"
 #include "pipeline/engrave_state.h"
+#include "pipeline/label_pockets.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
 
@@ -33,7 +34,9 @@ DepthSummary summarise(const DepthField& depths) {
 CarvedFeatures featuresOf(const EngraveResult& result) {
   std::vector<std::uint8_t> carved;
   for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
-  return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
+  CarvedFeatures features = measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
+  features.labelCapitalMm = labelCapitalMm(result.request.label, result.symbol.size, result.placement.moduleMm);
+  return features;
 }
 
 Progress EngraveJob::State::progress() {
@@ -129,9 +132,16 @@ Status EngraveJob::State::map() {
 
 Status EngraveJob::State::embed() {
   const auto start = Clock::now();
-  const EmbedOptions options =
-      request.isInColour() ? EmbedOptions{.inlay = request.mark == Mark::Inlay, .paint = request.mark == Mark::Paint}
-                           : EmbedOptions{.surface = request.surface};
+  if (result.label.empty()) {
+    auto label = labelPockets(request, model->prepared.mesh, result.placement, symbol.size, result.markDepthMm);
+    if (!label) return tl::unexpected(label.error());
+    result.label = std::move(*label);
+  }
+  EmbedOptions options;
+  options.inlay = request.mark == Mark::Inlay;
+  options.paint = request.mark == Mark::Paint;
+  if (!request.isInColour()) options.surface = request.surface;
+  options.label = result.label;
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
                               request.isInColour() ? marked : result.depths, options);
   if (!made) return tl::unexpected(made.error());

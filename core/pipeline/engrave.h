@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "carving/outlined_pockets.h"
 #include "depth/depth_search.h"
 #include "depth/fast_search.h"
 #include "depth/search_record.h"
@@ -45,6 +46,7 @@ struct EngraveResult {
   Symbol symbol;
   Placement placement;
   DepthField depths;
+  OutlinedPockets label;              ///< text and frame as carved; empty: none
   int searchIterations = 0;           ///< of both searches, if the print required a second one
   std::size_t limitedSubmodules = 0;  ///< submodules too light because of a depth limit
   /// Luminance of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top

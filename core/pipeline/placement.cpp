@@ -53,7 +53,7 @@ PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu,
                                  const PlacementRequest& request)
     : model_(&model), gpu_(&gpu), pass_(&pass), modules_(modules), request_(request) {}
 
-double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_.quietZone); }
+double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_); }
 
 ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
   return turned(makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm),

@@ -33,7 +33,7 @@ struct SpotSearchRequest {
   double scaleToMm = 1;
 
   /// Returns the edge of the square that must fit, in edges of the symbol.
-  double outerFactor() const { return roomFactor(modules, placement.quietZone); }
+  double outerFactor() const { return roomFactor(modules, placement); }
 };
 
 /// Returns the number of decimals to which a centre in file units is rounded: to a micrometre or finer, at most 15.

@@ -58,7 +58,7 @@ double bestTurn(const VisibilityMap& reach) {
 Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EstimatedSurface& surface,
                                     const SurfacePoint& centre, int modules, const PlacementRequest& request) {
   const bool isFixed = request.sizeMode == SizeMode::Fixed;
-  const double outer = roomFactor(modules, request.quietZone);
+  const double outer = roomFactor(modules, request);
   const double most = isFixed ? request.sizeMm : request.maxSizeMm;
   const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * room, kReachTexels};
   CodeEstimate estimate;

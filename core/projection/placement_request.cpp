@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/placement_request.h"
 
+#include <algorithm>
 #include <array>
 
 #include "qr/symbol.h"
@@ -14,11 +15,12 @@ constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best
 
 const char* sizeModeName(SizeMode mode) { return kSizeModeNames[static_cast<std::size_t>(mode)]; }
 
-double roomFactor(int modules, bool quietZone) {
+double roomFactor(int modules, const PlacementRequest& request) {
   // Carving moves the pockets' outlines off the model's edges by up to an eighth of a submodule, or a hundredth of a
   // millimetre.
   constexpr double kBorderModules = 0.06;
-  return (modules + 2 * (quietZone ? kQuietZoneModules : kBorderModules)) / modules;
+  const double quiet = request.quietZone ? kQuietZoneModules : kBorderModules;
+  return (modules + 2 * std::max(quiet, request.labelMarginModules)) / modules;
 }
 
 }  // namespace qrelief

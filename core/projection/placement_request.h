@@ -42,13 +42,15 @@ struct PlacementRequest {
   std::optional<Vec3> direction;  ///< towards the viewer; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
   double beyondMm = 0;            ///< margin of the known patch beyond the largest code, ≥ 0 (for walls)
-  PocketDemand pockets;           ///< for found sizes only; a fixed size is carved as deep as its walls allow
+  /// Width that a label needs on each side of the symbol, in modules, with the quiet zone; 0: no label.
+  double labelMarginModules = 0;
+  PocketDemand pockets;  ///< for found sizes only; a fixed size is carved as deep as its walls allow
 
   bool operator==(const PlacementRequest&) const = default;
 };
 
-/// Returns the edge of the square that must fit on the surface, in edges of the symbol: the symbol with its quiet zone,
-/// or, without quiet zone, with the small margin by which embedding may move the pockets' outlines.
-double roomFactor(int modules, bool quietZone);
+/// Returns the edge of the square that must fit on the surface, in edges of the symbol: the symbol with its quiet zone
+/// and label, or, without both, with the small margin by which embedding may move the pockets' outlines.
+double roomFactor(int modules, const PlacementRequest& request);
 
 }  // namespace qrelief

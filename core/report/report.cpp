@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "math/angle.h"
+#include "pipeline/label_pockets.h"
+#include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 #include "qr/codewords.h"
 #include "report/json_parts.h"
@@ -67,6 +69,33 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
+/// Describes the cost of the second colour. Waste is null where the printer changes no filaments.
+Json describeColour(const EngraveResult& result) {
+  const SecondColour second = secondColourOf(result);
+  const ColourCost& cost = second.cost;
+  Json colour = {{"layers", cost.layers},  {"changes", cost.changes}, {"secondG", cost.secondG},
+                 {"firstWasteG", nullptr}, {"secondWasteG", nullptr}, {"wasteMinutes", nullptr}};
+  if (second.isPriced) {
+    colour["firstWasteG"] = cost.firstWasteG;
+    colour["secondWasteG"] = cost.secondWasteG;
+    colour["wasteMinutes"] = cost.wasteMinutes;
+  }
+  return colour;
+}
+
+/// Describes the label as carved; null without one.
+Json describeLabel(const LabelOptions& label, const EngraveResult& result) {
+  if (label.empty()) return nullptr;
+  Json described = {{"text", label.text},
+                    {"frame", labelFrameName(label.frame)},
+                    {"depthMm", result.label.depthMm},
+                    {"capitalMm", nullptr}};
+  if (const auto capitalMm = labelCapitalMm(label, result.symbol.size, result.placement.moduleMm))
+    described["capitalMm"] = *capitalMm;
+  return described;
+}
+
+/// Adds the grades of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades = describeGrades(gradesOf(request, result));
   verification["iso15415"] = std::move(grades.iso15415);
@@ -129,6 +158,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"mode", sizeModeName(request.placement.sizeMode)}};
   addMark(report, request.mark, result.markDepthMm, request.ink);
   report["depth"] = request.isInColour() ? describeInlay(result) : describeDepth(request, result, context);
+  report["label"] = describeLabel(request.label, result);
   report["mesh"] = {{"surface", surfaceModeName(request.surface)},
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
@@ -139,6 +169,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"newSelfIntersections", solid.selfIntersections - result.inheritedSelfIntersections},
                     {"inheritedSelfIntersections", result.inheritedSelfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
+  report["colour"] = describeColour(result);
   const ReadingEvidence& reading = context.reading;
   report["verification"] = {{"decoded", context.verdict.reads.passed()},
                             {"text", reading.text},

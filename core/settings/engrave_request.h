@@ -8,6 +8,7 @@
 
 #include "carving/mark.h"
 #include "carving/surface_mode.h"
+#include "label/label_layout.h"
 #include "light/directional_light.h"
 #include "printing/build_direction.h"
 #include "printing/print_process.h"
@@ -74,6 +75,7 @@ struct EngraveRequest {
   std::optional<std::size_t> process = 0;
   Printer printer = namedPrinters()[0].printer;  ///< depths are found to within half a layer
   BuildDirection buildUp;                        ///< orientation of the model on the printer
+  LabelOptions label;                            ///< text under the code and frame round it, carved two layers deep
   bool inlay = false;         ///< also make the body that fills the pockets, for printing in two colours
   bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
 

@@ -145,6 +145,22 @@ Setting text() {
   return setting;
 }
 
+Setting label() {
+  Setting setting = made("label", "making", Kind::Text);
+  setting.since = kSinceThird;
+  setting.read = [](const R& r) -> V { return r.label.text; };
+  setting.write = [](R& r, const V& v) { r.label.text = std::get<std::string>(v); };
+  return setting;
+}
+
+Setting frame() {
+  Setting setting = choice(
+      "frame", "making", [](auto& r) -> auto& { return r.label.frame; },
+      [] { return namesOf(3, [](int i) { return labelFrameName(static_cast<LabelFrame>(i)); }); });
+  setting.since = kSinceThird;
+  return setting;
+}
+
 /// Makes the setting for error correction. A level given by its letter is exact.
 Setting errorCorrection() {
   Setting setting = made("ecc", "symbol", Kind::Choice);
@@ -389,6 +405,8 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
       toggle(
           "inlay", "making", [](auto& r) -> auto& { return r.inlay; }),
+      label(),
+      frame(),
       process(),
       number(
           "nozzleMm", "printing", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.printer.nozzleMm; }),

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "label/label_layout.h"
+
 namespace qrelief {
 namespace {
 
@@ -198,6 +200,12 @@ std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printe
     advice.push_back(message("shallower-than-layers", with::lengthMm<"depth">(features.leastDepthMm),
                              with::number<"layers">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
                              with::lengthMm<"layer">(printer.layerMm)));
+  if (const auto process = processOf(printer); process && features.labelCapitalMm) {
+    const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
+    if (*features.labelCapitalMm < leastMm - kRoundingMm)
+      advice.push_back(message("label-too-small", with::lengthMm<"height">(*features.labelCapitalMm),
+                               with::lengthMm<"least">(leastMm)));
+  }
   if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
     advice.push_back(
         message("wall-behind-pocket", with::lengthMm<"wall">(*features.wallMm), with::number<"wanted">(minWallMm)));

@@ -21,7 +21,8 @@ struct CarvedFeatures {
                             ///< are no gaps
   double meanDepthMm = 0;   ///< over the carved submodules
   double leastDepthMm = 0;  ///< 5th percentile of the depths of the dark modules' deepest submodules
-  std::optional<double> wallMm;  ///< least thickness of material behind a floor, along the rays, if known
+  std::optional<double> wallMm;          ///< least thickness of material behind a floor, along the rays, if known
+  std::optional<double> labelCapitalMm;  ///< height of the label's capitals; none: no text
 };
 
 /// Measures the features of a carved symbol.

@@ -24,7 +24,7 @@ std::string helpOf(const OptionTexts& texts, std::string_view before) {
 
 /// Heading in `--help`. A command's own options, such as the text, stay under its first heading.
 std::string headingOf(const Setting& setting) {
-  if (setting.kind == Kind::Text) return "Options";
+  if (setting.key == "text") return "Options";
   return settingWords().at("groups").at(setting.group).at("en");
 }
 
@@ -75,14 +75,14 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
 
 void SettingFlags::addGroup(CLI::App& command, std::string_view group) {
   for (const Setting& setting : settings())
-    if (setting.group == group && setting.kind != Kind::Text) add(command, setting.key);
+    if (setting.group == group && setting.key != "text") add(command, setting.key);
   for (const RemovedSetting& removed : removedSettings())
     if (removed.group == group) addRemoved(command, removed);
 }
 
 void SettingFlags::addAll(CLI::App& command) {
   for (const Setting& setting : settings())
-    if (setting.kind != Kind::Text) add(command, setting.key);
+    if (setting.key != "text") add(command, setting.key);
   for (const RemovedSetting& removed : removedSettings())
     if (removed.choice.empty()) addRemoved(command, removed);
 }

@@ -4,7 +4,7 @@
 #   QRelief::native  the core with an EGL context without a window, files, a QR decoder and `Engraver`
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
-foreach(dependency qrencode:libqrencode zlib:zlib expat:expat gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)
+foreach(dependency qrencode:libqrencode zlib:zlib expat:expat freetype:freetype2 gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)
   string(REPLACE ":" ";" parts ${dependency})
   list(GET parts 0 name)
   list(GET parts 1 module)

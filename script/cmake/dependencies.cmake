@@ -24,7 +24,7 @@ add_library(qrelief::headers ALIAS qrelief_headers)
 if(EMSCRIPTEN)
   # emcc's optimiser looks for the JavaScript parser acorn. Debian installs it where only its own Node looks.
   set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
-  include(wasm_sources)  # qrelief::qrencode, zlib, expat, csv and imgui from source
+  include(wasm_sources)  # qrelief::qrencode, zlib, expat, csv, freetype and imgui from source
   add_library(qrelief_gles INTERFACE)
   add_library(qrelief_hwy INTERFACE)  # one instruction set, so there is nothing to choose at run time
 else()
@@ -35,6 +35,8 @@ else()
   add_library(qrelief::zlib ALIAS PkgConfig::zlib)
   pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
   add_library(qrelief::expat ALIAS PkgConfig::expat)
+  pkg_check_modules(freetype REQUIRED IMPORTED_TARGET freetype2)
+  add_library(qrelief::freetype ALIAS PkgConfig::freetype)
   # libcsv comes without a .pc file.
   find_path(csv_include csv.h REQUIRED)
   find_library(csv_library csv REQUIRED)

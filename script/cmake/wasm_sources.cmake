@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv and qrelief::imgui for WebAssembly, from the sources
+# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv, qrelief::freetype and qrelief::imgui for WebAssembly, from the sources
 # that script/fetch-sources puts into build/deps.
 set(deps ${PROJECT_SOURCE_DIR}/build/deps)
-foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg imgui-1.86)
+foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg freetype-2.12.1+dfsg imgui-1.86)
   if(NOT IS_DIRECTORY ${deps}/${folder})
     message(FATAL_ERROR "build/deps/${folder} is missing: run script/setup (or script/fetch-sources alone)")
   endif()
@@ -55,6 +55,33 @@ add_library(qrelief_csv STATIC ${folder}/libcsv.c)
 target_include_directories(qrelief_csv SYSTEM PUBLIC ${folder})
 target_compile_options(qrelief_csv PRIVATE -w)
 add_library(qrelief::csv ALIAS qrelief_csv)
+
+# Only what outlines of a TrueType font take: no hinting, no bitmaps, no other formats.
+set(folder ${deps}/freetype-2.12.1+dfsg)
+set(config ${CMAKE_BINARY_DIR}/freetype)
+file(WRITE ${config}/label_modules.h
+  "FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)\nFT_USE_MODULE(FT_Module_Class, sfnt_module_class)\n")
+file(READ ${folder}/include/freetype/config/ftoption.h options)
+foreach(option ENVIRONMENT_PROPERTIES USE_LZW USE_ZLIB POSTSCRIPT_NAMES ADOBE_GLYPH_LIST MAC_FONTS)
+  string(REPLACE "#define FT_CONFIG_OPTION_${option}" "" options "${options}")
+endforeach()
+foreach(option TT_CONFIG_OPTION_EMBEDDED_BITMAPS TT_CONFIG_OPTION_COLOR_LAYERS TT_CONFIG_OPTION_BYTECODE_INTERPRETER
+    TT_CONFIG_OPTION_GX_VAR_SUPPORT TT_CONFIG_OPTION_BDF TT_CONFIG_OPTION_POSTSCRIPT_NAMES)
+  string(REPLACE "#define ${option}" "" options "${options}")
+endforeach()
+file(WRITE ${config}/label_options.h "${options}")
+add_library(qrelief_freetype STATIC
+  ${folder}/src/base/ftbase.c
+  ${folder}/src/base/ftdebug.c
+  ${folder}/src/base/ftinit.c
+  ${folder}/src/base/ftsystem.c
+  ${folder}/src/sfnt/sfnt.c
+  ${folder}/src/truetype/truetype.c)
+target_include_directories(qrelief_freetype SYSTEM PUBLIC ${folder}/include PRIVATE ${config})
+target_compile_definitions(qrelief_freetype PRIVATE
+  FT2_BUILD_LIBRARY FT_CONFIG_MODULES_H=<label_modules.h> FT_CONFIG_OPTIONS_H=<label_options.h>)
+target_compile_options(qrelief_freetype PRIVATE -w)
+add_library(qrelief::freetype ALIAS qrelief_freetype)
 
 set(folder ${deps}/imgui-1.86)
 add_library(qrelief_imgui STATIC

@@ -31,7 +31,7 @@ std::string rowOf(const Setting& setting) {
   const std::string flag = texts.values.empty() ? texts.flag : texts.flag + " " + texts.values;
   const std::string range = texts.range.empty() ? "" : fmt::format("; {}", texts.range);
   return fmt::format("| `{}` | `{}` | {}{} | {} | {} |\n", inCell(flag), setting.key, inCell(texts.help), range,
-                     setting.kind == Setting::Kind::Text ? "required" : texts.initial, setting.since);
+                     setting.key == "text" ? "required" : texts.initial, setting.since);
 }
 
 }  // namespace

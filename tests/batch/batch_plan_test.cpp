@@ -53,6 +53,25 @@ TEST(BatchPlan, FillsTemplatesFromColumnsAndNumbers) {
   EXPECT_THAT(plan.unusedColumns(), IsEmpty());
 }
 
+TEST(BatchPlan, FillsTheLabelFromItsTemplateOrItsColumn) {
+  BatchRequest request;
+  request.all = defaultRequest();
+  request.all.text = "https://example.org/{id}";
+  request.all.label.text = "No. {n:04} {id}";
+  const BatchPlan plan = BatchPlan::make(countedBatchList(12), request);
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(11).request.label.text, "No. 0012 12");
+  const BatchPlan named = planOf("id,text,label\n7,hello,Seven\n8,world,\n");
+  ASSERT_THAT(problemsOf(named), IsEmpty());
+  EXPECT_EQ(named.row(0).request.label.text, "Seven");
+  EXPECT_EQ(named.row(1).request.label.text, "");
+}
+
+TEST(BatchPlan, ReportsTheLineOfALabelThatTheFontLacks) {
+  EXPECT_THAT(problemsOf(planOf("id,text,label\n7,hello,Seven\n8,world,漢\n")),
+              ElementsAre("3 label-lacks-characters"));
+}
+
 TEST(BatchPlan, NumbersTheRowsWithoutAList) {
   BatchRequest request;
   request.all.text = "part {n:04}";

@@ -20,12 +20,12 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Layers, lowest first: a folder includes only itself and the folders listed before it.
-const std::vector<std::string> kLayers = {"base",         "math",     "mesh",       "io",      "qr",      "light",
-                                          "gl",           "render",   "projection", "depth",   "carving", "printing",
-                                          "verification", "settings", "pipeline",   "verdict", "report",  "batch"};
+const std::vector<std::string> kLayers = {
+    "base",  "math",    "mesh",     "io",           "qr",       "light",    "gl",      "render", "projection", "label",
+    "depth", "carving", "printing", "verification", "settings", "pipeline", "verdict", "report", "batch"};
 
-/// Headers that the build generates from shaders/ and messages/.
-const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "message_codes.h"};
+/// Headers that the build generates from shaders/, messages/ and the font of labels.
+const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "message_codes.h", "label_font.h"};
 
 bool isGenerated(const std::string& path) {
   return std::find(kGeneratedHeaders.begin(), kGeneratedHeaders.end(), path) != kGeneratedHeaders.end();

@@ -272,7 +272,7 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
 /// Checks that from every direction the search looked from, the silhouette breaks a code of `symbolMm`.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
-  const double square = symbolMm * roomFactor(modules, made.request.placement.quietZone);
+  const double square = symbolMm * roomFactor(modules, made.request.placement);
   const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
   for (const ProjectionFrame& frame : search.frames) {
     // Over all rotations the square's corners sweep a disc; a larger square encloses it.

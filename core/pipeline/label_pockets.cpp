@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/label_pockets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "depth/depth_field.h"
+#include "mesh/ray_tree.h"
+
+namespace qrelief {
+namespace {
+
+/// Returns the least thickness of the material along the eye's rays through the label's corners, mm.
+double leastThicknessMm(const Mesh& mesh, const ProjectionFrame& frame, const std::vector<Ring>& rings) {
+  const RayTree tree(mesh);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Ring& ring : rings)
+    for (const Vec2 corner : ring) {
+      const Vec3 eye = frame.eye(), direction = frame.rayDirection(corner);
+      const auto front = tree.firstHit(eye, direction);
+      if (!front) continue;
+      const double reached = glm::distance(front->position, eye);
+      const auto back = tree.firstHit(eye, direction, reached + kOnSurfaceMm);
+      if (back) least = std::min(least, glm::distance(back->position, front->position));
+    }
+  return least;
+}
+
+}  // namespace
+
+Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
+                                     int modules, double inlayMm) {
+  if (request.label.empty()) return OutlinedPockets{};
+  auto layout = layOutLabel(request.label, modules);
+  if (!layout) return tl::unexpected(layout.error());
+  OutlinedPockets pockets{std::move(layout->rings), std::move(layout->covered), 0};
+  for (Ring& ring : pockets.rings)
+    for (Vec2& corner : ring) corner *= placement.moduleMm;
+  for (Rectangle& box : pockets.covered) box = {box.low * placement.moduleMm, box.high * placement.moduleMm};
+  if (request.mark == Mark::Paint) {
+    pockets.depthMm = kDepthQuantumMm;  // marks what is painted, and lowers nothing
+    return pockets;
+  }
+  const double layerMm = request.printer.layerMm;
+  const double wantedMm = request.mark == Mark::Inlay ? inlayMm : kLabelLayers * layerMm;
+  const double thicknessMm = leastThicknessMm(mesh, placement.frame, pockets.rings);
+  pockets.depthMm = quantisedDepth(wantedMm, std::min(wantedMm, thicknessMm - request.minWallMm));
+  if (pockets.depthMm < std::max(layerMm, kDepthQuantumMm) - 1e-9)
+    return fail(ErrorKind::NoSolution, message("label-too-deep", with::lengthMm<"depth">(wantedMm),
+                                               with::lengthMm<"wall">(std::max(0.0, thicknessMm - wantedMm))));
+  return pockets;
+}
+
+std::optional<double> labelCapitalMm(const LabelOptions& label, int modules, double moduleMm) {
+  if (label.text.empty()) return std::nullopt;
+  const auto layout = layOutLabel(label, modules);
+  if (!layout) return std::nullopt;
+  return layout->capitalModules * moduleMm;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "carving/outlined_pockets.h"
+#include "mesh/mesh.h"
+#include "pipeline/placement.h"
+#include "settings/engrave_request.h"
+
+namespace qrelief {
+
+/// Depth of a label in layers: one could vanish in the first layer's seams, and more take thicker walls.
+inline constexpr int kLabelLayers = 2;
+
+/// Lays out a request's label at a placement and finds its depth: kLabelLayers layers, for an inlaid code as deep as
+/// its modules; less where the wall is thin. A painted label has no depth.
+///
+/// Cost: O(T log T), and a ray for each corner of the label; nothing without a label.
+/// @param mesh     the model before carving
+/// @param modules  along the symbol's edge
+/// @param inlayMm  depth of the modules of Mark::Inlay, > 0; ignored for other marks
+/// @returns empty without a label; the errors of layOutLabel(); NoSolution if the wall under a corner leaves less than
+///          one layer of depth
+Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
+                                     int modules, double inlayMm);
+
+/// Returns the height of a label's capitals, mm; none without text.
+std::optional<double> labelCapitalMm(const LabelOptions& label, int modules, double moduleMm);
+
+}  // namespace qrelief

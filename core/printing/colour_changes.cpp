@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/colour_changes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "math/box.h"
+#include "math/frame.h"
+#include "printing/cross_sections.h"
+#include "printing/extruded_outline.h"
+
+namespace qrelief {
+namespace {
+
+/// PLA, as in the filament profiles of PrusaSlicer and Bambu Studio.
+constexpr double kDensityGPerMm3 = 1.24e-3;
+
+/// Purge of a change: slicers ask for 200 to 300 mm³ between distant colours; this is the middle.
+constexpr double kUsualPurgeMm3 = 250;
+/// Loading and unloading: 29 s and 28 s in Bambu Studio's profile of the X1C and P1S. Pushing out the purge: an
+/// assumed flow of 12 mm³/s, the usual limit of PLA through a nozzle of 0.4 mm.
+constexpr double kSwapSeconds = 57, kPurgeMm3PerSecond = 12;
+
+constexpr double kNodesPerFinest = 6;
+/// Turns a model so that the printer's vertical is z.
+struct Upright {
+  ProjectionFrame axes;
+
+  explicit Upright(Vec3 up) : axes(makeFrame(Vec3(0), up, {0, 1, 0}, 1)) {}
+
+  Vec3 operator()(Vec3 p) const { return {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.normal)}; }
+
+  std::vector<std::array<Vec3, 3>> corners(const Mesh& mesh) const {
+    std::vector<std::array<Vec3, 3>> corners(mesh.triangles.size());
+    for (std::size_t t = 0; t < corners.size(); ++t)
+      for (int k = 0; k < 3; ++k) corners[t][static_cast<std::size_t>(k)] = (*this)(mesh.corner(t, k));
+    return corners;
+  }
+
+  Box3 box(const Mesh& mesh) const {
+    Box3 box;
+    for (const Vec3f& p : mesh.positions) box.add((*this)(Vec3(p)));
+    return box;
+  }
+};
+
+/// Returns a plane in the middle of every layer from the print's lowest point to its highest.
+CuttingPlanes layersOf(const Box3& box, double layerMm) {
+  const int count = std::max(1, static_cast<int>(std::lround(box.size().z / layerMm)));
+  return {box.min.z + layerMm / 2, layerMm, count};
+}
+
+CrossSections cutInto(const Upright& upright, const Mesh& body, const CuttingPlanes& planes) {
+  const Box3 box = upright.box(body);
+  // Corners of the mesh have neither the x nor the y of a corner that lies outside the box.
+  return cutByPlanes(upright.corners(body), planes, Vec2(box.min) - 1.0, Vec2(box.max) + 1.0);
+}
+
+/// Returns for each layer whether it cuts a body.
+std::vector<char> cutLayers(const Upright& upright, const Mesh& body, const CuttingPlanes& planes) {
+  std::vector<char> cut;
+  for (const std::vector<Segment2>& outline : cutInto(upright, body, planes).outlines) cut.push_back(!outline.empty());
+  return cut;
+}
+
+/// Returns the area that the process prints of a cross-section, mm².
+double printedAreaMm2(std::span<const Segment2> outline, const PrintProcess& process) {
+  if (outline.empty()) return 0;
+  Vec2 low = outline[0][0], high = low;
+  for (const Segment2& segment : outline)
+    for (const Vec2 end : segment) {
+      low = glm::min(low, end);
+      high = glm::max(high, end);
+    }
+  const double step = process.finestMm / kNodesPerFinest, margin = 2 * process.cornerRadiusMm + 2 * step;
+  const Vec2 nodes = glm::ceil((high - low + 2 * margin) / step);
+  const LayerWindow window{low - margin, step, static_cast<int>(nodes.x) + 1, static_cast<int>(nodes.y) + 1};
+  const LayerGrid laid = layOutline(outline, window, window.origin - step, 0, process);
+  const auto count =
+      std::count_if(laid.distanceMm.begin(), laid.distanceMm.end(), [&](float distance) { return distance < 0; });
+  return static_cast<double>(count) * step * step;
+}
+
+/// Prices the changes between two sets of layers. Layers with neither filament, in a model of several pieces, change
+/// nothing.
+ColourCost priced(const std::vector<char>& first, const std::vector<char>& second, double secondMm3,
+                  const FilamentChange& change) {
+  constexpr int kNone = -1, kFirst = 0, kSecond = 1;
+  ColourCost cost;
+  int held = kNone, toFirst = 0, toSecond = 0;
+  const auto need = [&](int filament) {
+    if (held == 1 - filament) ++(filament == kFirst ? toFirst : toSecond);
+    held = filament;
+  };
+  for (std::size_t k = 0; k < second.size(); ++k) {
+    if (second[k]) ++cost.layers;
+    const int begin = held == kSecond ? kSecond : kFirst;
+    for (const int filament : {begin, 1 - begin})
+      if (filament == kFirst ? first[k] : second[k]) need(filament);
+  }
+  const double purgeG = change.purgeMm3 * kDensityGPerMm3;
+  cost.changes = toFirst + toSecond;
+  cost.secondG = secondMm3 * kDensityGPerMm3;
+  cost.firstWasteG = toFirst * purgeG;
+  cost.secondWasteG = toSecond * purgeG;
+  cost.wasteMinutes = cost.changes * change.seconds / 60;
+  return cost;
+}
+
+}  // namespace
+
+std::optional<FilamentChange> usualFilamentChange(const Printer& printer) {
+  if (printer.technique != PrintTechnique::Filament) return std::nullopt;
+  return FilamentChange{kUsualPurgeMm3, kSwapSeconds + kUsualPurgeMm3 / kPurgeMm3PerSecond};
+}
+
+ColourCost colourCost(const Mesh& body, const Mesh& inlay, const ColourPrint& print) {
+  if (inlay.triangles.empty()) return {};
+  const Upright upright(print.up);
+  Box3 box = upright.box(body);
+  const Box3 inlaid = upright.box(inlay);
+  box.add(inlaid.min);
+  box.add(inlaid.max);
+  const CuttingPlanes planes = layersOf(box, print.process.layerMm);
+  std::vector<char> second;
+  double secondMm3 = 0;
+  for (const std::vector<Segment2>& outline : cutInto(upright, inlay, planes).outlines) {
+    const double area = printedAreaMm2(outline, print.process);
+    second.push_back(area > 0);
+    secondMm3 += area * print.process.layerMm;
+  }
+  return priced(cutLayers(upright, body, planes), second, secondMm3, print.change);
+}
+
+ColourCost colourCost(const Mesh& body, const PaintedTriangles& painted, const ColourPrint& print) {
+  if (painted.triangles.empty()) return {};
+  const Upright upright(print.up);
+  const CuttingPlanes planes = layersOf(upright.box(body), print.process.layerMm);
+  std::vector<char> second(static_cast<std::size_t>(planes.count), 0);
+  double areaMm2 = 0;
+  for (const std::uint32_t t : painted.triangles) {
+    const Vec3 normal = triangleNormal(body, t);
+    const double deeper = -painted.depthMm * glm::dot(normal, upright.axes.normal);
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < 3; ++k) {
+      const double z = glm::dot(body.corner(t, k), upright.axes.normal);
+      low = std::min({low, z, z + deeper});
+      high = std::max({high, z, z + deeper});
+    }
+    // Planes at `low` itself count as above it, like vertices in cutByPlanes().
+    const auto planeAbove = [&](double z) {
+      return std::clamp(static_cast<int>(std::ceil((z - planes.firstMm) / planes.stepMm - 1e-6)), 0, planes.count);
+    };
+    for (int k = planeAbove(low); k < planeAbove(high); ++k) second[static_cast<std::size_t>(k)] = 1;
+    areaMm2 +=
+        glm::length(glm::cross(body.corner(t, 1) - body.corner(t, 0), body.corner(t, 2) - body.corner(t, 0))) / 2;
+  }
+  return priced(cutLayers(upright, body, planes), second, areaMm2 * painted.depthMm, print.change);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "label/label_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "qr/symbol.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kModules = 25;
+constexpr double kQuietEdge = kModules / 2.0 + kQuietZoneModules;
+
+LabelLayout layout(const LabelOptions& label) {
+  const auto made = layOutLabel(label, kModules);
+  EXPECT_TRUE(made.has_value()) << made.error().message;
+  return made.value_or(LabelLayout{});
+}
+
+Rectangle boundsOf(const LabelLayout& layout) {
+  Rectangle box{Vec2(INFINITY), Vec2(-INFINITY)};
+  for (const Ring& ring : layout.rings)
+    for (const Vec2 corner : ring) box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+  return box;
+}
+
+/// Expects that every corner lies outside the quiet zone, within the margin, and in a covered rectangle.
+void expectInItsRoom(const LabelOptions& label, const LabelLayout& layout) {
+  const double edge = kModules / 2.0 + labelMarginModules(label, kModules);
+  for (const Ring& ring : layout.rings)
+    for (const Vec2 corner : ring) {
+      EXPECT_GE(std::max(std::abs(corner.x), std::abs(corner.y)), kQuietEdge - 1e-9);
+      EXPECT_LE(std::max(std::abs(corner.x), std::abs(corner.y)), edge);
+      EXPECT_TRUE(std::any_of(layout.covered.begin(), layout.covered.end(), [&](const Rectangle& box) {
+        return corner.x >= box.low.x - 1e-9 && corner.y >= box.low.y - 1e-9 && corner.x <= box.high.x + 1e-9 &&
+               corner.y <= box.high.y + 1e-9;
+      }));
+    }
+}
+
+TEST(LabelLayout, ShortTextIsAnEighthOfTheSymbolHighAndCentred) {
+  const LabelOptions label{"No 7", LabelFrame::None};
+  const LabelLayout made = layout(label);
+  EXPECT_DOUBLE_EQ(made.capitalModules, kModules / 8.0);
+  const Rectangle box = boundsOf(made);
+  EXPECT_NEAR(box.low.x, -box.high.x, 1e-9);
+  EXPECT_LT(box.high.y, -kQuietEdge);
+  expectInItsRoom(label, made);
+}
+
+TEST(LabelLayout, LongTextIsAsWideAsTheSymbol) {
+  const LabelOptions label{"https://example.org/p/0123456789", LabelFrame::None};
+  const LabelLayout made = layout(label);
+  const Rectangle box = boundsOf(made);
+  EXPECT_NEAR(box.high.x - box.low.x, kModules, 1e-9);
+  EXPECT_LT(made.capitalModules, kModules / 8.0);
+  expectInItsRoom(label, made);
+}
+
+TEST(LabelLayout, AFrameEnclosesQuietZoneAndText) {
+  for (const LabelFrame frame : {LabelFrame::Rounded, LabelFrame::Square}) {
+    const LabelOptions plain{"", frame}, both{"g", frame};
+    const LabelLayout alone = layout(plain), around = layout(both);
+    EXPECT_EQ(alone.rings.size(), 2u);
+    EXPECT_EQ(alone.capitalModules, 0);
+    EXPECT_NEAR(boundsOf(alone).low.y, -kQuietEdge - 1.5, 1e-9);
+    EXPECT_LT(boundsOf(around).low.y, boundsOf(alone).low.y);
+    EXPECT_NEAR(boundsOf(around).high.y, kQuietEdge + 1.5, 1e-9);
+    expectInItsRoom(plain, alone);
+    expectInItsRoom(both, around);
+  }
+}
+
+TEST(LabelLayout, ARoundedFrameHasOneModuleOfLineAlsoInItsCorners) {
+  const LabelLayout made = layout({"", LabelFrame::Rounded});
+  ASSERT_EQ(made.rings.size(), 2u);
+  double area = 0;
+  for (const Ring& ring : made.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) area += cross2(ring[i], ring[(i + 1) % ring.size()]) / 2;
+  // Straight parts of a module's width, and a ring with radii 1.5 and 2.5 modules for the four corners.
+  const double straight = 4 * (2 * (kQuietEdge + 0.5) - 3), corners = std::numbers::pi * (2.5 * 2.5 - 1.5 * 1.5);
+  EXPECT_NEAR(area, straight + corners, 0.1);
+}
+
+TEST(LabelLayout, TheMarginIsTheSameForAllTexts) {
+  EXPECT_EQ(labelMarginModules({"1", LabelFrame::None}, kModules),
+            labelMarginModules({"Ägypten, 100 Stück", LabelFrame::None}, kModules));
+  EXPECT_EQ(labelMarginModules({}, kModules), 0);
+  expectInItsRoom({"Äg", LabelFrame::None}, layout({"Äg", LabelFrame::None}));
+}
+
+TEST(LabelLayout, TextOfSpacesIsRefused) {
+  const auto made = layOutLabel({"  ", LabelFrame::None}, kModules);
+  ASSERT_FALSE(made.has_value());
+  EXPECT_EQ(made.error().message, message("label-empty"));
+}
+
+TEST(LabelLayout, TheLeastHeightHasStrokesOfOneLine) {
+  EXPECT_NEAR(leastCapitalMm(0.45) * thinnestStroke(), 0.45, 1e-12);
+  const LabelLayout made = layout({"No 7", LabelFrame::None});
+  EXPECT_NEAR(made.thinnestStrokeModules / made.capitalModules, thinnestStroke(), 1e-12);
+}
+
+}  // namespace
+}  // namespace qrelief
