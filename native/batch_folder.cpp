@@ -143,8 +143,8 @@ std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
   return hash ? std::optional(*hash) : std::nullopt;
 }
 
-KnownRow BatchFolder::known(const ManifestEntry& wanted) const {
-  KnownRow known;
+EarlierRow BatchFolder::known(const ManifestEntry& wanted) const {
+  EarlierRow known;
   for (const auto& [name, index] : manifests_) {
     const auto found = index.lines().find(wanted.number);
     if (found == index.lines().end()) continue;

@@ -34,7 +34,7 @@ class BatchFolder {
   std::string pathOf(const std::string& file) const { return path_ + "/" + file; }
 
   /// Looks a row up. Cost: reading the row's file and plate. @param wanted  the row's pending entry
-  KnownRow known(const ManifestEntry& wanted) const;
+  EarlierRow known(const ManifestEntry& wanted) const;
 
   /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other
   /// hashes. An unwanted code must not lie among the others. A file that somebody has changed stays.

@@ -35,7 +35,7 @@ std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const
   return entries;
 }
 
-void KnownRow::add(const ManifestEntry& listed, const ManifestEntry& wanted, const HashOf& hashOf) {
+void EarlierRow::add(const ManifestEntry& listed, const ManifestEntry& wanted, const HashOf& hashOf) {
   if (state == State::Done || listed.file != wanted.file || listed.plate != wanted.plate ||
       listed.sha256.input != wanted.sha256.input || listed.sha256.settings != wanted.sha256.settings)
     return;

@@ -32,8 +32,8 @@ std::vector<std::string> rowsToHash(const BatchUnit& unit, std::span<const std::
 /// @param hashes  of the texts of rowsToHash()
 std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const std::string> hashes);
 
-/// State of a row according to manifests, some of which may list it with other inputs.
-struct KnownRow {
+/// State of a row according to the manifests of earlier runs, some of which may list it with other inputs.
+struct EarlierRow {
   enum class State {
     New,      ///< no entry, or an entry with other hashes
     Done,     ///< nothing to do

@@ -76,9 +76,9 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
     next = entry.number + 1;
     if (entry.status != RowStatus::Done) return {};
     const auto known = folder->known(entry);
-    if (known.state == KnownRow::State::Done) return {};
+    if (known.state == EarlierRow::State::Done) return {};
     fmt::print(stderr, "qrelief: row {}: {} {}\n", entry.number, entry.file,
-               known.state == KnownRow::State::Changed ? "has changed" : "is missing");
+               known.state == EarlierRow::State::Changed ? "has changed" : "is missing");
     ++lost;
     return {};
   });

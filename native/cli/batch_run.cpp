@@ -72,10 +72,10 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveR
   Made made = {pendingEntries(unit, hashesOf(rowsToHash(unit, hashesOf(matesToHash(unit))))), false};
   std::vector<ManifestEntry> changed;
   for (ManifestEntry& entry : made.entries) {
-    const KnownRow known = folder_.known(entry);
+    const EarlierRow known = folder_.known(entry);
     if (known.isOpen(options_->retryFailed)) {
       made.isNew = true;
-    } else if (known.state == KnownRow::State::Changed) {
+    } else if (known.state == EarlierRow::State::Changed) {
       entry.reason = sentenceAndHint(message("file-changed"));
       changed.push_back(entry);
     } else {

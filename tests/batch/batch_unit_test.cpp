@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using State = KnownRow::State;
+using State = EarlierRow::State;
 
 BatchUnit unitOf(std::size_t rows, const std::string& plate = {}, bool hasOwnFiles = true) {
   BatchUnit unit = {{}, plate, hasOwnFiles, "model", "scale 2"};
@@ -55,7 +55,7 @@ TEST(BatchUnit, APendingEntryNamesTheFileAndThePlate) {
   EXPECT_EQ(shared[0].sha256.settings, "");
 }
 
-struct KnownRowTest : testing::Test {
+struct EarlierRowTest : testing::Test {
   ManifestEntry listed(RowStatus status, const std::string& output = "out") const {
     ManifestEntry entry = wanted;
     entry.status = status;
@@ -68,10 +68,10 @@ struct KnownRowTest : testing::Test {
 
   const ManifestEntry wanted = pendingEntries(unitOf(1), std::vector<std::string>{"h"})[0];
   std::optional<std::string> onDisk = "out";
-  KnownRow row;
+  EarlierRow row;
 };
 
-TEST_F(KnownRowTest, IsDoneIfItsFileHasTheListedHash) {
+TEST_F(EarlierRowTest, IsDoneIfItsFileHasTheListedHash) {
   EXPECT_TRUE(row.isOpen(false));
   add(listed(RowStatus::Done));
   EXPECT_EQ(row.state, State::Done);
@@ -80,7 +80,7 @@ TEST_F(KnownRowTest, IsDoneIfItsFileHasTheListedHash) {
   EXPECT_EQ(row.state, State::Done);
 }
 
-TEST_F(KnownRowTest, IsNewIfItsFileIsGoneOrItsInputsDiffer) {
+TEST_F(EarlierRowTest, IsNewIfItsFileIsGoneOrItsInputsDiffer) {
   onDisk.reset();
   add(listed(RowStatus::Done));
   onDisk = "out";
@@ -98,7 +98,7 @@ TEST_F(KnownRowTest, IsNewIfItsFileIsGoneOrItsInputsDiffer) {
   EXPECT_TRUE(row.isOpen(false));
 }
 
-TEST_F(KnownRowTest, IsOpenAfterAFailureOrAChangeOnlyIfRetried) {
+TEST_F(EarlierRowTest, IsOpenAfterAFailureOrAChangeOnlyIfRetried) {
   add(listed(RowStatus::Failed));
   EXPECT_EQ(row.state, State::Failed);
   EXPECT_FALSE(row.isOpen(false));
