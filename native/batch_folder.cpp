@@ -46,8 +46,7 @@ Status writeWhole(int file, std::string_view text, const std::string& path) {
 }
 
 /// Removes an unfinished last line, left by a killed process, because it would spoil the next line.
-/// @returns position of the next line
-Result<std::uint64_t> dropUnfinishedLine(int file, const std::string& path) {
+Status dropUnfinishedLine(int file, const std::string& path) {
   std::array<char, 65536> block;
   const off_t size = ::lseek(file, 0, SEEK_END);
   if (size < 0) return notWritten(path);
@@ -61,7 +60,7 @@ Result<std::uint64_t> dropUnfinishedLine(int file, const std::string& path) {
     if (lineEnd != std::string_view::npos) break;
   }
   if (end < size && ::ftruncate(file, end) != 0) return notWritten(path);
-  return static_cast<std::uint64_t>(end);
+  return {};
 }
 
 /// Returns true if the manifest may have rows of the share. Another share of the same count has none.
@@ -80,7 +79,6 @@ BatchFolder::BatchFolder(BatchFolder&& other) noexcept
     : path_(std::move(other.path_)),
       own_(std::move(other.own_)),
       file_(std::exchange(other.file_, -1)),
-      end_(other.end_),
       manifests_(std::move(other.manifests_)) {}
 
 BatchFolder::~BatchFolder() {
@@ -102,27 +100,24 @@ Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shar
   if (folder.file_ < 0) return notWritten(own);
   if (::flock(folder.file_, LOCK_EX | LOCK_NB) != 0)
     return fail(ErrorKind::BadInput, message("batch-folder-in-use", with::quoted<"name">(own)));
-  const auto end = dropUnfinishedLine(folder.file_, own);
-  if (!end) return tl::unexpected(end.error());
-  folder.end_ = *end;
+  if (const Status dropped = dropUnfinishedLine(folder.file_, own); !dropped) return tl::unexpected(dropped.error());
   if (const Status read = folder.readManifests(shard); !read) return tl::unexpected(read.error());
   return folder;
 }
 
 Status BatchFolder::readManifests(const Shard& shard) {
+  std::vector<char> block(1 << 16);
   for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename().string();
     if (!isManifest(name) || !mayHaveRowsOf(name, shard)) continue;
     std::ifstream stream(entry.path(), std::ios::binary);
     if (!stream) return notRead(name, message("file-not-opened", with::term<"why">(std::strerror(errno))));
-    std::map<std::size_t, Line>& rows = manifests_[name];
-    std::uint64_t begin = 0;
-    std::size_t number = 1;
-    // A last line without a line end, left by a killed process, does not count.
-    for (std::string line; std::getline(stream, line) && !stream.eof(); begin += line.size() + 1, ++number) {
-      const auto read = readManifestLine(line);
-      if (!read) return notRead(name, message("manifest-line", with::count<"line">(number)));
-      rows[read->number] = {begin, static_cast<std::uint32_t>(line.size()), read->status};
+    ManifestIndex& index = manifests_[name];
+    while (stream) {
+      stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+      index.read(std::string_view(block.data(), static_cast<std::size_t>(stream.gcount())));
+      if (const std::size_t line = index.firstBadLine(); line > 0)
+        return notRead(name, message("manifest-line", with::count<"line">(line)));
     }
   }
   return {};
@@ -148,34 +143,21 @@ std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
   return hash ? std::optional(*hash) : std::nullopt;
 }
 
-BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
-  Known best;
-  for (const auto& [name, rows] : manifests_) {
-    const auto found = rows.find(wanted.number);
-    if (found == rows.end()) continue;
-    const auto read = entryAt(name, found->second);
-    if (!read) continue;
-    const ManifestEntry& entry = *read;
-    if (entry.file != wanted.file || entry.plate != wanted.plate || entry.second != wanted.second ||
-        entry.sha256.input != wanted.sha256.input || entry.sha256.settings != wanted.sha256.settings)
-      continue;
-    if (entry.status != RowStatus::Done) {
-      if (best.state == Known::State::New) best = {Known::State::Failed, entry};
-      continue;
-    }
-    const auto file = hashOf(entry.file), plate = hashOf(entry.plate), second = hashOf(entry.second);
-    if (!file || !plate || !second) continue;  // the file is gone: make it again
-    if (*file == entry.sha256.output && *plate == entry.sha256.plate && *second == entry.sha256.second)
-      return {Known::State::Done, entry};
-    best = {Known::State::Changed, entry};
+EarlierRow BatchFolder::known(const ManifestEntry& wanted) const {
+  EarlierRow known;
+  for (const auto& [name, index] : manifests_) {
+    const auto found = index.lines().find(wanted.number);
+    if (found == index.lines().end()) continue;
+    if (const auto listed = entryAt(name, found->second))
+      known.add(*listed, wanted, [&](const std::string& file) { return hashOf(file); });
   }
-  return best;
+  return known;
 }
 
 void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
-  for (const auto& [name, rows] : manifests_) {
-    const auto found = rows.find(failed.number);
-    if (found == rows.end()) continue;
+  for (const auto& [name, index] : manifests_) {
+    const auto found = index.lines().find(failed.number);
+    if (found == index.lines().end()) continue;
     const auto entry = entryAt(name, found->second);
     if (!entry || entry->status != RowStatus::Done || entry->file != failed.file) continue;
     for (const auto& [made, hash] :
@@ -185,10 +167,9 @@ void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
 }
 
 Status BatchFolder::append(const ManifestEntry& entry) {
-  const std::string line = manifestLine(entry);
-  if (const Status written = writeWhole(file_, line + "\n", pathOf(own_)); !written) return written;
-  manifests_[own_][entry.number] = {end_, static_cast<std::uint32_t>(line.size()), entry.status};
-  end_ += line.size() + 1;
+  const std::string line = manifestLine(entry) + "\n";
+  if (const Status written = writeWhole(file_, line, pathOf(own_)); !written) return written;
+  manifests_[own_].read(line);
   return {};
 }
 
@@ -196,10 +177,10 @@ Status BatchFolder::append(const ManifestEntry& entry) {
 std::vector<BatchFolder::Found> BatchFolder::found() const {
   std::vector<Found> all;
   std::size_t count = 0;
-  for (const auto& [name, rows] : manifests_) count += rows.size();
+  for (const auto& [name, index] : manifests_) count += index.lines().size();
   all.reserve(count);
-  for (const auto& [name, rows] : manifests_)
-    for (const auto& [number, line] : rows) all.push_back({number, &name, line});
+  for (const auto& [name, index] : manifests_)
+    for (const auto& [number, line] : index.lines()) all.push_back({number, &name, line});
   std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.number < b.number; });
   return all;
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "batch/batch_unit.h"
 #include "batch/manifest.h"
+#include "batch/manifest_index.h"
 #include "batch/shard.h"
 
 namespace qrelief {
@@ -32,21 +33,8 @@ class BatchFolder {
 
   std::string pathOf(const std::string& file) const { return path_ + "/" + file; }
 
-  /// State of a row according to the manifests.
-  struct Known {
-    enum class State {
-      New,      ///< no entry, or an entry with other hashes
-      Done,     ///< nothing to do
-      Failed,   ///< tried with the same hashes, and failed
-      Changed,  ///< done, but its file has changed since
-    };
-    State state = State::New;
-    ManifestEntry entry;  ///< the manifest's entry; set unless the state is New
-  };
-
-  /// Looks a row up. Cost: reading the row's file and plate.
-  /// @param wanted  number, file, plate, second file, and the hashes of the row's input and settings
-  Known known(const ManifestEntry& wanted) const;
+  /// Looks a row up. Cost: reading the row's file and plate. @param wanted  the row's pending entry
+  EarlierRow known(const ManifestEntry& wanted) const;
 
   /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other
   /// hashes. An unwanted code must not lie among the others. A file that somebody has changed stays.
@@ -67,12 +55,7 @@ class BatchFolder {
   Status writeManifest(std::size_t lastNumber) const;
 
  private:
-  /// Position of a manifest's last line about a row.
-  struct Line {
-    std::uint64_t begin;
-    std::uint32_t bytes;
-    RowStatus status;
-  };
+  using Line = ManifestIndex::Line;
   /// A line and the name of its manifest.
   struct Found {
     std::size_t number;
@@ -87,9 +70,8 @@ class BatchFolder {
   std::optional<std::string> hashOf(const std::string& file) const;
 
   std::string path_, own_;
-  int file_ = -1;                                                 // this process's manifest, locked
-  std::uint64_t end_ = 0;                                         // of that manifest
-  std::map<std::string, std::map<std::size_t, Line>> manifests_;  // by file; a million rows take 80 MB
+  int file_ = -1;                                   // this process's manifest, locked
+  std::map<std::string, ManifestIndex> manifests_;  // by file
 };
 
 }  // namespace qrelief

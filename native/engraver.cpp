@@ -56,15 +56,13 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
       {.placed = &known.found, .pass = pass_, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
   if (!job) return tl::unexpected(job.error());
   Carving carving;
-  for (;;) {
-    const auto progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    tell(*progress);
+  const Status ended = advanceToEnd(**job, [&](const Progress& progress) {
+    tell(progress);
     const EngraveResult* const written = (*job)->writtenResult();
     if (looksAtPrint && written && !carving.print.valid())
       carving.print = std::async(std::launch::async, printed, verifyRequestOf(request, *written), written->mesh);
-    if (progress->done) break;
-  }
+  });
+  if (!ended) return tl::unexpected(ended.error());
   EngraveResult result = (*job)->takeResult();
   known.measured = (*job)->measuredPlace();
   const auto start = Clock::now();

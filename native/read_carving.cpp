@@ -5,19 +5,6 @@
 #include "pipeline/printed_view.h"
 
 namespace qrelief {
-namespace {
-
-template <class Job>
-auto runTelling(Job& job, const std::function<void(const Progress&)>& tell) -> Result<decltype(job.takeResult())> {
-  for (;;) {
-    const auto progress = job.advance();
-    if (!progress) return tl::unexpected(progress.error());
-    tell(*progress);
-    if (progress->done) return job.takeResult();
-  }
-}
-
-}  // namespace
 
 ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& result) {
   return evidenceOf(readFrontal(result.readerView), request.text);
@@ -30,10 +17,10 @@ Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request,
   if (!*wanted) return std::nullopt;
   auto job = PrintedViewJob::create(carved, **wanted);
   if (!job) return tl::unexpected(job.error());
-  const auto view = runTelling(**job, progress);
-  if (!view) return tl::unexpected(view.error());
-  return PrintedEvidence{evidenceOf(readFrontal(view->seen), request.text),
-                         std::string(namedPrinters()[*request.process].name), view->facingDeg};
+  if (const Status ended = advanceToEnd(**job, progress); !ended) return tl::unexpected(ended.error());
+  const PrintedView view = (*job)->takeResult();
+  return PrintedEvidence{evidenceOf(readFrontal(view.seen), request.text),
+                         std::string(namedPrinters()[*request.process].name), view.facingDeg};
 }
 
 }  // namespace qrelief

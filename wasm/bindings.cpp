@@ -15,6 +15,7 @@
 #include "engine/guarded.h"
 #include "engine/planned_batch.h"
 #include "engine/printed_code.h"
+#include "engine/tracked_batch.h"
 #include "inspector/inspected_engine.h"
 #include "wasm/verbs.h"
 
@@ -105,8 +106,8 @@ Owner& partOf(InspectedEngine& engine) {
 
 /// True for classes with an object of their own in JavaScript. All other verbs belong to the engine's object.
 template <class Owner>
-constexpr bool kStandsAlone =
-    std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch> || std::is_same_v<Owner, Facts>;
+constexpr bool kStandsAlone = std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch> ||
+                              std::is_same_v<Owner, TrackedBatch> || std::is_same_v<Owner, Facts>;
 
 template <class Owner>
 requires kStandsAlone<Owner> Owner& partOf(Owner& object) { return object; }
@@ -176,6 +177,11 @@ EMSCRIPTEN_BINDINGS(qrelief) {
   batch.constructor<>();
 #define QRELIEF_BIND(Owner, verb) batch.function(#verb, &Verb<&Owner::verb>::call);
   QRELIEF_BATCH_VERBS(QRELIEF_BIND)
+#undef QRELIEF_BIND
+  const auto track = emscripten::class_<TrackedBatch>("TrackedBatch");
+  track.constructor<>();
+#define QRELIEF_BIND(Owner, verb) track.function(#verb, &Verb<&Owner::verb>::call);
+  QRELIEF_TRACK_VERBS(QRELIEF_BIND)
 #undef QRELIEF_BIND
 }
 

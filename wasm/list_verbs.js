@@ -5,7 +5,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { kBatchVerbs, kFactVerbs, kInnerVerbs, kPageVerbs, kPrintVerbs } from '../web/engine/verbs.js';
+import { kBatchVerbs, kFactVerbs, kInnerVerbs, kPageVerbs, kPrintVerbs, kTrackVerbs } from '../web/engine/verbs.js';
 
 /** @typedef {Record<string, import('../web/engine/verbs.js').Verb<any>>} Rows */
 
@@ -14,6 +14,7 @@ const kTables = [
   ['QRELIEF_ENGINE_VERBS', 'Engine', { ...kPageVerbs, ...kInnerVerbs }],
   ['QRELIEF_PRINT_VERBS', 'PrintedCode', kPrintVerbs],
   ['QRELIEF_BATCH_VERBS', 'PlannedBatch', kBatchVerbs],
+  ['QRELIEF_TRACK_VERBS', 'TrackedBatch', kTrackVerbs],
   ['QRELIEF_FACT_VERBS', 'Facts', kFactVerbs],
 ];
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/planned_batch.h"
 
-#include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "base/parse_json.h"
 #include "batch/batch_list.h"
 #include "batch/manifest.h"
-#include "batch/plate_layout.h"
 #include "engine/answers.h"
 #include "settings/setting_json.h"
 
@@ -76,8 +73,7 @@ std::optional<BatchRow> PlannedBatch::at(double index) const {
 
 /// Returns the row's file, or its plate's.
 std::string PlannedBatch::fileOf(const BatchRow& row) const {
-  if (perPlate_ == 0) return row.file;
-  return plateName((row.number - 1) / perPlate_, (plan_->size() + perPlate_ - 1) / perPlate_);
+  return perPlate_ == 0 ? row.file : layout().plate(layout().of(row.number - 1));
 }
 
 std::string PlannedBatch::batchRows(double from, double count) const {
@@ -95,29 +91,43 @@ std::string PlannedBatch::batchRow(double index) const {
   return textOf({{"ok", true}, {"row", std::move(told)}});
 }
 
-std::string PlannedBatch::batchRowToHash(double index, const std::string& placed) const {
-  auto row = at(index);
-  if (!row) return answer(kNoRow);
+std::optional<BatchUnit> PlannedBatch::unitAt(double index) const {
+  const auto row = at(index);
+  if (!row) return std::nullopt;
+  const std::size_t number = layout().of(static_cast<std::size_t>(index));
+  BatchUnit unit;
+  for (std::size_t i = layout().begin(number); i < layout().end(number); ++i) unit.rows.push_back(plan_->row(i));
+  unit.plate = layout().plate(number);
+  unit.hasOwnFiles = perPlate_ == 0;
+  return unit;
+}
+
+std::string PlannedBatch::unitTexts(double index, const std::string& placed) const {
+  auto unit = unitAt(index);
+  if (!unit) return answer(kNoRow);
   const Result<Json> parsed = parseJson(placed);
   if (!parsed) return answer(parsed.error());
   const Json& given = *parsed;
   const Json& centre = given["centre"];
-  row->request.placement.centreMm = {centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()};
-  return textOf({{"ok", true}, {"text", settingsToHash(*row, given["others"].get<std::string>())}});
+  for (BatchRow& row : unit->rows)
+    row.request.placement.centreMm = {centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()};
+  unit->others = given["others"].get<std::string>();
+  const bool isOfPlate = given["of"] == "plate";
+  return textOf(
+      {{"ok", true},
+       {"texts", isOfPlate ? matesToHash(*unit) : rowsToHash(*unit, given["mates"].get<std::vector<std::string>>())}});
 }
 
-std::string PlannedBatch::manifestLine(const std::string& entry) const {
-  const auto read = readManifestLine(entry);
-  if (!read) return answer(ErrorKind::BadUsage, message("no-manifest-line"));
-  return textOf({{"ok", true}, {"line", qrelief::manifestLine(*read)}});
-}
-
-std::string PlannedBatch::manifestCsv(const std::string& lines, bool withHeader) const {
-  std::string csv = withHeader ? manifestCsvHeader() : "";
-  std::istringstream stream(lines);
-  for (std::string line; std::getline(stream, line);)
-    if (const auto entry = readManifestLine(line)) csv += manifestCsvLine(*entry);
-  return textOf({{"ok", true}, {"csv", csv}});
+std::string PlannedBatch::unitEntries(double index, const std::string& hashes) const {
+  auto unit = unitAt(index);
+  if (!unit) return answer(kNoRow);
+  const Result<Json> parsed = parseJson(hashes);
+  if (!parsed) return answer(parsed.error());
+  unit->input = (*parsed)["input"].get<std::string>();
+  Json entries = Json::array();
+  for (const ManifestEntry& entry : pendingEntries(*unit, (*parsed)["settings"].get<std::vector<std::string>>()))
+    entries.push_back(Json::parse(manifestLine(entry)));
+  return textOf({{"ok", true}, {"entries", std::move(entries)}});
 }
 
 }  // namespace qrelief

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "batch/batch_layout.h"
 #include "batch/batch_plan.h"
+#include "batch/batch_unit.h"
 
 namespace qrelief {
 
-/// The rows of a batch, as the page asks for them, and the lines of its manifest. Needs neither a model nor a GL
-/// context: Engine::configure() and startJob() carve the rows. Answers have the form that Engine describes.
+/// The rows of a batch, as the page asks for them. Needs neither a model nor a GL context: Engine::configure() and
+/// startJob() carve the rows, and TrackedBatch knows which. Answers have the form that Engine describes.
 class PlannedBatch {
  public:
   /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], warnings:
@@ -29,19 +31,20 @@ class PlannedBatch {
   /// Returns {row: {number, line, id, text, file, settings}}. `settings` are those in which the row differs from the
   /// common ones, and always its text and version. @param index  from 0
   std::string batchRow(double index) const;
-  /// Returns {text}: the row's settings to hash, see settingsToHash().
-  /// @param placed  {"centre": [x, y, z], "others"}: everything else that determines the row's file
-  std::string batchRowToHash(double index, const std::string& placed) const;
-
-  /// Returns {line}: the manifest's line (batch/manifest.h) without a line end. @param entry  the entry as JSON of any
-  /// layout
-  std::string manifestLine(const std::string& entry) const;
-  /// Returns {csv}: manifest lines as a table. @param lines  of the manifest; other lines are left out
-  std::string manifestCsv(const std::string& lines, bool withHeader) const;
+  /// Returns {texts}: for the rows of a unit (core/batch/batch_layout.h) the texts to hash as their settings; or, with
+  /// `of` "plate", the texts whose hashes that needs as `mates`, none without a plate. @param index  of any of its rows
+  /// @param placed  {"of": "plate" or "rows", "centre": [x, y, z], "others": how the model was scaled and turned,
+  ///                "mates"}
+  std::string unitTexts(double index, const std::string& placed) const;
+  /// Returns {entries: [manifest entry]}: the rows of a unit before they are carved, with status "failed".
+  /// @param hashes  {"input": of the model's file, "settings": of the rows' texts, or []}
+  std::string unitEntries(double index, const std::string& hashes) const;
 
  private:
   std::optional<BatchRow> at(double index) const;
   std::string fileOf(const BatchRow& row) const;
+  BatchLayout layout() const { return {plan_->size(), perPlate_}; }
+  std::optional<BatchUnit> unitAt(double index) const;
 
   std::optional<BatchPlan> plan_;  // none: the plan has problems
   EngraveRequest all_;

@@ -13,15 +13,25 @@ struct Progress {
   bool done = false;
 };
 
+/// Advances a job to its end.
+/// @param job   has advance()
+/// @param tell  is called with the progress after each step
+template <class Job, class Tell>
+Status advanceToEnd(Job& job, const Tell& tell) {
+  for (;;) {
+    const Result<Progress> progress = job.advance();
+    if (!progress) return tl::unexpected(progress.error());
+    tell(*progress);
+    if (progress->done) return {};
+  }
+}
+
 /// Runs a job to its end.
 /// @param job  has advance() and takeResult()
 template <class Job>
 auto runToEnd(Job& job) -> Result<decltype(job.takeResult())> {
-  for (;;) {
-    const Result<Progress> progress = job.advance();
-    if (!progress) return tl::unexpected(progress.error());
-    if (progress->done) return job.takeResult();
-  }
+  if (const Status ended = advanceToEnd(job, [](const Progress&) {}); !ended) return tl::unexpected(ended.error());
+  return job.takeResult();
 }
 
 }  // namespace qrelief

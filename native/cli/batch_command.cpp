@@ -8,8 +8,9 @@
 #include <set>
 
 #include "base/clock.h"
+#include "batch/batch_layout.h"
+#include "batch/batch_progress.h"
 #include "batch/manifest.h"
-#include "batch/plate_layout.h"
 #include "cli/batch_run.h"
 #include "cli/commands.h"
 #include "cli/shard_flags.h"
@@ -45,21 +46,19 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
 
 /// Writes the manifest of all rows and prints a summary. @returns exit status
 int finish(const BatchFolder& folder, const BatchPlan& plan) {
-  std::size_t known = 0, failed = 0;
+  BatchProgress progress({.rows = plan.size()});
   const Status read = folder.forEach([&](const ManifestEntry& entry) -> Status {
-    if (entry.number > plan.size()) return {};  // from an earlier, longer list
-    ++known;
-    if (entry.status == RowStatus::Done) return {};
-    ++failed;
+    progress.note(entry);
+    if (entry.number > plan.size() || entry.status == RowStatus::Done) return {};  // from an earlier, longer list
     fmt::print(stderr, "qrelief: row {} ({}) {}: {}\n", entry.number, entry.id, rowStatusName(entry.status),
                entry.reason);
     return {};
   });
   if (!read) return printError(read.error());
   if (const Status written = folder.writeManifest(plan.size()); !written) return printError(written.error());
-  const std::size_t missing = plan.size() - known;
-  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), known - failed, failed, missing);
-  return failed + missing == 0 ? kEngraved : kCheckFailed;
+  const BatchProgress::Counts counts = progress.counts();
+  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), counts.done, counts.failed, counts.waiting);
+  return counts.done == plan.size() ? kEngraved : kCheckFailed;
 }
 
 /// Merges the manifests that the processes of a batch have written.
@@ -77,9 +76,9 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
     next = entry.number + 1;
     if (entry.status != RowStatus::Done) return {};
     const auto known = folder->known(entry);
-    if (known.state == BatchFolder::Known::State::Done) return {};
+    if (known.state == EarlierRow::State::Done) return {};
     fmt::print(stderr, "qrelief: row {}: {} {}\n", entry.number, entry.file,
-               known.state == BatchFolder::Known::State::Changed ? "has changed" : "is missing");
+               known.state == EarlierRow::State::Changed ? "has changed" : "is missing");
     ++lost;
     return {};
   });
@@ -89,6 +88,21 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
   for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: two shares made row {}\n", number);
   const int status = finish(*folder, plan);
   return lost == 0 ? status : kCheckFailed;
+}
+
+std::size_t doneAmong(const std::vector<ManifestEntry>& entries) {
+  return static_cast<std::size_t>(std::count_if(
+      entries.begin(), entries.end(), [](const ManifestEntry& entry) { return entry.status == RowStatus::Done; }));
+}
+
+/// Prints a line about each row of a unit. @param mine  rows of this process
+void printProgress(const std::vector<ManifestEntry>& entries, const BatchProgress& progress, std::size_t mine,
+                   double workedMs) {
+  const auto leftMs = progress.remainingMs(workedMs);
+  for (const ManifestEntry& entry : entries)
+    fmt::print(stderr, "{}/{} {}: {}{}{}\n", progress.counts().finished(), mine, entry.id, rowStatusName(entry.status),
+               entry.reason.empty() ? "" : ", " + entry.reason,
+               leftMs ? fmt::format("; {} left", durationInWords(*leftMs / 1000)) : "");
 }
 
 int runRows(const BatchOptions& options, const GivenShard& given, const BatchRequest& request, BatchList list) {
@@ -107,31 +121,29 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   if (const Status prepared = run.prepare(first); !prepared) return printError(prepared.error(), options.model.path);
 
   const auto start = Clock::now();
-  const std::size_t together = std::max<std::size_t>(options.perPlate, 1);
-  const std::size_t units = (plan.size() + together - 1) / together;
-  std::size_t mine = 0, at = 0;
-  for (std::size_t unit = given.shard.index; unit < units; unit += given.shard.count)
-    mine += std::min(together, plan.size() - unit * together);
-  for (std::size_t unit = given.shard.index; unit < units; unit += given.shard.count) {
+  const BatchLayout layout = {plan.size(), options.perPlate, options.printEvery};
+  BatchProgress progress(layout, given.shard);
+  const std::size_t mine = layout.rowsOf(given.shard);
+  std::size_t made = 0;  // rows carved now that passed
+  while (const auto unit = progress.take()) {
     std::vector<BatchRow> rows;
-    for (std::size_t i = unit * together; i < std::min((unit + 1) * together, plan.size()); ++i)
-      rows.push_back(plan.row(i));
-    const std::size_t keptBefore = run.kept();
-    const auto entries = run.make(std::move(rows), first, options.perPlate > 0 ? plateName(unit, units) : "");
-    if (!entries) return printError(entries.error());
-    at += entries->size();
-    if (options.quiet || run.kept() > keptBefore) continue;
-    const double seconds = millisecondsSince(start) / 1000;
-    const auto done = static_cast<double>(run.made() + run.failed());
-    for (const ManifestEntry& entry : *entries)
-      fmt::print(stderr, "{}/{} {}: {}{}; {} left\n", at, mine, entry.id, rowStatusName(entry.status),
-                 entry.reason.empty() ? "" : ", " + entry.reason,
-                 durationInWords(seconds / done * static_cast<double>(mine - at)));
+    for (std::size_t i = layout.begin(*unit); i < layout.end(*unit); ++i) rows.push_back(plan.row(i));
+    const auto carved = run.make(std::move(rows), first, layout.plate(*unit));
+    if (!carved) return printError(carved.error());
+    if (carved->isNew)
+      progress.settle(carved->entries);
+    else
+      for (const ManifestEntry& entry : carved->entries) progress.note(entry);
+    const std::size_t done = doneAmong(carved->entries);
+    if (carved->isNew) made += done;
+    if (!options.quiet && (carved->isNew || done == 0))
+      printProgress(carved->entries, progress, mine, millisecondsSince(start));
   }
   if (given.shard.isWhole()) return finish(run.folder(), plan);
-  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), run.made(), run.kept(),
-             run.failed());
-  return run.failed() == 0 ? kEngraved : kCheckFailed;
+  const BatchProgress::Counts& counts = progress.counts();
+  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), made, counts.done - made,
+             counts.failed);
+  return counts.failed == 0 ? kEngraved : kCheckFailed;
 }
 
 /// Makes a row from a line of a stream.
@@ -169,6 +181,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   });
   if (!read) return printError(read.error());
   BatchRun run(options, std::move(*folder));
+  bool hasFailed = false;
   std::optional<EngraveRequest> placed;
   LineReader lines(std::cin, kMostLineBytes);
   for (auto line = lines.next(); line; line = lines.next()) {
@@ -197,11 +210,13 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     else
       for (const std::string& file : row->files()) known[file] = {next, row->request.text, row->file};
     if (same == known.end()) ++next;
-    const auto entries = run.make({*row}, *placed);
-    if (!entries) return printError(entries.error());
-    std::cout << manifestLine(entries->front()) << std::endl;  // flush: the client waits for the line
+    const auto made = run.make({*row}, *placed);
+    if (!made) return printError(made.error());
+    const ManifestEntry& entry = made->entries.front();
+    hasFailed |= entry.status != RowStatus::Done;
+    std::cout << manifestLine(entry) << std::endl;  // flush: the client waits for the line
   }
-  return run.failed() == 0 ? kEngraved : kCheckFailed;
+  return !hasFailed ? kEngraved : kCheckFailed;
 }
 
 int runBatch(const BatchOptions& options) {

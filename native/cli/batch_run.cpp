@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/clock.h"
+#include "batch/batch_layout.h"
 #include "batch/plate_layout.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
@@ -23,6 +24,11 @@ std::string otherSettings(const BatchOptions& options) {
   const RepairFlags& r = options.model.repair;
   return fmt::format("{} {} {} {} {}{}", options.model.units, options.model.scale.value_or(0), r.weldTolerance,
                      r.maxHole, fmt::join(r.without, ","), options.fileFlags.text());
+}
+
+std::vector<std::string> hashesOf(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = sha256(text);
+  return texts;
 }
 
 }  // namespace
@@ -56,54 +62,39 @@ Status BatchRun::prepare(EngraveRequest& all) {
   return chooseSpot(model_, all, report_.scaleToMm, options_->quiet, stderr);  // stdout is for answers
 }
 
-Result<std::vector<ManifestEntry>> BatchRun::make(std::vector<BatchRow> rows, const EngraveRequest& placed,
-                                                  const std::string& plate) {
-  using State = BatchFolder::Known::State;
-  std::string others = otherSettings(*options_);
+Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveRequest& placed,
+                                      const std::string& plate) {
   for (BatchRow& row : rows) {
     row.request.placement.centreMm = placed.placement.centreMm;
     if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
-    if (!plate.empty()) others += sha256(settingsToHash(row, {}));
   }
-  std::vector<ManifestEntry> entries, changed;
-  bool isNew = false;
-  for (const BatchRow& row : rows) {
-    ManifestEntry entry;
-    entry.number = row.number;
-    entry.id = row.id;
-    entry.text = row.request.text;
-    entry.file = isFiled() ? row.file : plate;
-    entry.plate = isFiled() ? plate : std::string();
-    if (const std::vector<std::string> files = row.files(); isFiled() && files.size() > 1) entry.second = files[1];
-    entry.sha256 = {input_, sha256(settingsToHash(row, others)), {}, {}, {}};
-    const BatchFolder::Known known = folder_.known(entry);
-    if (known.state == State::Done || (known.state == State::Failed && !options_->retryFailed)) {
-      entry = known.entry;
-    } else if (known.state == State::Changed && !options_->retryFailed) {
+  const BatchUnit unit = {std::move(rows), plate, isFiled(), input_, otherSettings(*options_)};
+  Made made = {pendingEntries(unit, hashesOf(rowsToHash(unit, hashesOf(matesToHash(unit))))), false};
+  std::vector<ManifestEntry> changed;
+  for (ManifestEntry& entry : made.entries) {
+    const EarlierRow known = folder_.known(entry);
+    if (known.isOpen(options_->retryFailed)) {
+      made.isNew = true;
+    } else if (known.state == EarlierRow::State::Changed) {
       entry.reason = sentenceAndHint(message("file-changed"));
       changed.push_back(entry);
     } else {
-      isNew = true;
+      entry = known.entry;
     }
-    entries.push_back(std::move(entry));
   }
-  if (isNew)
-    if (const Status carved = carveAll(rows, entries, plate); !carved) return tl::unexpected(carved.error());
-  for (const ManifestEntry& entry : entries) {
-    const bool isDone = entry.status == RowStatus::Done;
-    ++(!isDone ? failed_ : isNew ? made_ : kept_);
-  }
-  for (const ManifestEntry& entry : isNew ? entries : changed)
+  if (made.isNew)
+    if (const Status carved = carveAll(unit, made.entries); !carved) return tl::unexpected(carved.error());
+  for (const ManifestEntry& entry : made.isNew ? made.entries : changed)
     if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
-  return entries;
+  return made;
 }
 
 /// Returns true if each row has a file of its own.
 bool BatchRun::isFiled() const { return options_->perPlate == 0 || !options_->name.empty(); }
 
 /// Carves rows and fills their entries. @returns an error only if nothing more can be written
-Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries,
-                          const std::string& plate) {
+Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& entries) {
+  const std::vector<BatchRow>& rows = unit.rows;
   std::vector<ModelObject> objects;
   const std::vector<Vec3> offsets = plateOffsets(model_->gpu.box(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -113,29 +104,29 @@ Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<Manifes
     const auto carved = carve(rows[i], entry);
     if (!carved) {
       entry.reason = sentenceAndHint(carved.error().message);
-      if (isFiled()) folder_.removeOutdated(entry);
+      if (unit.hasOwnFiles) folder_.removeOutdated(entry);
       continue;
     }
     entry.status = RowStatus::Done;
-    if (plate.empty()) continue;
+    if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
     for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.hasInlay()), row.id,
                                            row.request.text, offsets[i]))
       objects.push_back(std::move(object));
   }
   if (objects.empty()) return {};
-  const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, options_->fileFlags.writeOptions(plate));
+  const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, options_->fileFlags.writeOptions(unit.plate));
   if (!bytes) return tl::unexpected(bytes.error());
-  if (const Status written = writeFileAtomically(folder_.pathOf(plate), *bytes); !written) return written;
+  if (const Status written = writeFileAtomically(folder_.pathOf(unit.plate), *bytes); !written) return written;
   for (ManifestEntry& entry : entries)
-    if (entry.status == RowStatus::Done) (isFiled() ? entry.sha256.plate : entry.sha256.output) = sha256(*bytes);
+    if (entry.status == RowStatus::Done) (unit.hasOwnFiles ? entry.sha256.plate : entry.sha256.output) = sha256(*bytes);
   return {};
 }
 
 /// Carves a row, fills its entry, and writes its file if it has one. @returns an error if that fails
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
-  const bool looksAtPrint = (row.number - 1) % options_->printEvery == 0;
+  const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - 1);
   auto engraved = engraver_->engrave(
       row.request, [](const Progress&) {}, looksAtPrint);
   if (!engraved) return engraved;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batch/batch_plan.h"
+#include "batch/batch_unit.h"
 #include "cli/file_flags.h"
 #include "cli/model_input.h"
 #include "cli/setting_flags.h"
@@ -37,21 +38,23 @@ class BatchRun {
   /// Loads the model, and finds the place that all rows share. @param all  any row's request; receives the place
   Status prepare(EngraveRequest& all);
 
+  /// The rows of a unit: carved now, or as they were before.
+  struct Made {
+    std::vector<ManifestEntry> entries;  ///< one per row
+    bool isNew = false;                  ///< carved now
+  };
+
   /// Carves the rows that are not done yet: a single row, or all rows of a plate. Writes their lines last.
   /// @param placed  has the place that prepare() found
   /// @param plate   name of the plate's file; empty: none
-  /// @returns one entry a row; an error only if nothing more can be written
-  Result<std::vector<ManifestEntry>> make(std::vector<BatchRow> rows, const EngraveRequest& placed,
-                                          const std::string& plate = {});
+  /// @returns an error only if nothing more can be written
+  Result<Made> make(std::vector<BatchRow> rows, const EngraveRequest& placed, const std::string& plate = {});
 
-  std::size_t made() const { return made_; }      ///< rows carved now that passed
-  std::size_t kept() const { return kept_; }      ///< rows done before
-  std::size_t failed() const { return failed_; }  ///< rows failed now or before
   const BatchFolder& folder() const { return folder_; }
 
  private:
   bool isFiled() const;
-  Status carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries, const std::string& plate);
+  Status carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& entries);
   Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry);
   void tellNotKept(const std::optional<Message>& why);
   Status writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const;
@@ -64,7 +67,6 @@ class BatchRun {
   std::vector<std::string> partNames_;
   std::string input_;     // SHA-256 of the model's file
   ReportContext report_;  // common to the reports of all rows
-  std::size_t made_ = 0, kept_ = 0, failed_ = 0;
   bool hasToldNotKept_ = false;
 };
 

@@ -24,12 +24,7 @@ class ProgressBar {
 template <class Job>
 Status runWithProgress(Job& job, bool quiet) {
   ProgressBar bar(quiet);
-  for (;;) {
-    const Result<Progress> progress = job.advance();
-    if (!progress) return tl::unexpected(progress.error());
-    bar.show(*progress);
-    if (progress->done) return {};
-  }
+  return advanceToEnd(job, [&](const Progress& progress) { bar.show(progress); });
 }
 
 }  // namespace qrelief

@@ -74,11 +74,9 @@ Result<GreyImage> printedPicture(const Engraved& engraved) {
   if (!request) return tl::unexpected(request.error());
   auto job = PrintedViewJob::create(engraved.result.mesh, **request);
   if (!job) return tl::unexpected(job.error());
-  for (;;) {
-    const auto progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    if (progress->done) return (*job)->takeResult().seen.clean;
-  }
+  auto view = runToEnd(**job);
+  if (!view) return tl::unexpected(view.error());
+  return std::move(view->seen.clean);
 }
 
 Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::string& folder,

@@ -98,30 +98,36 @@ TEST(PlannedBatch, RefusesAFaultyListAndThenHasNoRows) {
 TEST(PlannedBatch, HashesLikeTheCommand) {
   PlannedBatch batch;
   planned(batch, "id,text\na,one\n");
-  const Json told = Json::parse(batch.batchRowToHash(0, R"({"centre": [1, 2.5, -3], "others": "z 1"})"));
   BatchRow row;
   row.file = "a.stl";
   row.request = *requestFromJson(R"({"text": "one", "version": 1})");
   row.request.placement.centreMm = {1, 2.5, -3};
-  EXPECT_EQ(told["text"], settingsToHash(row, "z 1"));
+  Json placed = {{"of", "plate"}, {"centre", {1, 2.5, -3}}, {"others", "z 1"}, {"mates", Json::array()}};
+  EXPECT_EQ(Json::parse(batch.unitTexts(0, placed.dump()))["texts"], Json::array());
+  placed["of"] = "rows";
+  EXPECT_EQ(Json::parse(batch.unitTexts(0, placed.dump()))["texts"], Json({settingsToHash(row, "z 1")}));
+  EXPECT_EQ(Json::parse(batch.unitTexts(1, placed.dump()))["error"]["code"], "no-such-row");
+
+  planned(batch, "id,text\na,one\n", {{"perPlate", 2}});
+  placed["of"] = "plate";
+  EXPECT_EQ(Json::parse(batch.unitTexts(0, placed.dump()))["texts"], Json({settingsToHash(row, "")}));
+  placed.update({{"of", "rows"}, {"mates", {"77"}}});
+  EXPECT_EQ(Json::parse(batch.unitTexts(0, placed.dump()))["texts"], Json({settingsToHash(row, "z 177")}));
 }
 
-TEST(PlannedBatch, WritesTheManifestLikeTheCommand) {
-  ManifestEntry entry;
-  entry.number = 3;
-  entry.id = "a \"quoted\" id";
-  entry.text = "one, two";
-  entry.file = "a.stl";
-  entry.sha256 = {"11", "22", "33", ""};
-  entry.status = RowStatus::Done;
-  entry.details = R"({"verdict":{"reads":"good"},"timingsMs":{"total":7.0}})";
-  const std::string line = manifestLine(entry);
-  const PlannedBatch batch;
-  EXPECT_EQ(Json::parse(batch.manifestLine(nlohmann::ordered_json::parse(line).dump(2)))["line"], line);
-  EXPECT_EQ(Json::parse(batch.manifestLine("{}"))["error"]["code"], "no-manifest-line");
-  EXPECT_EQ(Json::parse(batch.manifestCsv(line + "\nno line\n", true))["csv"],
-            manifestCsvHeader() + manifestCsvLine(entry));
-  EXPECT_EQ(Json::parse(batch.manifestCsv(line, false))["csv"], manifestCsvLine(entry));
+TEST(PlannedBatch, ListsTheEntriesOfAUnitBeforeItIsCarved) {
+  PlannedBatch batch;
+  planned(batch, "id,text\na,one\nb,two\nc,three\n", {{"perPlate", 2}});
+  const Json hashes = {{"input", "in"}, {"settings", {"h1", "h2"}}};
+  const Json entries = Json::parse(batch.unitEntries(1, hashes.dump()))["entries"];
+  ASSERT_EQ(entries.size(), 2u);
+  EXPECT_EQ(entries[1], Json({{"number", 2},
+                              {"id", "b"},
+                              {"text", "two"},
+                              {"file", "plate-001.3mf"},
+                              {"sha256", {{"input", "in"}, {"settings", "h2"}}},
+                              {"status", "failed"}}));
+  EXPECT_EQ(Json::parse(batch.unitEntries(3, hashes.dump()))["error"]["code"], "no-such-row");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using State = BatchFolder::Known::State;
+using State = EarlierRow::State;
 
 class BatchFolderTest : public testing::Test {
  protected:

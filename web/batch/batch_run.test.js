@@ -4,7 +4,7 @@ import { beforeEach, test } from 'node:test';
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { BatchRun } from './batch_run.js';
-import { RowStates } from './row_states.js';
+import { FakeTracker } from './testing.js';
 
 const settled = () =>
   new Promise((resolve) => {
@@ -20,7 +20,6 @@ class FakeEngine {
   constructor() {
     this.ended = false;
     /** @type {[number, boolean][]} */ this.carved = [];
-    /** @type {number[][]} */ this.units = [];
     FakeEngine.all.push(this);
   }
   async start() {
@@ -30,13 +29,12 @@ class FakeEngine {
     this.ended = true;
     this.reject?.(lost());
   }
-  /** @param {number[]} unit @param {(index: number) => boolean} looksAtPrint @returns {Promise<any>} */
-  carve(unit, looksAtPrint) {
-    this.units.push(unit);
-    for (const index of unit) this.carved.push([index, looksAtPrint(index)]);
+  /** @param {import('../engine/types.js').RowToCarve[]} unit @returns {Promise<any>} */
+  carve(unit) {
+    for (const { index, print } of unit) this.carved.push([index, print]);
     return new Promise((resolve, reject) => {
       this.finish = (/** @type {'done' | 'failed'} */ status = 'done') =>
-        resolve({ rows: unit.map((index) => ({ entry: { number: index + 1, status } })) });
+        resolve({ rows: unit.map(({ index }) => ({ entry: { number: index + 1, status } })) });
       this.reject = reject;
     });
   }
@@ -45,37 +43,35 @@ class FakeEngine {
   }
 }
 
-/** @type {RowStates} */ let states;
+/** @type {FakeTracker} */ let tracker;
 /** @type {any[]} */ let saved;
 /** @type {(() => Error) | undefined} */ let failSave;
 let now = 0;
 
 /** @param {number} rows @param {Partial<import('./batch_run.js').BatchRunOptions>} [options] */
 function runOf(rows, options = {}) {
-  states = new RowStates(rows);
+  tracker = new FakeTracker(rows);
   return new BatchRun({
-    states,
+    tracker,
     engines: 2,
-    printEvery: 3,
-    perPlate: 0,
     onChange: () => {},
     now: () => now,
     makeEngine: () => /** @type {any} */ (new FakeEngine()),
     save: async (carved) => {
       if (failSave) throw failSave();
       saved.push(...carved.rows.map(({ entry }) => entry.number));
-      return carved.rows.map(({ entry }) => (entry.status === 'failed' ? 'it does not read' : ''));
+      return carved.rows.map(({ entry }) => JSON.stringify(entry)).join('\n');
     },
-    saveLost: async (indices, { code }) => {
-      saved.push(...indices.map((index) => `${index + 1} ${code}`));
-      return indices.map(() => code);
+    saveLost: async ([{ index }], { code }) => {
+      saved.push(`${index + 1} ${code}`);
+      return JSON.stringify({ number: index + 1, status: 'failed' });
     },
     ...options,
   });
 }
 
 const engines = () => FakeEngine.all;
-const statesOf = () => Array.from({ length: states.size }, (_, index) => states.of(index));
+const statesOf = () => tracker.states.map((state) => state[0]).join('');
 /** Finishes all rows. @param {Promise<void>} ran */
 async function finishAll(ran) {
   let over = false;
@@ -99,16 +95,15 @@ beforeEach(() => {
   now = 0;
 });
 
-test('Two engines share the rows, carve and store each once, and simulate every nth print', async () => {
-  const run = runOf(7);
-  await finishAll(run.run());
-  assert.deepEqual(states.counts, { waiting: 0, running: 0, done: 7, failed: 0 });
+test('Two engines share the rows, and carve and store each once', async () => {
+  await finishAll(runOf(7).run());
+  assert.equal(statesOf(), 'ddddddd');
   assert.deepEqual([...saved].sort(), [1, 2, 3, 4, 5, 6, 7]);
   const printed = engines()
     .flatMap(({ carved }) => carved)
     .filter(([, looks]) => looks)
     .map(([index]) => index);
-  assert.deepEqual(printed.sort(), [0, 3, 6]);
+  assert.deepEqual(printed, [0]);
   assert.equal(engines().length, 2);
   assert.ok(engines().every(({ ended, carved }) => ended && carved.length > 1));
 });
@@ -118,23 +113,12 @@ test('Starts no more engines than rows', async () => {
   assert.equal(engines().length, 1);
 });
 
-test('A failed row does not stop the others, and its reason is stored', async () => {
-  const run = runOf(3, { engines: 1 });
-  const ran = run.run();
+test('A failed row does not stop the others', async () => {
+  const ran = runOf(3, { engines: 1 }).run();
   await settled();
   engines()[0].finish?.('failed');
   await finishAll(ran);
-  assert.deepEqual(statesOf(), ['failed', 'done', 'done']);
-  assert.equal(states.reasonOf(0), 'it does not read');
-});
-
-test('Rows that are already carved are skipped', async () => {
-  const run = runOf(3, { engines: 1 });
-  states.set(0, 'done');
-  states.set(1, 'failed', 'as before');
-  await finishAll(run.run());
-  assert.deepEqual(engines()[0].carved, [[2, false]]);
-  assert.equal(states.reasonOf(1), 'as before');
+  assert.equal(statesOf(), 'fdd');
 });
 
 test('While paused, running rows finish and no other starts', async () => {
@@ -144,13 +128,13 @@ test('While paused, running rows finish and no other starts', async () => {
   run.pause();
   engines().forEach((engine) => engine.finish?.());
   await settled();
-  assert.deepEqual(statesOf(), ['done', 'done', 'waiting', 'waiting']);
+  assert.equal(statesOf(), 'ddww');
   run.resume();
   await finishAll(ran);
-  assert.equal(states.counts.done, 4);
+  assert.equal(statesOf(), 'dddd');
 });
 
-test('After the end, running rows count as not started', async () => {
+test('After the end, running rows wait again', async () => {
   const run = runOf(4);
   const ran = run.run();
   await settled();
@@ -158,7 +142,7 @@ test('After the end, running rows count as not started', async () => {
   await settled();
   run.end();
   await ran;
-  assert.deepEqual(statesOf(), ['done', 'waiting', 'waiting', 'waiting']);
+  assert.equal(statesOf(), 'dwww');
   assert.equal(run.problem, undefined);
   assert.ok(engines().every(({ ended }) => ended));
 });
@@ -170,30 +154,40 @@ test('A paused batch can be ended', async () => {
   run.pause();
   run.end();
   await ran;
-  assert.equal(states.counts.waiting, 4);
+  assert.equal(statesOf(), 'wwww');
 });
 
 test('A lost engine is replaced, and the next one carves its row', async () => {
-  const run = runOf(2, { engines: 1 });
-  const ran = run.run();
+  const ran = runOf(2, { engines: 1 }).run();
   await settled();
   engines()[0].reject?.(lost());
   await finishAll(ran);
-  assert.deepEqual(statesOf(), ['done', 'done']);
+  assert.equal(statesOf(), 'dd');
   assert.equal(engines().length, 2);
   assert.equal(engines()[0].ended, true);
 });
 
-test('A row that loses two engines fails, with its own line', async () => {
-  const run = runOf(2, { engines: 1 });
-  const ran = run.run();
+test('A row that fails by losing engines gets its own line', async () => {
+  const ran = runOf(2, { engines: 1 }).run();
+  tracker.reactions = ['retry', 'fail'];
   for (let losses = 0; losses < 2; losses += 1) {
     await settled();
     engines().at(-1)?.reject?.(lost());
   }
   await finishAll(ran);
-  assert.deepEqual(statesOf(), ['failed', 'done']);
+  assert.equal(statesOf(), 'fd');
   assert.deepEqual(saved, ['1 engine-crashed', 2]);
+});
+
+test('Too many losses end the batch with the reason', async () => {
+  const run = runOf(2, { engines: 1 });
+  tracker.reactions = ['stop'];
+  const ran = run.run();
+  await settled();
+  engines()[0].reject?.(lost());
+  await ran;
+  assert.equal(run.problem?.code, 'engine-crashed');
+  assert.equal(statesOf(), 'ww');
 });
 
 test('A storage failure ends the batch with the reason, and the row stays open', async () => {
@@ -201,7 +195,7 @@ test('A storage failure ends the batch with the reason, and the row stays open',
   failSave = full;
   await finishAll(run.run());
   assert.equal(run.problem?.code, 'storage-full');
-  assert.deepEqual(statesOf(), ['waiting', 'waiting', 'waiting']);
+  assert.equal(statesOf(), 'www');
 });
 
 test('If no engine starts, the batch ends with the reason', async () => {
@@ -209,7 +203,16 @@ test('If no engine starts, the batch ends with the reason', async () => {
   const run = runOf(3);
   await run.run();
   assert.equal(run.problem?.code, 'no-graphics');
-  assert.equal(states.counts.waiting, 3);
+  assert.equal(statesOf(), 'www');
+});
+
+test('If engines are lost before they start, the tracker says when to end', async () => {
+  FakeEngine.failStart = lost;
+  const run = runOf(3, { engines: 1 });
+  tracker.reactions = ['retry', 'stop'];
+  await run.run();
+  assert.equal(run.problem?.code, 'engine-crashed');
+  assert.equal(engines().length, 2);
 });
 
 test('If the second engine does not start, the first carves all rows', async () => {
@@ -225,33 +228,20 @@ test('If the second engine does not start, the first carves all rows', async () 
   });
   await finishAll(run.run());
   assert.equal(run.problem, undefined);
-  assert.equal(states.counts.done, 3);
+  assert.equal(statesOf(), 'ddd');
 });
 
-test('The remaining time follows from the pace so far, without pauses', async () => {
+test('The time of the run has no pauses', async () => {
   const run = runOf(5, { engines: 1 });
   const ran = run.run();
   await settled();
-  assert.equal(run.remainingMs, undefined);
   now = 1000;
-  engines()[0].finish?.();
-  await settled();
-  assert.equal(run.remainingMs, 4000);
+  assert.equal(run.workedMs, 1000);
   run.pause();
   now = 100_000;
-  assert.equal(run.remainingMs, 4000);
+  assert.equal(run.workedMs, 1000);
   run.resume();
+  now = 100_500;
+  assert.equal(run.workedMs, 1500);
   await finishAll(ran);
-});
-
-test('The rows of a plate are carved together, all of them if one is new', async () => {
-  const run = runOf(8, { engines: 1, perPlate: 3 });
-  for (const index of [0, 1, 2, 4]) states.set(index, 'done');
-  await finishAll(run.run());
-  assert.deepEqual(engines()[0].units, [
-    [3, 4, 5],
-    [6, 7],
-  ]);
-  assert.equal(states.counts.done, 8);
-  assert.deepEqual(saved, [4, 5, 6, 7, 8]);
 });

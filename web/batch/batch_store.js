@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stores a batch in a folder of the browser: its record, list and model, the manifest, and the finished files. The last
-// manifest line of a row gives its state. A row's file is written before its line.
+// Stores a batch in a folder of the browser: its record, list and model, the manifest, and the finished files. A
+// row's file is written before its line.
 import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../storage/folder.js').Folder} Folder */
 /** @typedef {import('../storage/last_work.js').Work} Work */
 /** @typedef {import('./row_engine.js').CarvedUnit} CarvedUnit */
-/** @typedef {import('./row_states.js').RowStates} RowStates */
 /** @typedef {import('../engine/types.js').ManifestEntry} ManifestEntry */
 
 /**
@@ -21,14 +20,11 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @property {string} settingsOfFirst  hash of the first row's settings; differs if the program changed
  */
 
-/** Byte range of a manifest line. @typedef {{ begin: number, end: number }} Span */
-
 export const kManifest = 'manifest.jsonl';
 const kRecord = 'batch.json',
   kModel = 'model',
   kList = 'list';
 const kFormat = 1; // version of the stored data; other versions are ignored
-const kLineEnd = 10;
 
 export class BatchStore {
   /** @param {Pick<Folder, 'write' | 'append' | 'copy' | 'read' | 'remove'>} folder */
@@ -66,44 +62,31 @@ export class BatchStore {
   /**
    * Writes the rows' file, then their manifest lines.
    * @param {CarvedUnit} carved
-   * @param {(entry: ManifestEntry) => Promise<string>} lineOf
-   * @returns {Promise<string[]>}  each row's failure reason in words; '' if none
+   * @param {(entry: ManifestEntry) => string} lineOf
+   * @returns {Promise<string>}  the lines
    */
   async save({ rows, file, bytes }, lineOf) {
     if (bytes) await this.folder_.write(file, bytes);
     await messageWords.come();
-    /** @type {string[]} */ const reasons = [];
+    /** @type {string[]} */ const lines = [];
     for (const { entry, why } of rows) {
       const hint = why ? hintOf(why) : '';
       const reason = why ? sentenceOf(why) + (hint ? ` (${hint})` : '') : '';
-      await this.folder_.append(kManifest, await lineOf({ ...entry, ...(why && { reason }) }));
-      reasons.push(reason);
+      const line = lineOf({ ...entry, ...(why && { reason }) });
+      await this.folder_.append(kManifest, line);
+      lines.push(line);
     }
-    return reasons;
+    return lines.join('\n');
   }
 
-  /** Reads the row states from the manifest. @param {RowStates} states  all waiting */
-  async readStates(states) {
-    const file = await this.folder_.read(kManifest);
-    if (!file) return;
-    for await (const { text } of linesOf(file)) {
-      const entry = entryOf(text);
-      if (entry) states.set(entry.number - 1, entry.status, entry.reason);
-    }
+  /** Opens the manifest. @returns {Promise<Blob>}  empty if there is none; unusable after the next row is saved */
+  async manifest() {
+    return (await this.folder_.read(kManifest)) ?? new Blob();
   }
 
-  /**
-   * Returns a snapshot of the manifest and the byte range of each row's last line, in row order.
-   * @returns {Promise<{ lines: Blob, spans: Span[] }>}
-   */
-  async lastLines() {
-    const lines = new Blob([await this.folder_.copy(kManifest)]);
-    /** @type {Map<number, Span>} */ const last = new Map();
-    for await (const { text, ...span } of linesOf(lines)) {
-      const entry = entryOf(text);
-      if (entry) last.set(entry.number, span);
-    }
-    return { lines, spans: [...last].sort(([a], [b]) => a - b).map(([, span]) => span) };
+  /** Returns a copy of the manifest that stays. */
+  async snapshot() {
+    return new Blob([await this.folder_.copy(kManifest)]);
   }
 
   /** Opens a row's file. @param {string} name */
@@ -126,49 +109,14 @@ async function parsed(file) {
 }
 
 /**
- * Parses a manifest line.
- * @param {string} line
- * @returns {ManifestEntry | undefined}  undefined: cut off by a closing page
+ * Lets a tracker read a manifest, with only a piece of it in memory.
+ * @param {Blob} manifest
+ * @param {Pick<import('./tracker.js').Tracker, 'readManifest'>} tracker
+ * @param {{ restores: boolean }} options  `restores`: the lines set the states of the rows
  */
-export function entryOf(line) {
-  try {
-    const entry = JSON.parse(line);
-    return Number.isInteger(entry.number) && ['done', 'failed'].includes(entry.status) ? entry : undefined;
-  } catch {
-    return undefined;
-  }
-}
-
-/**
- * Yields a file line by line, with only a piece of it in memory.
- * @param {Blob} file
- * @returns {AsyncGenerator<Span & { text: string }>}
- */
-export async function* linesOf(file) {
-  const decoder = new TextDecoder();
-  const reader = file.stream().getReader();
-  let rest = new Uint8Array(),
-    begin = 0;
-  for (;;) {
-    const { value, done } = await reader.read();
-    if (done) break;
-    const bytes = joined(rest, value);
-    let from = 0;
-    for (let end = bytes.indexOf(kLineEnd); end >= 0; end = bytes.indexOf(kLineEnd, from)) {
-      yield { text: decoder.decode(bytes.subarray(from, end)), begin: begin + from, end: begin + end };
-      from = end + 1;
-    }
-    begin += from;
-    rest = bytes.slice(from);
-  }
-  if (rest.length > 0) yield { text: decoder.decode(rest), begin, end: begin + rest.length };
-}
-
-/** @param {Uint8Array<ArrayBuffer>} a @param {Uint8Array<ArrayBuffer>} b */
-function joined(a, b) {
-  if (a.length === 0) return b;
-  const both = new Uint8Array(a.length + b.length);
-  both.set(a);
-  both.set(b, a.length);
-  return both;
+export async function readManifest(manifest, tracker, { restores }) {
+  tracker.readManifest(new Uint8Array(), true, restores);
+  const reader = manifest.stream().getReader();
+  for (let piece = await reader.read(); !piece.done; piece = await reader.read())
+    tracker.readManifest(piece.value, false, restores);
 }

@@ -68,21 +68,20 @@ export class RowEngine {
 
   /**
    * Carves one row, or all rows of a plate.
-   * @param {number[]} indices  from 0
-   * @param {(index: number) => boolean} looksAtPrint  true: simulate the row's print
+   * @param {import('../engine/types.js').RowToCarve[]} unit
    * @returns {Promise<CarvedUnit>}
    */
-  async carve(indices, looksAtPrint) {
+  async carve(unit) {
     const isPlate = this.job_.wanted.perPlate > 0;
-    const others = isPlate ? (await Promise.all(indices.map((index) => this.hashOf(index)))).join('') : '';
+    const pending = await this.pending(unit[0].index);
     /** @type {CarvedRow[]} */ const rows = [];
     /** @type {Uint8Array<ArrayBuffer> | undefined} */ let bytes;
-    for (const [place, index] of indices.entries()) {
-      const carved = await this.carveRow_(index, others, looksAtPrint(index));
+    for (const [place, { index, print }] of unit.entries()) {
+      const carved = await this.carveRow_(index, pending[place], print);
       const { row, withInlay } = carved;
       const { id, status, file } = row.entry;
       rows.push(row);
-      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, indices.length);
+      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, unit.length);
       else if (status === 'done')
         bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
     }
@@ -118,24 +117,14 @@ export class RowEngine {
   /**
    * Carves one row.
    * @param {number} index
-   * @param {string} others  further inputs of its settings' hash
+   * @param {ManifestEntry} entry  the row before it is carved
    * @param {boolean} looksAtPrint
    * @returns {Promise<{ row: CarvedRow, withInlay: boolean }>}
    */
-  async carveRow_(index, others, looksAtPrint) {
+  async carveRow_(index, entry, looksAtPrint) {
     const begun = performance.now();
-    const { settings: own, ...name } = await this.client_.batchRow(index);
+    const { settings: own } = await this.client_.batchRow(index);
     const settings = /** @type {Settings & { inlay?: boolean }} */ ({ ...this.job_.wanted.settings, ...own });
-    const { number, id, text, file } = name;
-    /** @type {ManifestEntry} */
-    const entry = {
-      number,
-      id,
-      text,
-      file,
-      status: 'failed',
-      sha256: { input: this.job_.input, settings: await this.hashOf(index, others) },
-    };
     const withInlay = settings.inlay ?? false;
     try {
       await this.carver_.carve(settings, looksAtPrint, { signal: this.ended_.signal, onProgress: () => {} });
@@ -149,18 +138,21 @@ export class RowEngine {
   }
 
   /**
-   * Returns the hash of all inputs of the row's file except the model, as in the manifest.
-   * @param {number} index
-   * @param {string} [others]  further inputs
+   * Returns the rows of a unit before they are carved, with the hashes of their inputs.
+   * @param {number} index  of any of its rows
+   * @returns {Promise<ManifestEntry[]>}
    */
-  async hashOf(index, others = '') {
+  async pending(index) {
     const {
       model: { scaleToMm, upAxis },
-      centreMm,
+      centreMm: centre,
+      input,
     } = this.job_;
-    return sha256(
-      await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }),
-    );
+    const others = `${scaleToMm} ${upAxis}`;
+    /** @param {'plate' | 'rows'} of @param {string[]} mates */
+    const hashesOf = async (of, mates) =>
+      Promise.all((await this.client_.unitTexts(index, { of, centre, others, mates })).map(sha256));
+    return this.client_.unitEntries(index, { input, settings: await hashesOf('rows', await hashesOf('plate', [])) });
   }
 }
 

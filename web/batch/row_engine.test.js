@@ -17,6 +17,7 @@ const kJob = /** @type {any} */ ({
 /** @type {string[]} */ let calls;
 /** @type {any[]} */ let plans; // of the carvings
 /** @type {any[]} */ let configured;
+/** @type {any[]} */ let placements; // of the texts to hash
 /** @type {any[]} */ let steps; // of the module's plan; then it delivers
 /** @type {any} */ let answers;
 /** @type {RowEngine} */ let engine;
@@ -26,19 +27,26 @@ const carveSecond = async (looks = false) => {
     rows: [row],
     bytes,
     file,
-  } = await engine.carve([1], () => looks);
+  } = await engine.carve([{ index: 1, print: looks }]);
   return { ...row, bytes, file };
 };
 
 beforeEach(() => {
   calls = [];
   configured = [];
+  placements = [];
   plans = [];
   steps = [];
   answers = {
     start: { problems: [] },
     batchRow: { number: 2, line: 3, id: 'b', text: 'two', file: 'b.3mf', settings: { text: 'two', version: 1 } },
-    batchRowToHash: 'hash me',
+    unitTexts: (/** @type {number} */ _, /** @type {any} */ placed) => {
+      placements.push(placed);
+      return placed.of === 'plate' ? [] : ['hash me'];
+    },
+    unitEntries: (/** @type {number} */ _, /** @type {any} */ { input, settings: [settings] }) => [
+      { number: 2, id: 'b', text: 'two', file: 'b.3mf', status: 'failed', sha256: { input, settings } },
+    ],
     setReadings: { passed: true },
     nextStep: () => steps.shift() ?? { step: 'deliver', carving: 7 },
     configure: (/** @type {any} */ settings) => void configured.push(settings),
@@ -86,6 +94,11 @@ test('A row is carved with common and own settings, and its line has the hashes 
     grades: 'A',
     sha256: { input: 'aa', settings: await sha256('hash me'), output: await sha256(new Uint8Array([1, 2])) },
   });
+  const placed = { centre: [1, 2, 3], others: '25.4 y', mates: [] };
+  assert.deepEqual(placements, [
+    { of: 'plate', ...placed },
+    { of: 'rows', ...placed },
+  ]);
   assert.deepEqual([...(carved.bytes ?? [])], [1, 2]);
   assert.ok(calls.includes('exportModel 3mf'));
   assert.ok(!calls.includes('printJob'));
@@ -161,17 +174,20 @@ test('Rows of a plate share its file, without those that failed', async () => {
     read: async () => ['two'],
     print: async () => undefined,
   });
-  answers.batchRow = (/** @type {number} */ index) => ({
-    number: index + 1,
-    id: `P${index}`,
-    text: 't',
-    file: 'plate-001.3mf',
-    settings: {},
-  });
+  answers.unitTexts = (/** @type {number} */ _, /** @type {any} */ { of, mates }) =>
+    [0, 1, 2].map((index) => `${of} ${index} ${mates}`);
+  answers.unitEntries = (/** @type {number} */ _, /** @type {any} */ { settings }) =>
+    [0, 1, 2].map((index) => ({
+      number: index + 1,
+      id: `P${index}`,
+      file: 'plate-001.3mf',
+      status: 'failed',
+      sha256: { input: 'aa', settings: settings[index] },
+    }));
   let described = 0;
   answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
   answers.exportPlate = new Uint8Array([9]);
-  const { rows, file, bytes } = await engine.carve([0, 1, 2], () => false);
+  const { rows, file, bytes } = await engine.carve([0, 1, 2].map((index) => ({ index, print: false })));
   assert.deepEqual([file, [...(bytes ?? [])]], ['plate-001.3mf', [9]]);
   const output = await sha256(new Uint8Array([9]));
   assert.deepEqual(
@@ -186,6 +202,6 @@ test('Rows of a plate share its file, without those that failed', async () => {
     calls.filter((call) => /Plate/.test(call)),
     ['addToPlate 0 P0 3', 'addToPlate 2 P2 3', 'exportPlate plate-001.3mf'],
   );
-  // Each hash covers the whole plate, and the rows' own settings are equal here.
-  assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);
+  const mates = await Promise.all([0, 1, 2].map((index) => sha256(`plate ${index} `)));
+  assert.equal(rows[1].entry.sha256.settings, await sha256(`rows 1 ${mates}`));
 });

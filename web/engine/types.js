@@ -163,6 +163,16 @@
  */
 
 /**
+ * How the rows of a batch share files, and of which rows the print is simulated: every `printEvery`-th.
+ * @typedef {{ rows: number, perPlate: number, printEvery: number }} BatchLayout
+ * @typedef {'waiting' | 'running' | 'done' | 'failed'} RowState
+ * @typedef {Record<RowState | 'finished', number> & { remainingMs: number | null }} BatchState
+ *   number of rows in each state; `finished`: done or failed; `remainingMs`: null before the first row of a run
+ * @typedef {{ index: number, state: RowState, reason: string }} TrackedRow  `reason`: '' unless it failed
+ * @typedef {{ index: number, print: boolean }} RowToCarve  `print`: simulate its print
+ */
+
+/**
  * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
  * `fixed`: keys of settings that must not change.
  * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
@@ -210,6 +220,7 @@
  * @property {new () => ModuleObject & { memoryInUse: () => number }} Engine  `memoryInUse`: bytes of the heap
  * @property {new () => ModuleObject} PrintedCode
  * @property {new () => ModuleObject} PlannedBatch
+ * @property {new () => ModuleObject} TrackedBatch
  * @property {new () => ModuleObject} Facts
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL

@@ -175,14 +175,57 @@ export const kBatchVerbs = {
   /** @type {Verb<(index: number) => import('./types.js').BatchRow>} */
   batchRow: { part: 'row' },
   /**
-   * Returns all settings of a row as one text, to hash for the manifest. `placed`: further inputs of the row's file.
-   * @type {Verb<(index: number, placed: { centre: number[], others: string }) => string>}
+   * Returns the texts to hash as the settings of a unit: a row, or all rows of its plate. `of` 'plate': the texts whose
+   * hashes are needed as `mates` for that; `others`: how the model was scaled and turned.
+   * @type {Verb<(index: number, placed: { of: 'plate' | 'rows', centre: number[], others: string, mates: string[] }) => string[]>}
    */
-  batchRowToHash: { part: 'text' },
+  unitTexts: { part: 'texts' },
+  /**
+   * Returns the rows of a unit before they are carved. `settings`: hashes of their texts, or none.
+   * @type {Verb<(index: number, hashes: { input: string, settings: string[] }) => import('./types.js').ManifestEntry[]>}
+   */
+  unitEntries: { part: 'entries' },
+};
+
+/** Verbs for the progress of a batch and its manifest. They need no plan. The C++ class is TrackedBatch. */
+export const kTrackVerbs = {
+  /** Begins with all rows waiting. @type {Verb<(layout: import('./types.js').BatchLayout) => void>} */
+  begin: {},
+  /** Counts the rows. `workedMs`: time of the run without pauses. @type {Verb<(workedMs: number) => import('./types.js').BatchState>} */
+  state: {},
+  /**
+   * Lists rows in a state, after the first `skipped`.
+   * @type {Verb<(state: import('./types.js').RowState | 'all', skipped: number, countAtMost: number) => import('./types.js').TrackedRow[]>}
+   */
+  page: { part: 'rows' },
+  /** @type {Verb<(retriesFailed: boolean) => void>} */
+  startRun: {},
+  /** Ends the run: running rows wait again. @type {Verb<() => void>} */
+  endRun: {},
+  /** Returns the rows to carve next, all of one file; none: no row waits. @type {Verb<() => import('./types.js').RowToCarve[]>} */
+  take: { part: 'rows' },
+  /** Records stored results, as lines of the manifest. @type {Verb<(lines: string) => void>} */
+  settle: {},
+  /**
+   * Returns how to go on after an engine was lost. `index`: of one of its rows; -1: it did not start.
+   * @type {Verb<(index: number) => 'retry' | 'fail' | 'stop'>}
+   */
+  lose: { part: 'then' },
   /** Formats a manifest line, without line break. @type {Verb<(entry: import('./types.js').ManifestEntry) => string>} */
   manifestLine: { part: 'line' },
   /** Converts manifest lines to CSV. @type {Verb<(lines: string, withHeader: boolean) => string>} */
   manifestCsv: { part: 'csv' },
+  /**
+   * Reads the next bytes of a manifest. `restores`: the lines set the states of the rows.
+   * @type {Verb<(bytes: Uint8Array, isFirst: boolean, restores: boolean) => void>}
+   */
+  readManifest: {},
+  /**
+   * Returns the byte range of the last line about each row from a number on, and the number to continue with; null: no
+   * more.
+   * @type {Verb<(fromNumber: number, countAtMost: number) => { spans: [begin: number, end: number][], next: number | null }>}
+   */
+  manifestSpans: {},
 };
 
 /** Verbs that need no graphics. The C++ class is Facts. */

@@ -2,9 +2,10 @@
 // Carves all parts of a batch after the first part was carved and checked, stores them, and continues after a reload.
 import { saveArchive } from '../batch/archive.js';
 import { BatchRun } from '../batch/batch_run.js';
+import { readManifest } from '../batch/batch_store.js';
 import { sha256 } from '../batch/hashes.js';
 import { RowEngine, formatOf } from '../batch/row_engine.js';
-import { RowStates } from '../batch/row_states.js';
+import { loadTracker } from '../batch/tracker.js';
 import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { fileNameOf } from '../export/file_names.js';
@@ -13,6 +14,7 @@ import { storedWork } from './work.js';
 
 /** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
 /** @typedef {import('../batch/row_engine.js').BatchJob} BatchJob */
+/** @typedef {import('../batch/tracker.js').Tracker} Tracker */
 /** @typedef {import('../ui/parts_panel.js').Phase} Phase */
 
 const kLock = 'qrelief-batch';
@@ -24,7 +26,7 @@ const kRoomLeft = 0.95; // usable share of the browser's free storage
 
 /**
  * The open batch: stored, and being carved.
- * @typedef {{ record: BatchRecord, job: BatchJob, states: RowStates, release: () => void }} Open
+ * @typedef {{ record: BatchRecord, job: BatchJob, tracker: Tracker, release: () => void }} Open
  *   `release`: releases the lock of the batch's folder
  */
 
@@ -116,11 +118,12 @@ export class BatchCarving {
         centreMm: job.centreMm,
         wanted: job.wanted,
         input: job.input,
-        settingsOfFirst: await new RowEngine(job, { client }).hashOf(0),
+        settingsOfFirst: await settingsOfFirst(job, client),
       };
+      const tracker = await trackerOf(record);
       await storage.begin(record, { model: source.bytes, list: job.list });
       void navigator.storage.persist?.();
-      this.open_ = { record, job, states: new RowStates(count), release };
+      this.open_ = { record, job, tracker, release };
     } catch (thrown) {
       release?.();
       throw thrown;
@@ -147,39 +150,27 @@ export class BatchCarving {
     );
   }
 
-  /** Carves the remaining rows. */
-  carve_() {
+  /** Carves the remaining rows. @param {boolean} [retriesFailed] */
+  carve_(retriesFailed = false) {
     const { open_: open } = this;
     if (!open || this.run_) return;
-    const { job, states, record } = open;
+    const { job, tracker } = open;
     const {
       client,
       storage,
       messages,
       makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given),
     } = this.options_;
-    const lineOf = (/** @type {import('../engine/types.js').ManifestEntry} */ entry) => client.manifestLine(entry);
+    tracker.startRun(retriesFailed);
     const run = new BatchRun({
-      states,
+      tracker,
       engines: engineCount(),
-      printEvery: record.printEvery,
-      perPlate: job.wanted.perPlate,
       makeEngine: () => makeEngine(job),
-      save: (carved) => storage.save(carved, lineOf),
-      saveLost: async (indices, why) => {
-        const names = await client.batchRows(indices[0], indices.length);
-        const rows = names.map(({ number, id, text: content, file }) => ({
-          entry: {
-            number,
-            id,
-            text: content,
-            file,
-            status: /** @type {const} */ ('failed'),
-            sha256: { input: job.input, settings: '' },
-          },
-          why,
-        }));
-        return storage.save({ rows, file: names[0].file }, lineOf);
+      save: (carved) => storage.save(carved, tracker.manifestLine),
+      saveLost: async ([{ index }], why) => {
+        const entries = await client.unitEntries(index, { input: job.input, settings: [] });
+        const rows = entries.map((entry) => ({ entry, why }));
+        return storage.save({ rows, file: entries[0].file }, tracker.manifestLine);
       },
       onChange: () => this.showProgress_(),
     });
@@ -198,7 +189,8 @@ export class BatchCarving {
     const { messages } = this.options_;
     this.showProgress_();
     if (problem) messages.showError(problem);
-    const { finished, size: count } = /** @type {Open} */ (this.open_).states;
+    const { finished } = this.state_;
+    const { rows: count } = /** @type {Open} */ (this.open_).record;
     messages.say(() =>
       this.phase_ === 'over' ? text('batch.over', { count }) : text('batch.stopped', { finished, count }),
     );
@@ -206,19 +198,22 @@ export class BatchCarving {
 
   /** @returns {Phase} */
   get phase_() {
-    const { counts, finished, size } = /** @type {Open} */ (this.open_).states;
-    if (!this.run_ || this.run_.ended) return finished === size ? 'over' : 'stopped';
-    if (this.run_.paused) return counts.running > 0 ? 'pausing' : 'paused';
-    return counts.running === 0 && finished < size ? 'starting' : 'carving';
+    const { running, finished } = this.state_;
+    const isFinished = finished === /** @type {Open} */ (this.open_).record.rows;
+    if (!this.run_ || this.run_.ended) return isFinished ? 'over' : 'stopped';
+    if (this.run_.paused) return running > 0 ? 'pausing' : 'paused';
+    return running === 0 && !isFinished ? 'starting' : 'carving';
+  }
+
+  /** Counts of the open batch's rows. */
+  get state_() {
+    return /** @type {Open} */ (this.open_).tracker.state(this.run_?.workedMs ?? 0);
   }
 
   showProgress_() {
-    if (this.open_)
-      this.options_.panel.showProgress({
-        states: this.open_.states,
-        phase: this.phase_,
-        remainingMs: this.run_?.remainingMs,
-      });
+    if (!this.open_) return;
+    const { tracker, record } = this.open_;
+    this.options_.panel.showProgress({ tracker, rows: record.rows, state: this.state_, phase: this.phase_ });
   }
 
   pause() {
@@ -237,23 +232,20 @@ export class BatchCarving {
 
   /** Carves the failed rows again. */
   retry() {
-    const states = this.open_?.states;
-    if (!states || this.run_) return;
-    for (let index = states.next('failed'); index >= 0; index = states.next('failed', index))
-      states.set(index, 'waiting');
-    this.carve_();
+    this.carve_(true);
   }
 
   /** Downloads all parts carved so far. */
   async download() {
-    const { storage, client, panel, messages } = this.options_;
+    const { storage, panel, messages } = this.options_;
     if (!this.open_) return;
-    const { fileName } = this.open_.record.work;
+    const { record, tracker } = this.open_;
+    const { fileName } = record.work;
     panel.setSaving(true);
     try {
       const name = fileNameOf({ modelFile: fileName, text: '', addition: 'parts', extension: 'zip' });
       messages.say(() => text('batch.downloading'));
-      const isSaved = await saveArchive(storage, client, name);
+      const isSaved = await saveArchive(storage, tracker, name);
       messages.say(() => (isSaved ? text('batch.downloaded') : ''));
     } finally {
       panel.setSaving(false);
@@ -267,7 +259,7 @@ export class BatchCarving {
       options_: { notices },
     } = this;
     if (!open) return;
-    notices.show(kNotice, text('batch.askDiscard', { count: open.states.counts.done }), [
+    notices.show(kNotice, text('batch.askDiscard', { count: this.state_.done }), [
       { label: text('batch.keepThem'), run: () => {} },
       { label: text('batch.discard'), run: () => void this.options_.guard(() => this.discardNow_()), primary: true },
     ]);
@@ -299,23 +291,24 @@ export class BatchCarving {
     } catch {
       return false; // another tab has it open
     }
-    const states = new RowStates(record.rows);
-    await storage.readStates(states);
-    const isOver = states.finished === record.rows;
-    const values = { done: states.counts.done, count: record.rows, name: record.work.fileName };
+    const tracker = await trackerOf(record);
+    await readManifest(await storage.manifest(), tracker, { restores: true });
+    const { done, finished } = tracker.state(0);
+    const isOver = finished === record.rows;
+    const values = { done, count: record.rows, name: record.work.fileName };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
       { label: text('autosave.discard'), run: () => void guard(() => storage.discard().finally(release)) },
       {
         label: text(isOver ? 'batch.showThem' : 'batch.goOn'),
-        run: () => void guard(() => this.goOn_(record, states, release)),
+        run: () => void guard(() => this.goOn_(record, tracker, release)),
         primary: true,
       },
     ]);
     return true;
   }
 
-  /** @param {BatchRecord} record @param {RowStates} states @param {() => void} release */
-  async goOn_(record, states, release) {
+  /** @param {BatchRecord} record @param {Tracker} tracker @param {() => void} release */
+  async goOn_(record, tracker, release) {
     const { storage, client, editing, batching, panel } = this.options_;
     const { model: bytes, list } = await storage.files();
     const { work } = record;
@@ -333,12 +326,13 @@ export class BatchCarving {
       list,
       wanted,
     };
-    const settingsOfFirst = await new RowEngine(job, { client }).hashOf(0);
-    // If the hash differs, the program has changed: carve all rows again.
-    const isSame = settingsOfFirst === record.settingsOfFirst;
-    const now = { ...record, settingsOfFirst };
-    if (!isSame) await storage.begin(now, { model: bytes, list });
-    this.open_ = { record: now, job, states: isSame ? states : new RowStates(record.rows), release };
+    const now = { ...record, settingsOfFirst: await settingsOfFirst(job, client) };
+    if (now.settingsOfFirst !== record.settingsOfFirst) {
+      // The program has changed: carve all rows again.
+      await storage.begin(now, { model: bytes, list });
+      tracker.begin(layoutOf(now));
+    }
+    this.open_ = { record: now, job, tracker, release };
     batching.lock(true);
     this.showProgress_();
     panel.reveal();
@@ -355,6 +349,25 @@ export class BatchCarving {
     const [name] = await this.options_.client.batchRows(index, 1).catch(() => []);
     return name;
   }
+}
+
+/** @param {BatchRecord} record */
+const layoutOf = ({ rows, wanted: { perPlate }, printEvery }) => ({ rows, perPlate, printEvery });
+
+/** Returns a tracker of a batch whose rows all wait. @param {BatchRecord} record */
+async function trackerOf(record) {
+  const tracker = await loadTracker();
+  tracker.begin(layoutOf(record));
+  return tracker;
+}
+
+/**
+ * Returns the hash of the first row's settings. It differs if the program has changed.
+ * @param {BatchJob} job @param {import('../engine/client.js').EngineClient} client
+ */
+async function settingsOfFirst(job, client) {
+  const [{ sha256: hashes }] = await new RowEngine(job, { client }).pending(0);
+  return hashes.settings;
 }
 
 /** Returns the number of parallel engines: one without OffscreenCanvas, as the engine then blocks the page. */

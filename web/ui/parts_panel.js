@@ -6,13 +6,13 @@ import { byId } from '../dom/dom.js';
 import { PartsTable } from './parts_table.js';
 import { showStep } from './steps.js';
 
-/** @typedef {import('../batch/row_states.js').RowStates} RowStates */
+/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'page' | 'state'>} Tracker */
 
 /**
  * State before the batch is started: the number of parts, and whether the first part was carved and passed.
  * @typedef {{ count: number, first: 'none' | 'bad' | 'good' }} Begin
  * @typedef {'starting' | 'carving' | 'pausing' | 'paused' | 'stopped' | 'over'} Phase
- * @typedef {{ states: RowStates, phase: Phase, remainingMs?: number }} Progress
+ * @typedef {{ tracker: Tracker, rows: number, state: import('../engine/types.js').BatchState, phase: Phase }} Progress
  */
 
 const kTableMs = 500; // least time between two updates of the table, so that it stays readable
@@ -43,7 +43,7 @@ export class PartsPanel {
     this.discard_ = byId('parts-discard', HTMLButtonElement);
     this.progress_ = byId('parts-progress', HTMLProgressElement);
     this.table_ = new PartsTable(byId('parts-table', HTMLElement), async (index) => this.listener_?.nameOf(index));
-    /** @type {RowStates | undefined} */ this.states_ = undefined;
+    /** @type {Tracker | undefined} */ this.tracker_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.tableTimer_ = undefined;
     this.isSaving_ = false;
     /** @type {() => void} */ this.renew_ = () => {};
@@ -85,9 +85,9 @@ export class PartsPanel {
   }
 
   /** @param {Progress} progress */
-  showProgress({ states, phase, remainingMs }) {
-    this.renew_ = () => this.showProgress({ states, phase, remainingMs });
-    const { counts, size: count, finished } = states;
+  showProgress({ tracker, rows: count, state, phase }) {
+    this.renew_ = () => this.showProgress({ tracker, rows: count, state, phase });
+    const { finished, failed: failures, done, remainingMs } = state;
     const isUnderWay = phase === 'starting' || phase === 'carving' || phase === 'pausing';
     byId('parts-begin', HTMLElement).hidden = true;
     byId('parts-run', HTMLElement).hidden = false;
@@ -100,23 +100,23 @@ export class PartsPanel {
     this.pause_.disabled = phase === 'pausing';
     this.resume_.hidden = phase !== 'paused' && phase !== 'stopped';
     this.stop_.hidden = phase === 'stopped' || phase === 'over';
-    this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || counts.failed === 0;
-    this.download_.disabled = counts.done === 0 || this.isSaving_;
+    this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || failures === 0;
+    this.download_.disabled = done === 0 || this.isSaving_;
     if (focused instanceof HTMLElement && focused.hidden)
       [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
-    const failed = counts.failed > 0 ? text('batch.failedCount', { count: counts.failed }) : '';
+    const failed = failures > 0 ? text('batch.failedCount', { count: failures }) : '';
     const left =
-      phase === 'carving' && remainingMs !== undefined ? text('batch.left', { time: durationOf(remainingMs) }) : '';
+      phase === 'carving' && remainingMs !== null ? text('batch.left', { time: durationOf(remainingMs) }) : '';
     const words =
       phase === 'over' && failed
-        ? text('batch.overFailed', { done: counts.done, failed: counts.failed })
+        ? text('batch.overFailed', { done, failed: failures })
         : phase === 'over'
           ? text('batch.over', { count })
           : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left]
               .filter(Boolean)
               .join('; ');
-    showStep('parts', phase !== 'over' ? 'open' : counts.failed > 0 ? 'warn' : 'done', () => words);
-    this.showTable_(states);
+    showStep('parts', phase !== 'over' ? 'open' : failures > 0 ? 'warn' : 'done', () => words);
+    this.showTable_(tracker, count);
   }
 
   /** @param {boolean} isSaving  the ZIP is being written */
@@ -131,11 +131,11 @@ export class PartsPanel {
     byId('parts-heading', HTMLElement).focus({ preventScroll: true });
   }
 
-  /** @param {RowStates} states */
-  showTable_(states) {
-    if (states !== this.states_) {
-      this.states_ = states;
-      this.table_.show(states);
+  /** @param {Tracker} tracker @param {number} rows */
+  showTable_(tracker, rows) {
+    if (tracker !== this.tracker_) {
+      this.tracker_ = tracker;
+      this.table_.show(tracker, rows);
       return;
     }
     this.tableTimer_ ??= setTimeout(() => {

@@ -6,8 +6,9 @@ import { localise } from '../i18n/catalogue.js';
 import { make } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').BatchRowName} BatchRowName */
-/** @typedef {import('../batch/row_states.js').RowStates} RowStates */
-/** @typedef {import('../batch/row_states.js').RowState} RowState */
+/** @typedef {import('../engine/types.js').RowState} RowState */
+/** @typedef {import('../engine/types.js').TrackedRow} TrackedRow */
+/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'page' | 'state'>} Tracker */
 
 const kRows = 10;
 /** @type {readonly (RowState | 'all')[]} */
@@ -20,7 +21,8 @@ export class PartsTable {
    */
   constructor(mount, nameOf) {
     this.nameOf_ = nameOf;
-    /** @type {RowStates | undefined} */ this.states_ = undefined;
+    /** @type {Tracker | undefined} */ this.tracker_ = undefined;
+    this.rows_ = 0;
     this.page_ = 0;
     this.asked_ = 0;
     this.filter_ = make('select');
@@ -66,9 +68,10 @@ export class PartsTable {
     onLanguage(() => void this.update());
   }
 
-  /** @param {RowStates | undefined} states */
-  show(states) {
-    this.states_ = states;
+  /** @param {Tracker} tracker @param {number} rows */
+  show(tracker, rows) {
+    this.tracker_ = tracker;
+    this.rows_ = rows;
     this.page_ = 0;
     this.filter_.value = 'all';
     void this.update();
@@ -76,28 +79,28 @@ export class PartsTable {
 
   /** Shows the current states. */
   async update() {
-    const { states_: states } = this;
-    if (!states) return;
+    const { tracker_: tracker } = this;
+    if (!tracker) return;
     const shown = /** @type {RowState | 'all'} */ (this.filter_.value);
-    const count = shown === 'all' ? states.size : states.counts[shown];
+    const count = shown === 'all' ? this.rows_ : tracker.state(0)[shown];
     this.page_ = Math.max(0, Math.min(this.page_, Math.ceil(count / kRows) - 1));
     const first = this.page_ * kRows;
-    const indices = states.page(shown, first, kRows);
+    const rows = tracker.page(shown, first, kRows);
     const asked = (this.asked_ += 1);
-    const names = await Promise.all(indices.map((index) => this.nameOf_(index)));
+    const names = await Promise.all(rows.map(({ index }) => this.nameOf_(index)));
     if (asked !== this.asked_) return;
-    this.body_.replaceChildren(...indices.map((index, i) => rowOf(index, names[i], states)));
+    this.body_.replaceChildren(...rows.map((row, i) => rowOf(row, names[i])));
     this.range_.textContent =
       count === 0
         ? text('batch.none')
         : text('batch.range', {
             from: formatNumber(first + 1),
-            to: formatNumber(first + indices.length),
+            to: formatNumber(first + rows.length),
             count: formatNumber(count),
           });
     this.previous_.disabled = first === 0;
     this.next_.disabled = first + kRows >= count;
-    this.pages_.hidden = states.size <= kRows;
+    this.pages_.hidden = this.rows_ <= kRows;
   }
 
   /** @param {number} step */
@@ -107,10 +110,8 @@ export class PartsTable {
   }
 }
 
-/** @param {number} index @param {BatchRowName | undefined} name @param {RowStates} states */
-function rowOf(index, name, states) {
-  const state = states.of(index),
-    reason = states.reasonOf(index);
+/** @param {TrackedRow} tracked @param {BatchRowName | undefined} name */
+function rowOf({ index, state, reason }, name) {
   const row = make(
     'tr',
     { className: state },
