@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "math/box.h"
@@ -82,11 +83,8 @@ class Origins {
     std::vector<std::uint32_t> own(before.mesh.triangles.size());
     std::iota(own.begin(), own.end(), 0u);
     old_ = partsAfterCarving(before.mesh, own, result.mesh, result.keptTriangles, kNone);
-    std::vector<char> isKept(own.size(), 0);
-    for (const std::uint32_t t : old_)
-      if (t != kNone) isKept[t] = 1;
-    for (std::uint32_t t = 0; t < isKept.size(); ++t)
-      if (!isKept[t]) cut_.push_back(t);
+    const auto newOnes = std::find(old_.begin(), old_.end(), kNone);  // kept facets come first, in their old order
+    std::set_difference(own.begin(), own.end(), old_.begin(), newOnes, std::back_inserter(cut_));
   }
 
   const std::vector<std::uint32_t>& cut() const { return cut_; }
