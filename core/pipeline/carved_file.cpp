@@ -10,11 +10,11 @@ namespace qrelief {
 namespace {
 
 Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const EngraveResult& result, bool withInlay,
-                                             const WriteOptions& options) {
+                                             const WriteOptions& options, std::span<const std::uint32_t> painted) {
   const ThreeMfSource& source = *before.source;
   if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message("rewrite-scaled"));
   if (options.palette) return fail(ErrorKind::NoSolution, message("rewrite-palette"));
-  const auto changes = carvedRuns(before, result, withInlay);
+  const auto changes = carvedRuns(before, result, withInlay, painted);
   if (!changes) return tl::unexpected(changes.error());
   return rewrite3mf(source, *changes, options.slicer);
 }
@@ -22,15 +22,16 @@ Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const 
 }  // namespace
 
 Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, bool withInlay, const WriteOptions& options) {
+                                 std::span<const std::string> partNames, bool withInlay, const WriteOptions& options,
+                                 std::span<const std::uint32_t> painted) {
   std::optional<Message> notKept;
   if (before.source) {
-    auto bytes = writeAgain(before, result, withInlay, options);
+    auto bytes = writeAgain(before, result, withInlay, options, painted);
     if (bytes) return Carved3mf{std::move(*bytes), {}};
     if (bytes.error().kind != ErrorKind::NoSolution) return tl::unexpected(bytes.error());
     notKept = std::move(bytes.error().message);
   }
-  auto bytes = writeChecked(carvedObjects(result, partNames, withInlay), ModelFormat::ThreeMf, options);
+  auto bytes = writeChecked(carvedObjects(result, partNames, withInlay, painted), ModelFormat::ThreeMf, options);
   if (!bytes) return tl::unexpected(bytes.error());
   return Carved3mf{std::move(*bytes), std::move(notKept)};
 }

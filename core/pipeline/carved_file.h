@@ -24,8 +24,10 @@ struct Carved3mf {
 /// models' objects are written anew (carvedObjects()).
 /// @param before     the model before carving
 /// @param partNames  names of the model's parts; empty: one part only
+/// @param painted    triangles of the carved mesh in the second filament, ascending
 /// @returns the errors of writeChecked()
 Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, bool withInlay, const WriteOptions& options);
+                                 std::span<const std::string> partNames, bool withInlay, const WriteOptions& options,
+                                 std::span<const std::uint32_t> painted = {});
 
 }  // namespace qrelief

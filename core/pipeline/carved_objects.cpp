@@ -20,12 +20,19 @@ std::size_t carvedObject(const EngraveResult& result) {
 }  // namespace
 
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
-                                       bool withInlay) {
+                                       bool withInlay, std::span<const std::uint32_t> painted) {
   std::vector<ModelObject> objects = objectsOf(result.mesh, result.partOfTriangle, partNames);
-  if (!withInlay || !result.inlay) return objects;
+  const bool hasInlay = withInlay && result.inlay;
+  if (!hasInlay && painted.empty()) return objects;
   ModelObject& carved = objects[carvedObject(result)];
-  carved.bodies.front().colour = kBodyColour;
-  carved.bodies.push_back(codeBody(*result.inlay));
+  ModelBody& body = carved.bodies.front();
+  body.colour = kBodyColour;
+  if (!painted.empty()) {
+    const bool isOnePart = result.partOfTriangle.empty();
+    body.paint = {kInlayColour, isOnePart ? std::vector<std::uint32_t>(painted.begin(), painted.end())
+                                          : placesIn(trianglesOf(result.partOfTriangle, result.carvedPart), painted)};
+  }
+  if (hasInlay) carved.bodies.push_back(codeBody(*result.inlay));
   return objects;
 }
 

@@ -13,8 +13,9 @@ namespace qrelief {
 /// Returns the objects of a carved model's file, one for each part of the model. The carved part's object has the inlay
 /// as its second body, in its own colour, if there is an inlay and `withInlay` is set.
 /// @param partNames  names of the model's parts; empty: one part only
+/// @param painted    triangles of the carved mesh in the second colour, ascending
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
-                                       bool withInlay);
+                                       bool withInlay, std::span<const std::uint32_t> painted = {});
 
 /// Returns the body of the second colour.
 ModelBody codeBody(const Mesh& inlay);

@@ -131,7 +131,8 @@ std::size_t runOf(const ThreeMfSource& source, std::uint32_t triangle) {
 
 }  // namespace
 
-Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay) {
+Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay,
+                                           std::span<const std::uint32_t> painted) {
   const ThreeMfSource& source = *before.source;
   const Origins origins(before, result);
   const auto runOfOld = [&](std::uint32_t facet) { return runOf(source, before.originOfTriangle[facet]); };
@@ -151,6 +152,7 @@ Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const En
     const std::vector<std::uint32_t> triangles = trianglesOf(runs, static_cast<std::uint32_t>(r));
     change.mesh = submesh(result.mesh, triangles);
     for (const std::uint32_t t : triangles) change.kept.push_back(kept[t]);
+    change.painted = placesIn(triangles, painted);
     if (r == carved && withInlay && result.inlay) change.inlay = codeBody(*result.inlay);
     changes.push_back(std::move(change));
   }
