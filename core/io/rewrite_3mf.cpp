@@ -348,8 +348,7 @@ Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::s
   auto bytes = Rewriter(source, changes, std::move(*archive)).write(slicer);
   if (!bytes) return bytes;
   const auto before = read3mf(source.bytes, {}), read = read3mf(*bytes, {});
-  if (!before || !read || !isRight(*read, *before, source, changes))
-    return fail(ErrorKind::Internal, message("rewrite-read-differently"));
+  if (!before || !read || !isRight(*read, *before, source, changes)) return anew(message("rewrite-read-differently"));
   return bytes;
 }
 

@@ -70,6 +70,10 @@ std::vector<Colour> coloursOf(std::span<const ModelObject> objects);
 /// Returns the triangles of a part, ascending. @param partOf  the part of each triangle
 std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, std::uint32_t part);
 
+/// Returns where some triangles are in a list of triangles; those that are not in it are left out.
+/// @param triangles, wanted  ascending
+std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> wanted);
+
 /// Returns some triangles as a mesh, with the positions that they use, in their order.
 /// @param triangles  ascending
 Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> triangles);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/zip_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstring>
@@ -14,9 +15,10 @@ namespace qrelief {
 namespace {
 
 constexpr std::uint16_t kVersionNeeded = 20;  // deflate
-constexpr std::uint16_t kDate = 1 << 5 | 1;   // 1 January 1980, the format's first day
-constexpr int kLevel = 4;                     // text of meshes becomes 6 % larger than with zlib's default, in half the
-                                              // time
+constexpr std::uint16_t kUtf8Name = 0x0800;
+constexpr std::uint16_t kDate = 1 << 5 | 1;  // 1 January 1980, the format's first day
+constexpr int kLevel = 4;                    // text of meshes becomes 6 % larger than with zlib's default, in half the
+                                             // time
 constexpr int kMemoryLevel = 8;
 constexpr std::size_t kCrcInLocalHeader = 14;
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
@@ -56,7 +58,9 @@ struct ZipWriter::State {
   /// Writes the fields that the local header and the directory share.
   void putCommon(const File& file) {
     put<std::uint16_t>(bytes, kVersionNeeded);
-    put<std::uint16_t>(bytes, 0);  // flags
+    const bool isAscii =
+        std::all_of(file.name.begin(), file.name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    put<std::uint16_t>(bytes, isAscii ? 0 : kUtf8Name);
     put<std::uint16_t>(bytes, kDeflated);
     put<std::uint16_t>(bytes, 0);  // midnight
     put<std::uint16_t>(bytes, kDate);

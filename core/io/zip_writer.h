@@ -21,7 +21,7 @@ class ZipWriter {
   ~ZipWriter();
 
   /// Begins a file and ends the previous one.
-  /// @param name  relative, ASCII, "/" between folders; use each name once
+  /// @param name  relative, UTF-8, "/" between folders; use each name once
   void begin(std::string_view name);
   /// Appends to the current file. Compresses at once, so a large file is never in memory as a whole.
   void append(std::string_view content);

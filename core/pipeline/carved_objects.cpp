@@ -19,7 +19,7 @@ std::size_t carvedObject(const EngraveResult& result) {
 
 std::vector<std::uint32_t> paintedOfCarvedPart(const EngraveResult& result) {
   if (result.partOfTriangle.empty()) return result.painted;
-  return paintedWithin(result, trianglesOf(result.partOfTriangle, result.carvedPart));
+  return placesIn(trianglesOf(result.partOfTriangle, result.carvedPart), result.painted);
 }
 
 }  // namespace
@@ -28,17 +28,6 @@ bool holdsColoursOf(const EngraveRequest& request, ModelFormat format) {
   if (format == ModelFormat::ThreeMf || format == ModelFormat::Obj) return true;
   if (format == ModelFormat::Stl) return request.mark != Mark::Paint;
   return !request.isInColour() && !request.inlay;
-}
-
-std::vector<std::uint32_t> paintedWithin(const EngraveResult& result, std::span<const std::uint32_t> partTriangles) {
-  std::vector<std::uint32_t> painted;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < partTriangles.size() && next < result.painted.size(); ++i) {
-    while (next < result.painted.size() && result.painted[next] < partTriangles[i]) ++next;
-    if (next < result.painted.size() && result.painted[next] == partTriangles[i])
-      painted.push_back(static_cast<std::uint32_t>(i));
-  }
-  return painted;
 }
 
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,

@@ -24,10 +24,6 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
 /// Returns the body of the second colour.
 ModelBody codeBody(const Mesh& inlay);
 
-/// Returns the painted triangles of a part of the mesh, as indices into that part's triangles, ascending.
-/// @param partTriangles  ascending
-std::vector<std::uint32_t> paintedWithin(const EngraveResult& result, std::span<const std::uint32_t> partTriangles);
-
 /// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
 /// the copy's id, and its description is the code's text.
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,

@@ -83,9 +83,8 @@ class Origins {
     std::vector<std::uint32_t> own(before.mesh.triangles.size());
     std::iota(own.begin(), own.end(), 0u);
     old_ = partsAfterCarving(before.mesh, own, result.mesh, result.keptTriangles, kNone);
-    for (const std::uint32_t t : old_)
-      if (t != kNone) own[t] = kNone;
-    std::copy_if(own.begin(), own.end(), std::back_inserter(cut_), [](std::uint32_t t) { return t != kNone; });
+    const auto newOnes = std::find(old_.begin(), old_.end(), kNone);  // kept facets come first, in their old order
+    std::set_difference(own.begin(), own.end(), old_.begin(), newOnes, std::back_inserter(cut_));
   }
 
   const std::vector<std::uint32_t>& cut() const { return cut_; }
@@ -152,8 +151,8 @@ Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const En
     const std::vector<std::uint32_t> triangles = trianglesOf(runs, static_cast<std::uint32_t>(r));
     change.mesh = submesh(result.mesh, triangles);
     for (const std::uint32_t t : triangles) change.kept.push_back(kept[t]);
+    change.painted = placesIn(triangles, result.painted);
     if (r == carved && withInlay && result.inlay) change.inlay = codeBody(*result.inlay);
-    if (r == carved) change.painted = paintedWithin(result, triangles);
     changes.push_back(std::move(change));
   }
   return changes;

@@ -14,7 +14,7 @@ namespace qrelief {
 ///
 /// Kept facets keep their attributes. Carving says nothing about where its new facets come from, so the facet that each
 /// lies on is looked up among those that were cut. Cost: O(T + n log n) in n new facets.
-/// @param before  has a source
+/// @param before   has a source
 /// @returns NoSolution if facets of several runs were cut
 Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
 

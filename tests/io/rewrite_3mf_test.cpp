@@ -125,7 +125,9 @@ TEST(Rewrite3mf, KeepsAllOtherPartsOfABambuProjectByteForByte) {
   auto before = unzipped(bytes), after = unzipped(*written);
   EXPECT_EQ(after.size(), before.size());
   for (const auto& [name, text] : before)
-    if (name != "3D/Objects/a.model") EXPECT_EQ(after[name], text) << name;
+    if (name != "3D/Objects/a.model") {
+      EXPECT_EQ(after[name], text) << name;
+    }
   // In the changed part, the modifier's object is the same, too, and so is the paint.
   const std::string modifier = boxObject(2, 3, 3, 3, "type=\"other\"");
   EXPECT_THAT(after["3D/Objects/a.model"], HasSubstr(modifier));

@@ -97,8 +97,8 @@ void expectVolumes(const Project& project, const std::vector<ModelObject>& objec
       const auto& triangles = project.objects[o].volumes[b].triangles;
       ASSERT_EQ(triangles.size(), mesh.triangles.size());
       for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-          EXPECT_LT(glm::length(triangles[t][k] - move - Vec3(mesh.corner(t, k))), 1e-5);
+        for (int k = 0; k < 3; ++k)
+          EXPECT_LT(glm::length(triangles[t][static_cast<std::size_t>(k)] - move - Vec3(mesh.corner(t, k))), 1e-5);
     }
   }
 }

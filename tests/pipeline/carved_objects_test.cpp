@@ -88,6 +88,20 @@ TEST(CarvedObjects, AModelOfOnePartIsOneUnchangedObject) {
   expectSameMesh(objects[0].bodies[0].mesh, result.mesh);
 }
 
+TEST(CarvedObjects, PaintsTheCarvedPart) {
+  EngraveResult result;
+  result.mesh = shapes::together(shapes::box({5, 6, 7}), shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}));
+  for (std::uint32_t t = 0; t < 24; ++t) result.partOfTriangle.push_back(t < 12 ? 0 : 1);
+  result.carvedPart = 1;
+  result.painted = {12, 15, 23};
+  const std::vector<ModelObject> objects = carvedObjects(result, {}, false);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_FALSE(objects[0].bodies[0].paint);
+  ASSERT_TRUE(objects[1].bodies[0].paint);
+  EXPECT_EQ(objects[1].bodies[0].paint->triangles, (std::vector<std::uint32_t>{0, 3, 11}));
+  EXPECT_NE(objects[1].bodies[0].paint->colour, objects[1].bodies[0].colour);
+}
+
 class CarvedObjectsOfAnEngravedModel : public GlTest {};
 
 /// Case with a small cube and, later in the file, a ball that takes the code.

@@ -22,7 +22,7 @@
 namespace qrelief::slicer_rules {
 namespace {
 
-constexpr const char* kRootModel = "3D/3dmodel.model";
+const std::string kRootModel = "3D/3dmodel.model", kRootPath = "/" + kRootModel;
 
 /// A mesh of the file, before it is divided into volumes.
 struct Mesh {
@@ -93,7 +93,8 @@ Resources resourcesOf(const std::map<std::string, std::string>& files, const std
   Resources resources;
   for (const auto& [name, text] : files) {
     if (!parts.count(name)) continue;
-    for (const XmlNode* object : parsedXml(text).first("resources").all("object"))
+    const XmlNode model = parsedXml(text);
+    for (const XmlNode* object : model.first("resources").all("object"))
       resources[{"/" + name, number((*object)["id"])}] = resourceOf(*object);
   }
   return resources;
@@ -127,6 +128,99 @@ double lowest(const Object& object) {
   return low;
 }
 
+/// Returns a settings file; an empty node if there is none.
+XmlNode settingsOf(const std::map<std::string, std::string>& files, const std::string& name) {
+  const auto found = files.find(name);
+  return found == files.end() ? XmlNode() : parsedXml(found->second);
+}
+
+const XmlNode* findObject(const XmlNode& config, unsigned id) {
+  for (const XmlNode* object : config.all("object"))
+    if (number((*object)["id"]) == id) return object;
+  return nullptr;
+}
+
+/// Returns all meshes of the build, in order.
+std::vector<Placed> placedMeshes(const std::map<std::string, std::string>& files, const Resources& resources) {
+  std::vector<Placed> placed;
+  const XmlNode root = parsedXml(files.at(kRootModel));
+  for (const XmlNode* item : root.first("build").all("item"))
+    collect(resources, kRootPath, number((*item)["objectid"]), transformOf((*item)["transform"]), placed);
+  return placed;
+}
+
+/// Makes PrusaSlicer's object from a mesh. @returns none if a volume's range is invalid
+std::optional<Object> prusaObject(const Placed& mesh, const XmlNode& config, PrusaVersion version) {
+  Object object;
+  // [P29] m_objects_metadata.find(object.first.second): by id, whatever the part
+  const XmlNode* known = findObject(config, mesh.id);
+  // [P29] "config data not found … add the entire geometry as the single volume"
+  std::vector<std::pair<std::size_t, std::size_t>> ranges = {{0, mesh.mesh->triangles.size() - 1}};
+  std::vector<const XmlNode*> volumes = {nullptr};
+  if (known) {
+    object.name = metadataOf(*known)["name"];
+    volumes = known->all("volume");
+    ranges.clear();
+    for (const XmlNode* v : volumes) ranges.emplace_back(number((*v)["firstid"]), number((*v)["lastid"]));
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const std::size_t first = ranges[i].first, last = ranges[i].second;
+    // [P29] _generate_volumes: "Found invalid triangle id"
+    if (first > last || last >= mesh.mesh->triangles.size()) return std::nullopt;
+    auto values = volumes[i] ? metadataOf(*volumes[i]) : std::map<std::string, std::string>();
+    Volume volume;
+    volume.name = values["name"];
+    volume.kind = values["volume_type"].empty() ? "ModelPart" : values["volume_type"];
+    const std::string own = values["extruder"], whole = known ? metadataOf(*known)["extruder"] : "";
+    volume.filament = std::max(1u, number(own.empty() ? whole : own));
+    // [P29] _handle_start_triangle: mmu_segmentation, and since #12502 paint_color where it is missing
+    addTriangles(mesh, first, last + 1, volume, [&](std::size_t t) {
+      const std::string& prusa = mesh.mesh->prusaPaint[t];
+      if (!prusa.empty() || version == PrusaVersion::V2_5) return filamentOr0(prusa);
+      return filamentOr0(mesh.mesh->bambuPaint[t]);
+    });
+    object.volumes.push_back(std::move(volume));
+  }
+  return object;
+}
+
+/// Makes Bambu Studio's object from the meshes of a build item.
+Object bambuObject(unsigned id, unsigned pid, const std::vector<Placed>& placed, const XmlNode& config,
+                   const std::map<unsigned, std::string>& groups) {
+  Object object;
+  unsigned whole = 1;
+  const XmlNode* known = findObject(config, id);  // [BBS] by id, whatever program wrote the file
+  if (known) {
+    auto values = metadataOf(*known);
+    object.name = values["name"];
+    whole = std::max(1u, number(values["extruder"]));
+  } else if (groups.count(pid)) {
+    // [BBS] colours are numbered in the order of their groups; only the build object's own pid counts
+    std::set<std::string> before;
+    for (const auto& entry : groups)
+      if (before.insert(entry.second).second && entry.second == groups.at(pid))
+        whole = static_cast<unsigned>(before.size());
+  }
+  for (const Placed& mesh : placed) {
+    Volume volume;
+    volume.kind = "normal_part";
+    volume.filament = whole;
+    if (known)
+      for (const XmlNode* part : known->all("part"))
+        if (number((*part)["id"]) == mesh.id) {  // [BBS] _generate_volumes_new: subobject id
+          auto values = metadataOf(*part);
+          volume.name = values["name"];
+          volume.kind = (*part)["subtype"];
+          if (!values["extruder"].empty()) volume.filament = number(values["extruder"]);
+        }
+    const bool keepsPaint = mesh.path != kRootPath;  // [SNAP] paint of a mesh in the root model is dropped
+    addTriangles(mesh, 0, mesh.mesh->triangles.size(), volume,
+                 [&](std::size_t t) { return keepsPaint ? filamentOr0(mesh.mesh->bambuPaint[t]) : 0; });
+    object.volumes.push_back(std::move(volume));
+  }
+  return object;
+}
+
 }  // namespace
 
 std::vector<unsigned> Project::filaments() const {
@@ -146,60 +240,24 @@ Project openInPrusaSlicer(std::span<const std::uint8_t> file, PrusaVersion versi
   std::set<std::string> parts;
   for (const auto& [name, text] : files)
     if (name.starts_with("3D/") && name.ends_with(".model")) parts.insert(name);
-  // [P25] _load_model_from_file: "3mf contain multiple .model files and it is not supported yet".
-  if (version == PrusaVersion::V2_5 && parts.size() > 1) {
-    project.refused = "several model parts";
-    return project;
-  }
   const Resources resources = resourcesOf(files, parts);
-  const auto settings = files.find("Metadata/Slic3r_PE_model.config");
-  const XmlNode config = settings == files.end() ? XmlNode() : parsedXml(settings->second);
-  for (const XmlNode* item : parsedXml(files.at(kRootModel)).first("build").all("item")) {
-    std::vector<Placed> placed;
-    collect(resources, std::string("/") + kRootModel, number((*item)["objectid"]), transformOf((*item)["transform"]),
-            placed);
-    for (const Placed& mesh : placed) {  // [P29] _create_object_instance: each mesh becomes an object
-      Object object;
-      const XmlNode* known = nullptr;  // [P29] m_objects_metadata.find(object.first.second): by id, whatever the part
-      for (const XmlNode* o : config.all("object"))
-        if (number((*o)["id"]) == mesh.id) known = o;
-      // [P29] "config data not found … add the entire geometry as the single volume"
-      std::vector<std::pair<std::size_t, std::size_t>> ranges = {{0, mesh.mesh->triangles.size() - 1}};
-      std::vector<const XmlNode*> volumes = {nullptr};
-      if (known) {
-        object.name = metadataOf(*known)["name"];
-        volumes = known->all("volume");
-        ranges.clear();
-        for (const XmlNode* v : volumes) ranges.emplace_back(number((*v)["firstid"]), number((*v)["lastid"]));
-      }
-      for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const auto [first, last] = ranges[i];
-        // [P29] _generate_volumes: "Found invalid triangle id"
-        if (first > last || last >= mesh.mesh->triangles.size()) {
-          project.refused = "invalid triangle id";
-          return project;
-        }
-        auto values = volumes[i] ? metadataOf(*volumes[i]) : std::map<std::string, std::string>();
-        Volume volume;
-        volume.name = values["name"];
-        volume.kind = values["volume_type"].empty() ? "ModelPart" : values["volume_type"];
-        const std::string own = values["extruder"], whole = known ? metadataOf(*known)["extruder"] : "";
-        volume.filament = std::max(1u, number(own.empty() ? whole : own));
-        // [P29] _handle_start_triangle: mmu_segmentation, and since #12502 paint_color where it is missing
-        addTriangles(mesh, first, last + 1, volume, [&](std::size_t t) {
-          const std::string& prusa = mesh.mesh->prusaPaint[t];
-          if (!prusa.empty() || version == PrusaVersion::V2_5) return filamentOr0(prusa);
-          return filamentOr0(mesh.mesh->bambuPaint[t]);
-        });
-        object.volumes.push_back(std::move(volume));
-      }
-      project.objects.push_back(std::move(object));
+  // [P25] _handle_start_component: "Found component with invalid object id", for ids are looked up in the root model.
+  for (const auto& [key, resource] : resources)
+    for (const auto& component : resource.components)
+      if (version == PrusaVersion::V2_5 && !component.path.empty()) project.refused = "component with a path";
+  if (!project.refused.empty()) return project;
+  const XmlNode config = settingsOf(files, "Metadata/Slic3r_PE_model.config");
+  for (const Placed& mesh : placedMeshes(files, resources)) {  // [P29] _create_object_instance: each is an object
+    auto object = prusaObject(mesh, config, version);
+    if (!object) {
+      project.refused = "invalid triangle id";
+      return project;
     }
+    project.objects.push_back(std::move(*object));
   }
-  // [P29] Model::looks_like_multipart_object: several objects, each of one volume, not all from the same height
-  if (project.objects.size() > 1)
-    for (const Object& object : project.objects)
-      project.asksAboutParts |= std::abs(lowest(object) - lowest(project.objects.front())) > 1e-4;
+  // [P29] Model::looks_like_multipart_object: several objects, not all from the same height
+  for (const Object& object : project.objects)
+    project.asksAboutParts |= std::abs(lowest(object) - lowest(project.objects.front())) > 1e-4;
   return project;
 }
 
@@ -213,49 +271,18 @@ Project openInBambuStudio(std::span<const std::uint8_t> file) {
   const Resources resources = resourcesOf(files, parts);
   // [BBS] _handle_start_color: a group keeps its last colour, and groups of all parts are in one list
   std::map<unsigned, std::string> groups;
-  for (const std::string& part : parts)
-    for (const XmlNode* g : parsedXml(files.at(part)).first("resources").all("m:colorgroup"))
-      for (const XmlNode* c : g->all("m:color")) groups[number((*g)["id"])] = (*c)["color"];
-  const auto settings = files.find("Metadata/model_settings.config");
-  const XmlNode config = settings == files.end() ? XmlNode() : parsedXml(settings->second);
-  for (const XmlNode* item : parsedXml(files.at(kRootModel)).first("build").all("item")) {
+  for (const std::string& part : parts) {
+    const XmlNode model = parsedXml(files.at(part));
+    for (const XmlNode* g : model.first("resources").all("m:colorgroup"))
+      for (const XmlNode* colour : g->all("m:color")) groups[number((*g)["id"])] = (*colour)["color"];
+  }
+  const XmlNode config = settingsOf(files, "Metadata/model_settings.config");
+  const XmlNode root = parsedXml(files.at(kRootModel));
+  for (const XmlNode* item : root.first("build").all("item")) {
     const unsigned id = number((*item)["objectid"]);
     std::vector<Placed> placed;
-    collect(resources, std::string("/") + kRootModel, id, transformOf((*item)["transform"]), placed);
-    const XmlNode* known = nullptr;  // [BBS] m_objects_metadata.find(object id), whatever program wrote the file
-    for (const XmlNode* o : config.all("object"))
-      if (number((*o)["id"]) == id) known = o;
-    Object object;
-    unsigned whole = 1;
-    if (known) {
-      auto values = metadataOf(*known);
-      object.name = values["name"];
-      whole = std::max(1u, number(values["extruder"]));
-    } else if (const auto pid = resources.at({std::string("/") + kRootModel, id}).pid; pid > 0) {
-      // [BBS] colours are numbered in the order of their groups; only the build object's own pid counts
-      std::set<std::string> before;
-      for (const auto& [group, colour] : groups)
-        if (before.insert(colour).second && colour == groups[pid]) whole = static_cast<unsigned>(before.size());
-    }
-    for (const Placed& mesh : placed) {
-      Volume volume;
-      volume.kind = "normal_part";
-      volume.filament = whole;
-      if (known)
-        for (const XmlNode* part : known->all("part"))
-          if (number((*part)["id"]) == mesh.id) {  // [BBS] _generate_volumes_new: subobject id
-            auto values = metadataOf(*part);
-            volume.name = values["name"];
-            volume.kind = (*part)["subtype"];
-            if (!values["extruder"].empty()) volume.filament = number(values["extruder"]);
-          }
-      // [SNAP] paint of a mesh in the root model is dropped
-      const bool keepsPaint = mesh.path != std::string("/") + kRootModel;
-      addTriangles(mesh, 0, mesh.mesh->triangles.size(), volume,
-                   [&](std::size_t t) { return keepsPaint ? filamentOr0(mesh.mesh->bambuPaint[t]) : 0; });
-      object.volumes.push_back(std::move(volume));
-    }
-    project.objects.push_back(std::move(object));
+    collect(resources, kRootPath, id, transformOf((*item)["transform"]), placed);
+    project.objects.push_back(bambuObject(id, resources.at({kRootPath, id}).pid, placed, config, groups));
   }
   if (const auto palette = files.find("Metadata/project_settings.config"); palette != files.end())
     for (const auto& colour : nlohmann::json::parse(palette->second).at("filament_colour"))
