@@ -42,16 +42,14 @@ int failed(const std::string& what, const Error& error) {
   return 1;
 }
 
-int runTable(int argc, char** argv, const std::function<int(const GeometryPass&, const TableArguments&)>& run) {
+int runTable(int argc, char** argv, const std::function<int(const TableArguments&)>& run) {
   if (argc < 3) {
     fmt::print(stderr, "usage: {} FOLDER CENTRES.json [KIND...]\n", argv[0]);
     return 2;
   }
   const auto context = EglContext::create();
   if (!context) return failed("EGL", context.error());
-  const auto pass = GeometryPass::create();
-  if (!pass) return failed("shaders", pass.error());
-  return run(*pass, {argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc)});
+  return run({argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc)});
 }
 
 int forEachCentre(const std::string& folder, const std::string& centresFile, const std::vector<std::string>& kinds,
@@ -84,9 +82,8 @@ int forEachCentre(const std::string& folder, const std::string& centresFile, con
   return status;
 }
 
-Result<Placement> place(const EngravableModel& model, const GeometryPass& pass, int modules,
-                        const PlacementRequest& request) {
-  PlacementSearch search(model.prepared, model.gpu, pass, modules, request);
+Result<Placement> place(const EngravableModel& model, int modules, const PlacementRequest& request) {
+  PlacementSearch search(model.prepared, *model.renderer, modules, request);
   for (;;) {
     const Result<bool> done = search.step();
     if (!done) return tl::unexpected(done.error());

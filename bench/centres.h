@@ -37,12 +37,11 @@ struct TableArguments {
 };
 
 /// Runs the main() of a table: reads `FOLDER CENTRES.json [KIND...]` and makes a GL context.
-int runTable(int argc, char** argv, const std::function<int(const GeometryPass&, const TableArguments&)>& run);
+int runTable(int argc, char** argv, const std::function<int(const TableArguments&)>& run);
 
 /// Prints an error. @returns 1
 int failed(const std::string& what, const Error& error);
 
-Result<Placement> place(const EngravableModel& model, const GeometryPass& pass, int modules,
-                        const PlacementRequest& request);
+Result<Placement> place(const EngravableModel& model, int modules, const PlacementRequest& request);
 
 }  // namespace qrelief::bench

@@ -33,18 +33,19 @@ bool isDark(const Symbol& symbol, const Placement& placement, Vec3 point) {
   return row >= 0 && column >= 0 && row < kModules && column < kModules && symbol.isDark(row, column);
 }
 
-Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const Symbol& symbol,
-                   const Placement& placement, const std::string& text, double tiltDeg, double azimuthDeg) {
+Result<bool> reads(const EngravableModel& model, const Symbol& symbol, const Placement& placement,
+                   const std::string& text, double tiltDeg, double azimuthDeg) {
   const ProjectionFrame camera = tilted(placement.frame, tiltDeg, azimuthDeg);
   const int texels = kModulesAcross * kPixelsPerModule;
-  const auto maps = pass.render(model.gpu, camera, {kModulesAcross * placement.moduleMm, texels});
-  if (!maps) return tl::unexpected(maps.error());
-  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
+  const MapWindow window{kModulesAcross * placement.moduleMm, texels};
+  const auto surface = model.renderer->render(camera, window);
+  if (!surface) return tl::unexpected(surface.error());
+  const std::vector<float> distances = rayDistances(*surface, camera, window);
   std::vector<float> luminance;
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column) {
-      const double distance = static_cast<double>(smooth[4 * static_cast<std::size_t>(row * texels + column) + 3]);
-      const Vec3 point = camera.eye() + camera.rayDirection(maps->window.planePoint(column, row)) * distance;
+      const double distance = static_cast<double>(distances[static_cast<std::size_t>(row * texels + column)]);
+      const Vec3 point = camera.eye() + camera.rayDirection(window.planePoint(column, row)) * distance;
       luminance.push_back(distance <= 0 ? kBackground : isDark(symbol, placement, point) ? kInk : kPaper);
     }
   ReaderView view;
@@ -58,14 +59,14 @@ Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const
 /// Counts the sides from which the code decodes, by tilt.
 using Counts = std::array<int, kTiltsDeg.size()>;
 
-Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
+Result<Counts> countSides(const EngravableModel& model, const Placement& placement) {
   const std::string text = "https://example.com/qrelief";
   const auto symbol = encodeSymbol(text, {.version = 3});
   if (!symbol) return tl::unexpected(symbol.error());
   Counts counts{};
   for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
     for (int side = 0; side < kSides; ++side) {
-      const auto read = reads(pass, model, *symbol, placement, text, kTiltsDeg[t], side * 360.0 / kSides);
+      const auto read = reads(model, *symbol, placement, text, kTiltsDeg[t], side * 360.0 / kSides);
       if (!read) return tl::unexpected(read.error());
       counts[t] += *read;
     }
@@ -74,7 +75,7 @@ Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model
   return counts;
 }
 
-int run(const GeometryPass& pass, const bench::TableArguments& arguments) {
+int run(const bench::TableArguments& arguments) {
   fmt::print("| centre | width (mm) | bend (modules) | foretold (°) | sides of {} at {}° |\n|---|---|---|---|{}\n",
              kSides, fmt::join(kTiltsDeg, "° | "), "---|---|---|---|---|---|---|---|");
   int visited = 0;
@@ -84,9 +85,9 @@ int run(const GeometryPass& pass, const bench::TableArguments& arguments) {
     request.centreMm = centre.positionMm;
     if (centre.widthWithQuietZoneMm)
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
-    const auto placement = bench::place(*model, pass, kModules, request);
+    const auto placement = bench::place(*model, kModules, request);
     if (!placement) return tl::unexpected(placement.error());
-    const auto counts = countSides(pass, *model, *placement);
+    const auto counts = countSides(*model, *placement);
     if (!counts) return tl::unexpected(counts.error());
     fmt::print("| {} | {:.1f} | {:.2f} | {:.0f} | {} |\n", centre.name, placement->symbolMm,
                placement->bendMm / placement->moduleMm,

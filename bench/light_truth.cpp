@@ -13,7 +13,7 @@
 #include "light/height_light.h"
 #include "mesh/ray_tree.h"
 #include "printing/printed_rays.h"
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 #include "verification/lit_picture.h"
 #include "verification/path_tracer.h"
 #include "verification/reading_sweep.h"

@@ -21,38 +21,37 @@ struct Judged {
   double measure = 0, worstAngleDeg = 0, guaranteedMm = 0;
 };
 
-Result<Judged> judge(const EngravableModel& model, const GeometryPass& pass, PlacementRequest request,
-                     DirectionMethod method, double sizeMm) {
+Result<Judged> judge(const EngravableModel& model, PlacementRequest request, DirectionMethod method, double sizeMm) {
   request.directionMethod = method;
-  const auto placed = bench::place(model, pass, kModules, request);
+  const auto placed = bench::place(model, kModules, request);
   if (!placed) return tl::unexpected(placed.error());
   DirectionOptions options;
   options.sizeMm = sizeMm;
   const ProjectionFrame frame =
       makeFrame(placed->frame.centre, placed->frame.normal, request.upHint, request.eyeDistanceMm);
-  const auto looked = lookFrom(pass, model.gpu, frame, options);
+  const auto looked = lookFrom(*model.renderer, frame, options);
   if (!looked) return tl::unexpected(looked.error());
   return Judged{looked->measure, toDegrees(looked->worstAngle), placed->guaranteedMm};
 }
 
-Status printRow(const EngravableModel& model, const GeometryPass& pass, const bench::Centre& centre) {
+Status printRow(const EngravableModel& model, const bench::Centre& centre) {
   PlacementRequest request;
   request.centreMm = centre.positionMm;
   request.maxSizeMm = kMostMm;
-  const auto balanced = bench::place(model, pass, kModules, request);
+  const auto balanced = bench::place(model, kModules, request);
   if (!balanced) return tl::unexpected(balanced.error());
   std::array<Judged, 4> judged;
   for (const DirectionMethod method :
        {DirectionMethod::MeanNormal, DirectionMethod::DepthBalanced, DirectionMethod::Pca, DirectionMethod::Optimal}) {
-    const auto result = judge(model, pass, request, method, balanced->symbolMm);
+    const auto result = judge(model, request, method, balanced->symbolMm);
     if (!result) return tl::unexpected(result.error());
     judged[static_cast<std::size_t>(method)] = *result;
   }
   request.direction = balanced->frame.normal;
   request.sizeMode = SizeMode::Oriented;
-  const auto oriented = bench::place(model, pass, kModules, request);
+  const auto oriented = bench::place(model, kModules, request);
   request.sizeMode = SizeMode::Best;
-  const auto best = bench::place(model, pass, kModules, request);
+  const auto best = bench::place(model, kModules, request);
   if (!oriented || !best) return tl::unexpected(oriented ? best.error() : oriented.error());
 
   fmt::print("| {} |", centre.name);
@@ -64,16 +63,15 @@ Status printRow(const EngravableModel& model, const GeometryPass& pass, const be
   return {};
 }
 
-int run(const GeometryPass& pass, const bench::TableArguments& arguments) {
+int run(const bench::TableArguments& arguments) {
   fmt::print(
       "| centre | measure·1000 of mean-normal | depth-balanced | pca | optimal "
       "| worst angle (°) of mean-normal | depth-balanced | pca | optimal "
       "| guaranteed (mm) with mean-normal | depth-balanced | pca | optimal "
       "| free | oriented | best | at (°) |\n|---|{}\n",
       "---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-  return bench::forEachCentre(
-      arguments.folder, arguments.centresFile, arguments.kinds,
-      [&](const auto& model, const bench::Centre& centre) { return printRow(*model, pass, centre); });
+  return bench::forEachCentre(arguments.folder, arguments.centresFile, arguments.kinds,
+                              [&](const auto& model, const bench::Centre& centre) { return printRow(*model, centre); });
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct Case {
   bool free = false;
 };
 
-int run(const GeometryPass&, const bench::TableArguments& arguments) {
+int run(const bench::TableArguments& arguments) {
   const std::array<Case, 6> cases = {{{ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, Preset::Balanced},
                                       {ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, Preset::Shallow, true},
                                       {ModulePattern::Square, FinderPattern::None, Preset::Shallow, true},

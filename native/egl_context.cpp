@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-std::vector<EGLDisplay> candidateDisplays() {
+std::vector<EGLDisplay> candidateDisplays(bool onlyGpu) {
   std::vector<EGLDisplay> displays;
   const char* wanted = std::getenv("QRELIEF_GL");
   const bool softwareOnly = wanted && std::string_view(wanted) == "software";
@@ -32,7 +32,7 @@ std::vector<EGLDisplay> candidateDisplays() {
       }
     }
   }
-  displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  if (!onlyGpu) displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
   return displays;
 }
 
@@ -54,8 +54,8 @@ EGLContext createContext(EGLDisplay display) {
 
 }  // namespace
 
-Result<std::unique_ptr<EglContext>> EglContext::create() {
-  for (const EGLDisplay display : candidateDisplays()) {
+Result<std::unique_ptr<EglContext>> EglContext::create(bool onlyGpu) {
+  for (const EGLDisplay display : candidateDisplays(onlyGpu)) {
     const EGLContext context = createContext(display);
     if (context == EGL_NO_CONTEXT) continue;
     std::unique_ptr<EglContext> made(new EglContext);

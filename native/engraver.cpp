@@ -18,13 +18,12 @@ constexpr std::size_t kPlaces = 8;  // rows of a batch may differ in settings th
 
 Result<Engraver> Engraver::create(std::shared_ptr<const EngravableModel> model) {
   Engraver engraver;
-  auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
-  auto programs = LuminancePrograms::create();
-  if (!programs) return tl::unexpected(programs.error());
+  if (model->usesShaders(Device::Faster)) {
+    auto programs = LuminancePrograms::create();
+    if (!programs) return tl::unexpected(programs.error());
+    engraver.programs_ = std::move(*programs);
+  }
   engraver.model_ = std::move(model);
-  engraver.pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
-  engraver.programs_ = std::move(*programs);
   return engraver;
 }
 
@@ -32,7 +31,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
   const PlacementRequest wanted = searchedPlacement(request, modules);
   for (Place& place : places_)
     if (place.modules == modules && place.request == wanted) return &place;
-  PlacementSearch search(model_->prepared, model_->gpu, *pass_, modules, wanted);
+  PlacementSearch search(model_->prepared, *model_->renderer, modules, wanted);
   for (;;) {
     const Result<bool> done = search.step();
     if (!done) return tl::unexpected(done.error());
@@ -52,8 +51,7 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
   if (!place) return tl::unexpected(place.error());
   Place& known = **place;
   auto job = EngraveJob::create(
-      model_, request,
-      {.placed = &known.found, .pass = pass_, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
+      model_, request, {.placed = &known.found, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
   if (!job) return tl::unexpected(job.error());
   Carving carving;
   const Status ended = advanceToEnd(**job, [&](const Progress& progress) {

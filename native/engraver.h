@@ -27,7 +27,8 @@ struct Engraved {
 };
 
 /// Engraves one code after another into one model, with all checks. Shares work between codes: the programs, and the
-/// place with its measurements for codes with the same placement request. Needs the GL context of the model.
+/// place with its measurements for codes with the same placement request. Needs the
+/// model's GL context, if it has one.
 class Engraver {
  public:
   using Tell = std::function<void(const Progress&)>;
@@ -69,9 +70,8 @@ class Engraver {
   Result<Engraved> follow(EngravePlan plan, const Tell& tell) const;
 
   std::shared_ptr<const EngravableModel> model_;
-  std::shared_ptr<const GeometryPass> pass_;
-  std::shared_ptr<const LuminancePrograms> programs_;
-  mutable std::list<Place> places_;  // the latest first
+  std::shared_ptr<const LuminancePrograms> programs_;  // null: the processor computes the light
+  mutable std::list<Place> places_;                    // the latest first
 };
 
 /// A carved model as files.

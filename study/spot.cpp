@@ -19,7 +19,7 @@ Result<Spot> findSpot(std::string name, std::shared_ptr<const EngravableModel> m
   Spot spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
   spot.pass = std::make_shared<const GeometryPass>(std::move(*pass));
   const int modules = spot.symbol.size;
-  const auto search = std::make_shared<PlacementSearch>(spot.model->prepared, spot.model->gpu, *spot.pass, modules,
+  const auto search = std::make_shared<PlacementSearch>(spot.model->prepared, *spot.model->renderer, modules,
                                                         searchedPlacement(request, modules));
   for (;;) {
     const auto done = search->step();

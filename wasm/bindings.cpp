@@ -137,8 +137,10 @@ struct Verb<verb, Answer (Owner::*)(Given...)> : BoundVerb<verb, Owner, Answer, 
 template <auto verb, class Owner, class Answer, class... Given>
 struct Verb<verb, Answer (Owner::*)(Given...) const> : BoundVerb<verb, Owner, Answer, Given...> {};
 
+bool hasGl() { return emscripten_webgl_get_current_context() != 0; }
+
 bool enableExtension(const char* name) {
-  return emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), name);
+  return hasGl() && emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), name);
 }
 
 /// Returns the renderer's name. Without this extension browsers say "WebKit WebGL" and the like.
@@ -148,7 +150,8 @@ std::string rendererName() {
 }
 
 InspectedEngine* makeEngine() {
-  return new InspectedEngine(rendererName(), enableExtension("EXT_disjoint_timer_query_webgl2"), &makeInspector);
+  return new InspectedEngine(rendererName(), hasGl(), enableExtension("EXT_disjoint_timer_query_webgl2"),
+                             &makeInspector);
 }
 
 /// Returns the bytes of the heap in use, which a leak increases.

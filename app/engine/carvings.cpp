@@ -27,21 +27,23 @@ constexpr int kPreparedSteps = 5;   // of an engraving: the surface, and the fir
 
 }  // namespace
 
+Status Carvings::compilePrograms() {
+  if (programs_) return {};
+  auto compiled = LuminancePrograms::create();
+  if (!compiled) return tl::unexpected(compiled.error());
+  programs_ = std::move(*compiled);
+  return {};
+}
+
 Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, const EngraveRequest& request,
                                                       const PlacementSearch* placed,
                                                       std::shared_ptr<MeasuredPlace> measured) {
-  if (!programs_) {
-    auto compiled = LuminancePrograms::create();
-    if (!compiled) return tl::unexpected(compiled.error());
-    programs_ = std::move(*compiled);
-  }
+  const Device device = timerQueries_ ? Device::Gpu : Device::Faster;  // timed passes need shaders
+  if (ground.model.engravable->usesShaders(device))
+    if (const Status compiled = compilePrograms(); !compiled) return tl::unexpected(compiled.error());
   return EngraveJob::create(
       ground.model.engravable, request,
-      {.placed = placed,
-       .pass = ground.pass,
-       .programs = programs_,
-       .measured = std::move(measured),
-       .lightBy = timerQueries_ ? LightBy::Shaders : LightBy::Renderer});  // timed passes need shaders
+      {.placed = placed, .programs = programs_, .measured = std::move(measured), .device = device});
 }
 
 bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
@@ -158,7 +160,7 @@ bool Carvings::use(int wanted) {
 }
 
 const std::shared_ptr<const GpuMesh>& Carvings::display(const Ground& ground) {
-  if (current_.display || !current_.result) return current_.display;
+  if (current_.display || !current_.result || !ground.pass) return current_.display;
   const EngraveResult& result = *current_.result;
   const Placement& placement = result.placement;
   DisplayMesh display = splitAtCreases(result.mesh);
@@ -189,6 +191,7 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
 }
 
 GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg) {
+  if (!ground.pass || !compilePrograms()) return {};
   const EngraveResult& result = *current_.result;
   const ProjectionFrame frame = tilted(result.placement.frame, tiltDeg, azimuthDeg);
   const bool isInColour = current_.request.isInColour();

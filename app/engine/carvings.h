@@ -20,7 +20,7 @@ namespace qrelief {
 /// Engraves, and keeps the last carving and the previous one of the same model.
 class Carvings {
  public:
-  /// The model to engrave, and the geometry pass that renders it.
+  /// The model to engrave, and the geometry pass that renders it for display; null without a GL context.
   struct Ground {
     const LoadedModel& model;
     const std::shared_ptr<const GeometryPass>& pass;
@@ -57,7 +57,7 @@ class Carvings {
   const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
   /// Returns the carving to print: the running engraving once its file is written, else result().
   const EngraveResult* printable() const { return runs_ ? job_->writtenResult() : result(); }
-  /// Returns the display mesh of the carved model; null without a carving. Makes it at the first call.
+  /// Returns the display mesh of the carved model; null without a carving or a GL context. Makes it at the first call.
   const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
   /// Returns the display mesh, null before it is made.
   const std::shared_ptr<const GpuMesh>& madeDisplay() const { return current_.display; }
@@ -127,11 +127,12 @@ class Carvings {
   };
   Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
                                               const PlacementSearch* placed, std::shared_ptr<MeasuredPlace> measured);
+  Status compilePrograms();
   void forgetCurrent();
   Verdict verdict() const;
   Result<EngraveRequest> printedAs(const std::string& changed) const;
 
-  std::shared_ptr<const LuminancePrograms> programs_;  // once there has been an engraving
+  std::shared_ptr<const LuminancePrograms> programs_;  // once shaders have computed light
   std::optional<bool> timerQueries_;                   // none: passes are not timed
   std::unique_ptr<gl::PassTimings> passTimings_;
   int started_ = 0, finished_ = 0;

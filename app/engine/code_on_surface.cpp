@@ -16,7 +16,7 @@ constexpr double kReachEdges = 3;  // edge of the map around a placed code, in c
                                    // enlarged
 
 Result<VisibilityMap> reachAround(const LoadedModel& model, const Decal& decal) {
-  return lookAround(model.look, decal.frame, {kReachEdges * decal.edgeMm, kReachTexels});
+  return lookAround(*model.engravable->raster, decal.frame, {kReachEdges * decal.edgeMm, kReachTexels});
 }
 
 std::shared_ptr<const VisibilityMap> trusted(VisibilityMap reach) {
@@ -47,7 +47,8 @@ void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer
 Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const WantedCode& wanted, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm) {
   const Symbol& symbol = *wanted.symbol();
-  const EstimatedSurface surface{model.mesh(), model.look, model.engravable->gpu.box().diagonal()};
+  // Following the pointer does not wait for the GPU.
+  const EstimatedSurface surface{model.mesh(), *model.engravable->raster, model.engravable->box.diagonal()};
   auto estimate = estimateCode(surface, at, symbol.size, wanted.placementAt(at.position, upHint), expectedMm);
   if (!estimate) return tl::unexpected(estimate.error());
   CodeOnSurface code;

@@ -12,7 +12,11 @@
 
 namespace qrelief {
 
-Engine::Engine(const std::string& renderer) {
+Engine::Engine(const std::string& renderer, bool hasGl) : hasGl_(hasGl) {
+  if (!hasGl) {
+    gl_.renderer = "processor";
+    return;
+  }
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) {
     problems_.push_back(capabilities.error().message);
@@ -34,9 +38,9 @@ std::string Engine::capabilities() const {
 }
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
-  if (!pass_ || !scene_.isOpen())
+  if (hasGl_ && (!pass_ || !scene_.isOpen()))
     return answer(ErrorKind::Internal, message("no-graphics", with::cause<"why">(problems_.front())));
-  auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
+  auto model = loadedModel(pass_, std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();
   placedCode_.forgetFound();
@@ -47,7 +51,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   model_ = std::move(*model);
   scene_.camera().setScene(model_->display->box());
   scene_.camera().fitFromDefaultSide();
-  wanted_.choose(proposedCentre(*model_, *pass_, scene_.camera().view(), settings().placement.eyeDistanceMm));
+  wanted_.choose(proposedCentre(*model_, scene_.camera().view(), settings().placement.eyeDistanceMm));
   updateView();
   return describeModel();
 }

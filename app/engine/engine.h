@@ -23,13 +23,16 @@ namespace qrelief {
 ///
 /// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}} with the kinds BadUsage,
 /// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
-/// Needs a current GL context for its whole life; knows nothing of browsers.
+/// With a GL context, needs it to be current for its whole life; without one, engraves all the same but draws nothing.
+/// Knows nothing of browsers.
 class Engine {
  public:
   /// @param renderer  name of the graphics processor, if the caller knows it better than GL_RENDERER (browsers mask it)
-  explicit Engine(const std::string& renderer = {});
+  /// @param hasGl     a GL context is current
+  explicit Engine(const std::string& renderer = {}, bool hasGl = true);
 
-  /// Returns {renderer, version, problems: [text]}. With a problem, nothing can be drawn or engraved.
+  /// Returns {renderer, version, problems: [text]}. With a problem, nothing can be drawn or engraved. Without a GL
+  /// context the renderer is "processor".
   std::string capabilities() const;
 
   /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings,
@@ -228,6 +231,7 @@ class Engine {
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   void updateView();
 
+  bool hasGl_;
   gl::Capabilities gl_;
   std::vector<Message> problems_;
   std::shared_ptr<const GeometryPass> pass_;

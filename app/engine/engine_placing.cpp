@@ -9,7 +9,7 @@
 #include "projection/flatness.h"
 
 namespace qrelief {
-PlacementTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
+PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().skyward()}; }
 
 bool Engine::takesCode() const {
   return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();

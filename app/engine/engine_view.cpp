@@ -127,7 +127,7 @@ Result<BackDistanceMap> Engine::backDistances() const {
   const EngraveResult* result = carvings_.result();
   const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->surfaceMaps() : nullptr;
   if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
-  return pass_->renderBack(model_->engravable->gpu, result->placement.frame, maps->window);
+  return model_->engravable->gpu->backMap(result->placement.frame, maps->window);
 }
 
 std::optional<Vec2> Engine::codePlaceAt(double x, double y) const {

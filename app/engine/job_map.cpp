@@ -37,8 +37,8 @@ std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name) {
   const gl::Texture* source = nullptr;
   const SurfaceMaps* const surface = name == "surface" ? job.surfaceMaps() : nullptr;
   if (surface) source = &surface->surface;
-  if (name == "luminance") source = maps.luminance;
-  if (name == "depths") source = maps.depths;
+  if (name == "luminance" && maps.light) source = &maps.light->luminanceTexture();
+  if (name == "depths" && maps.light) source = &maps.light->depthTexture();
   if (!source) return std::nullopt;
   const gl::Texture* const colours[] = {source};
   const auto framebuffer = gl::Framebuffer::create(colours, false);

@@ -10,7 +10,6 @@
 #include "projection/first_spots.h"
 #include "projection/silhouette.h"
 #include "projection/size.h"
-#include "projection/surface_raster.h"
 #include "viewer/display_mesh.h"
 
 namespace qrelief {
@@ -23,7 +22,8 @@ constexpr double kGoodFit = 0.7;  // part of the square that makes a spot good e
 
 }  // namespace
 
-Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
+Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass, std::vector<std::uint8_t> bytes,
+                                const std::string& fileName, double scaleToMm) {
   auto file = readModelFile(std::move(bytes), fileName, scaleToMm);
   if (!file) return tl::unexpected(file.error());
   LoadedModel model;
@@ -35,27 +35,22 @@ Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::stri
   model.partNames = std::move(file->partNames);
 
   const auto start = Clock::now();
-  {
+  if (pass) {
     const DisplayMesh display = splitAtCreases(file->prepared.mesh);
     model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   }
-  model.engravable = EngravableModel::upload(std::move(file->prepared));
-  model.look = [raster = model.engravable->raster](const ProjectionFrame& frame,
-                                                   const MapWindow& window) -> Result<std::vector<float>> {
-    return raster->draw(frame, window);
-  };
+  model.engravable = EngravableModel::create(std::move(file->prepared), pass);
   model.prepareMs = file->prepareMs + millisecondsSince(start);
   return model;
 }
 
-std::optional<Vec3> proposedCentre(const LoadedModel& model, const GeometryPass& pass, const CameraView& camera,
-                                   double eyeDistanceMm) {
+std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& camera, double eyeDistanceMm) {
   const Mesh& mesh = model.mesh();
   const double wanted = std::min(kProposedMm, kProposedFraction * boundingBox(mesh).diagonal());
   std::optional<Vec3> centre;
   double largest = 0;
   const auto spots =
-      firstSpots(pass, model.engravable->gpu, camera.frame(), camera.widthAtTargetMm(), wanted, kSpotsTried);
+      firstSpots(*model.engravable->renderer, camera.frame(), camera.widthAtTargetMm(), wanted, kSpotsTried);
   for (const FirstSpot& spot : spots ? *spots : std::vector<FirstSpot>{}) {
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;

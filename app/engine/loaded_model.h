@@ -20,19 +20,19 @@ struct LoadedModel {
   std::vector<Message> warnings;
   std::vector<std::string> partNames;
   std::shared_ptr<const EngravableModel> engravable;
-  SurfaceLook look;  ///< rasterised by the processor: following the pointer does not wait for renderings
-  std::shared_ptr<const GpuMesh> display;
+  std::shared_ptr<const GpuMesh> display;  ///< null without a GL context
 
   const Mesh& mesh() const { return engravable->prepared.mesh; }
 };
 
 /// Reads, repairs and uploads a file.
+/// @param pass       of the GL context; null: there is none
 /// @param bytes      freed as soon as it is read
 /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
-Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
+Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass, std::vector<std::uint8_t> bytes,
+                                const std::string& fileName, double scaleToMm);
 
 /// Proposes a point in the camera's view where a code probably fits well; else the surface point nearest to the camera.
-std::optional<Vec3> proposedCentre(const LoadedModel& model, const GeometryPass& pass, const CameraView& camera,
-                                   double eyeDistanceMm);
+std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& camera, double eyeDistanceMm);
 
 }  // namespace qrelief

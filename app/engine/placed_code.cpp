@@ -17,7 +17,7 @@ Status PlacedCode::find(const PlacementTask& task, const EngraveRequest& request
   found_.reset();
   const PlacementRequest wanted = searchedPlacement(request, symbol->size);
   const EngravableModel& model = *task.model.engravable;
-  PlacementSearch search(model.prepared, model.gpu, task.pass, symbol->size, wanted);
+  PlacementSearch search(model.prepared, *model.renderer, symbol->size, wanted);
   for (bool done = false; !done;) {
     const Result<bool> step = search.step();
     if (!step) return tl::unexpected(step.error());
@@ -77,7 +77,7 @@ void PlacedCode::endHover() {
 bool PlacedCode::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
-  settling_.emplace(model.prepared, model.gpu, task.pass, task.wanted.symbol()->size,
+  settling_.emplace(model.prepared, *model.renderer, task.wanted.symbol()->size,
                     task.wanted.placementAt(hoveredAt_->position, task.upHint));
   return true;
 }

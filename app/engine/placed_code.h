@@ -10,7 +10,6 @@ namespace qrelief {
 /// Parameters of a placement: the surface to search and the code to place.
 struct PlacementTask {
   const LoadedModel& model;
-  const GeometryPass& pass;
   const WantedCode& wanted;  ///< its symbol must exist
   Vec3 upHint{0, 0, 1};
 };

@@ -11,7 +11,7 @@ namespace qrelief {
 
 void Plate::start(const LoadedModel& model, std::size_t copies) {
   objects_.clear();
-  offsets_ = plateOffsets(model.engravable->gpu.box(), copies);
+  offsets_ = plateOffsets(model.engravable->box, copies);
 }
 
 void Plate::add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,

@@ -129,6 +129,7 @@ Result<bool> Scene::draw(bool always) {
 
 ColourImage Scene::picture(const std::shared_ptr<const GpuMesh>& model, const Decal& decal,
                            const ProjectionFrame& upright, int width, int height) {
+  if (!viewer_) return {};
   if (!pictureViewer_) {
     ViewQuality quality;
     quality.movingScale = 1;

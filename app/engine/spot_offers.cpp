@@ -39,6 +39,7 @@ void SpotOffers::finish() {
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
+  if (!model_->gpu) return;  // nothing can be shown
   sizesDisplay_ = std::make_shared<const GpuMesh>(
       heatMesh(model_->prepared.mesh, found.map, request_.leastPrintableMm * outer, topMm_ * outer));
 }

@@ -27,7 +27,7 @@ class SpotOffers {
   const PlacementRequest& request() const { return request_.placement; }
   /// Returns the symbol size that has the last colour.
   double topMm() const { return topMm_; }
-  /// Returns null before a search is done.
+  /// Returns null before a search is done, and without a GL context.
   const std::shared_ptr<const GpuMesh>& sizesDisplay() const { return sizesDisplay_; }
 
   void forget();

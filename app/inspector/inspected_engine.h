@@ -16,11 +16,11 @@ class InspectedEngine {
  public:
   using WindowMaker = std::unique_ptr<InspectorWindow> (*)();
 
-  /// @param renderer          see Engine
+  /// @param renderer, hasGl   see Engine
   /// @param withTimerQueries  whether the context can time the passes
   /// @param makeWindow        called when the inspector is opened
-  InspectedEngine(const std::string& renderer, bool withTimerQueries, WindowMaker makeWindow)
-      : engine_(renderer), withTimerQueries_(withTimerQueries), makeWindow_(makeWindow) {}
+  InspectedEngine(const std::string& renderer, bool hasGl, bool withTimerQueries, WindowMaker makeWindow)
+      : engine_(renderer, hasGl), withTimerQueries_(withTimerQueries), makeWindow_(makeWindow) {}
 
   Engine& engine() { return engine_; }
 

@@ -38,12 +38,25 @@ Status checkEngraving(const EngravableModel& model, const EngraveRequest& reques
   return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
 }
 
-std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
+std::shared_ptr<const EngravableModel> EngravableModel::create(PreparedModel prepared,
+                                                               std::shared_ptr<const GeometryPass> pass,
+                                                               Device device) {
   auto model = std::make_shared<EngravableModel>();
-  model->gpu = GpuMesh(prepared.mesh, prepared.normals);
   model->prepared = std::move(prepared);
-  model->raster = std::make_shared<const SurfaceRaster>(model->prepared.mesh);
+  const Mesh& mesh = model->prepared.mesh;
+  model->box = boundingBox(mesh);
+  model->raster = std::make_shared<const SurfaceRaster>(mesh);
+  model->renderer = model->raster;
+  if (!pass) return model;
+  model->gpu = std::make_shared<const GpuSurface>(std::move(pass), GpuMesh(mesh, model->prepared.normals));
+  if (device == Device::Gpu || (device == Device::Faster && !gl::isSoftware(gl::rendererName())))
+    model->renderer = model->gpu;
   return model;
+}
+
+std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
+  auto pass = GeometryPass::create();
+  return create(std::move(prepared), pass ? std::make_shared<const GeometryPass>(std::move(*pass)) : nullptr);
 }
 
 }  // namespace qrelief

@@ -6,21 +6,39 @@
 #include "base/result.h"
 #include "mesh/prepare.h"
 #include "projection/placement_request.h"
-#include "projection/surface_raster.h"
 #include "qr/symbol.h"
-#include "render/geometry_pass.h"
+#include "render/gpu_surface.h"
+#include "render/surface_raster.h"
 #include "settings/engrave_request.h"
 
 namespace qrelief {
 
-/// A model that is ready for engraving: checked, and in GPU memory.
+/// Device that draws maps of a model and computes the light on it.
+enum class Device : std::uint8_t {
+  Faster,  ///< the GPU; the processor without one, and with a software renderer
+  Gpu,     ///< shaders, even of a software renderer; the processor without a GL context
+  Processor
+};
+
+/// A model that is ready for engraving: checked, and in GPU memory if there is a GL context.
 struct EngravableModel {
   PreparedModel prepared;
-  GpuMesh gpu;
-  std::shared_ptr<const SurfaceRaster> raster;  ///< of prepared.mesh
+  Box3 box;                                         ///< of prepared.mesh
+  std::shared_ptr<const SurfaceRaster> raster;      ///< of prepared.mesh
+  std::shared_ptr<const GpuSurface> gpu;            ///< the same surface; null without a GL context
+  std::shared_ptr<const SurfaceRenderer> renderer;  ///< one of the two, which draws the maps of searches
 
   /// @param prepared  may have blocking findings; EngraveJob refuses them
+  /// @param pass      of the current GL context; null: there is none
+  static std::shared_ptr<const EngravableModel> create(PreparedModel prepared, std::shared_ptr<const GeometryPass> pass,
+                                                       Device device = Device::Faster);
+  /// Creates a model with a geometry pass of its own. Needs a current GL context.
   static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
+
+  /// Returns true if shaders compute the light on the model for this device.
+  bool usesShaders(Device device) const {
+    return gpu && (device == Device::Gpu || (device == Device::Faster && renderer == gpu));
+  }
 };
 
 /// Returns the parameters of an engraving's placement search.

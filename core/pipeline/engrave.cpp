@@ -98,11 +98,11 @@ std::vector<double> EngraveJob::State::limitsOfMask() const {
 Status EngraveJob::State::measurePlace(bool withLight) {
   const Placement& placement = result.placement;
   const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout, request.albedo, request.lamps(),
-                                      lightBy,         withLight};
+                                      device,          withLight};
   if (measured && measured->request() == wanted) {
     if (withLight) measured->light().uncarve();
   } else {
-    auto made = MeasuredPlace::create(model, pass, programs, wanted);
+    auto made = MeasuredPlace::create(model, programs, wanted);
     if (!made) return tl::unexpected(made.error());
     measured = std::move(*made);
   }
@@ -195,34 +195,20 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (const Status good = checkEngraving(*model, request, *symbol); !good) return tl::unexpected(good.error());
-  std::shared_ptr<const GeometryPass> pass = known.pass;
-  if (!pass) {
-    auto made = GeometryPass::create();
-    if (!made) return tl::unexpected(made.error());
-    pass = std::make_shared<const GeometryPass>(std::move(*made));
-  }
-  std::shared_ptr<const LuminancePrograms> programs = known.programs;
-  if (!programs) {
-    auto compiled = LuminancePrograms::create();
-    if (!compiled) return tl::unexpected(compiled.error());
-    programs = std::move(*compiled);
-  }
-
   auto state = std::make_unique<State>();
   state->model = std::move(model);
   state->request = std::move(request);
-  state->pass = std::move(pass);
-  state->programs = std::move(programs);
+  state->programs = known.programs;
   state->symbol = std::move(*symbol);
   state->layout = {state->symbol.size};
   state->measured = known.measured;
-  state->lightBy = known.lightBy;
+  state->device = known.device;
   state->makeOwnSearch = known.makeSearch;
   assert(!state->makeOwnSearch || !state->request.isForPrint());
   if (known.placed)
     state->take(*known.placed);
   else
-    state->placing.emplace(state->model->prepared, state->model->gpu, *state->pass, state->symbol.size,
+    state->placing.emplace(state->model->prepared, *state->model->renderer, state->symbol.size,
                            searchedPlacement(state->request, state->symbol.size));
   return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
 }
@@ -281,8 +267,7 @@ InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
   if (!state_->isMeasured || !state_->measured->request().withLight) return maps;
   const MeasuredPlace& measured = *state_->measured;
-  maps.luminance = &measured.light().luminanceTexture();
-  maps.depths = &measured.light().depthTexture();
+  maps.light = &measured.light();
   maps.symbol = &state_->symbol;
   maps.search = &state_->result.search;
   return maps;

@@ -17,7 +17,6 @@
 #include "pipeline/measured_place.h"
 #include "pipeline/placement.h"
 #include "qr/symbol.h"
-#include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
 #include "settings/engrave_request.h"
 #include "verification/printability.h"
@@ -83,8 +82,7 @@ CarvedFeatures featuresOf(const EngraveResult& result);
 
 /// Maps of a running or finished job for the inspector. The job owns them all.
 struct InspectorMaps {
-  const gl::Texture* luminance = nullptr;  ///< R32F; null before the surface is measured
-  const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
+  const PlaceLight* light = nullptr;  ///< with luminance and depths as textures; null before the surface is measured
   const Symbol* symbol = nullptr;
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
@@ -92,8 +90,8 @@ struct InspectorMaps {
 /// Function that makes a depth search.
 using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
 
-/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the model's GL
-/// context.
+/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the
+/// model's GL context, if it has one.
 ///
 ///     auto job = EngraveJob::create(model, request);
 ///     for (;;) { auto progress = job->advance(); if (!progress) …error…; if (progress->done) break; }
@@ -104,12 +102,11 @@ class EngraveJob {
   struct Known {
     /// A finished search on this model for searchedPlacement(request, …).
     const PlacementSearch* placed = nullptr;
-    std::shared_ptr<const GeometryPass> pass = nullptr;
-    std::shared_ptr<const LuminancePrograms> programs = nullptr;
+    std::shared_ptr<const LuminancePrograms> programs = nullptr;  ///< null: makes its own if the model uses shaders
     const Symbol* symbol = nullptr;  ///< replaces the symbol of the request's text and options
     /// From a finished job on the same model; the place is measured anew if this job's place differs.
     std::shared_ptr<MeasuredPlace> measured = nullptr;
-    LightBy lightBy = LightBy::Renderer;
+    Device device = Device::Faster;
     /// Replaces the request's objective and solver, if the request is not carved for its print
     /// (EngraveRequest::isForPrint). The study's methods use it.
     MakeSearch makeSearch = nullptr;

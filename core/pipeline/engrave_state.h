@@ -24,7 +24,6 @@ struct EngraveJob::State {
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
   EngraveRequest asked;  // before open patterns are filled in
-  std::shared_ptr<const GeometryPass> pass;
   std::shared_ptr<const LuminancePrograms> programs;
   Stage stage = Stage::Placing;
   double fraction = 0;
@@ -37,7 +36,7 @@ struct EngraveJob::State {
   std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
   bool isMeasured = false;
   DepthField marked;  // of a code in colour: what to embed
-  LightBy lightBy = LightBy::Renderer;
+  Device device = Device::Faster;
   CarvingTarget target;
   MakeSearch makeOwnSearch;  // empty: the request decides
   std::unique_ptr<DepthSolver> search;

@@ -45,34 +45,15 @@ HeightMap coarser(const HeightMap& fine, int texels) {
   return map;
 }
 
-/// Returns the distances from the eye along the rays; 0 where there is no surface.
-std::vector<float> distancesOf(const HeightMap& map) {
-  std::vector<float> distances(map.height.size(), 0.0f);
-  for (int row = 0; row < map.size; ++row)
-    for (int column = 0; column < map.size; ++column) {
-      const auto patch = static_cast<std::size_t>(row * map.size + column);
-      if (!map.isSurface(patch)) continue;
-      const Vec2 plane = Vec2(column + 0.5 - map.size / 2.0, row + 0.5 - map.size / 2.0) * map.patchMm;
-      const double way = std::sqrt(glm::dot(plane, plane) + map.eyeDistance * map.eyeDistance);  // to the QR plane
-      distances[patch] =
-          static_cast<float>(way * map.eyeDistance / (static_cast<double>(map.height[patch]) + map.eyeDistance));
-    }
-  return distances;
-}
-
 }  // namespace
 
 Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(std::shared_ptr<const EngravableModel> model,
-                                                             std::shared_ptr<const GeometryPass> pass,
                                                              std::shared_ptr<const LuminancePrograms> programs,
                                                              const Request& request) {
   auto place = std::make_shared<MeasuredPlace>();
   place->request_ = request;
   place->model_ = std::move(model);
-  place->pass_ = std::move(pass);
-  const bool isByProcessor = !request.withLight || request.lightBy == LightBy::Processor ||
-                             (request.lightBy == LightBy::Renderer && gl::isSoftware(gl::rendererName()));
-  if (isByProcessor)
+  if (!request.withLight || !place->model_->usesShaders(request.device))
     place->measureByProcessor();
   else if (const Status measured = place->measureByShaders(std::move(programs)); !measured)
     return tl::unexpected(measured.error());
@@ -89,8 +70,9 @@ PlaceLightOptions MeasuredPlace::lightOptions() const {
 }
 
 const SurfaceMaps* MeasuredPlace::maps() const {
+  if (!model_->gpu) return nullptr;
   if (!maps_) {
-    auto drawn = pass_->render(model_->gpu, request_.frame, window(kTexelsPerCell));
+    auto drawn = model_->gpu->maps(request_.frame, window(kTexelsPerCell));
     if (!drawn) return nullptr;
     maps_ = std::move(*drawn);
   }
@@ -99,36 +81,36 @@ const SurfaceMaps* MeasuredPlace::maps() const {
 
 Status MeasuredPlace::measureByShaders(std::shared_ptr<const LuminancePrograms> programs) {
   const MapWindow map = window(kTexelsPerCell);
-  auto maps = pass_->render(model_->gpu, request_.frame, map);
+  const GpuSurface& surface = *model_->gpu;
+  auto maps = surface.maps(request_.frame, map);
   if (!maps) return tl::unexpected(maps.error());
   maps_ = std::move(*maps);
-  const auto around =
-      pass_->render(model_->gpu, request_.frame, surroundingsOf(map, request_.frame, model_->gpu.box()));
+  const auto around = surface.maps(request_.frame, surroundingsOf(map, request_.frame, model_->box));
   if (!around) return tl::unexpected(around.error());
   auto light = lightByShaders(*maps_, *around, request_.frame.eyeDistance, lightOptions(), std::move(programs));
   if (!light) return tl::unexpected(light.error());
   light_ = std::move(*light);
-  const auto back = pass_->renderBack(model_->gpu, request_.frame, map);
+  const auto back = surface.renderBack(request_.frame, map);
   if (!back) return tl::unexpected(back.error());
   const std::vector<float> smooth = maps_->framebuffer.readRgba(1);
   std::vector<float> front;
   for (std::size_t texel = 0; texel < smooth.size() / 4; ++texel) front.push_back(smooth[4 * texel + 3]);
-  measureThickness(front, back->framebuffer.readRed(), map.texels / request_.layout.cells());
+  measureThickness(front, *back, map.texels / request_.layout.cells());
   return {};
 }
 
 void MeasuredPlace::measureByProcessor() {
   const ProjectionFrame& frame = request_.frame;
   const SurfaceRaster& raster = *model_->raster;
-  const auto drawn = [&](const MapWindow& seen) {
-    return heightMapOf(raster.draw(frame, seen), seen.texels, seen.texelMm(), frame.eyeDistance);
+  const auto heights = [&](const std::vector<float>& drawn, const MapWindow& seen) {
+    return heightMapOf(drawn, seen.texels, seen.texelMm(), frame.eyeDistance);
   };
-  const MapWindow map = window(kDrawnTexelsPerCell);
+  const MapWindow map = window(kDrawnTexelsPerCell), around = surroundingsOf(map, frame, model_->box);
   const int texelsPerCell = map.texels / request_.layout.cells();
-  const HeightMap surface = drawn(map);
-  measureThickness(distancesOf(surface), raster.drawBack(frame, map), texelsPerCell);
+  const std::vector<float> surface = raster.draw(frame, map);
+  measureThickness(rayDistances(surface, frame, map), raster.drawBack(frame, map), texelsPerCell);
   if (!request_.withLight) return;
-  light_ = lightByProcessor(coarser(surface, texelsPerCell), drawn(surroundingsOf(map, frame, model_->gpu.box())),
+  light_ = lightByProcessor(coarser(heights(surface, map), texelsPerCell), heights(raster.draw(frame, around), around),
                             lightOptions());
 }
 

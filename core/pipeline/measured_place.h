@@ -7,19 +7,10 @@
 
 #include "base/result.h"
 #include "pipeline/cell_layout.h"
+#include "pipeline/engravable_model.h"
 #include "pipeline/place_light.h"
-#include "render/geometry_pass.h"
 
 namespace qrelief {
-
-struct EngravableModel;
-
-/// Device that computes the light on a place.
-enum class LightBy : std::uint8_t {
-  Renderer,  ///< shaders on a GPU; the CPU if it does the rendering anyway
-  Shaders,
-  Processor
-};
 
 /// Measurements of the uncarved place: the material's thickness and the light on it. They are the same for every symbol
 /// of one size, so a batch measures them once.
@@ -31,20 +22,21 @@ class MeasuredPlace {
     CellLayout layout;    ///< layout of the symbol
     float albedo = 0.7f;  ///< of the material, 0 … 1
     std::vector<DirectionalLight> lights = {};
-    LightBy lightBy = LightBy::Renderer;
-    bool withLight = true;  ///< false: only the thickness, which the CPU draws
+    Device device = Device::Faster;
+    bool withLight = true;  ///< false: only the thickness, which the processor draws
 
     bool operator==(const Request&) const = default;
   };
 
+  /// @param programs  for a model that uses shaders; null: makes its own
   /// @returns Internal if the GL implementation cannot make the maps
   static Result<std::shared_ptr<MeasuredPlace>> create(std::shared_ptr<const EngravableModel> model,
-                                                       std::shared_ptr<const GeometryPass> pass,
                                                        std::shared_ptr<const LuminancePrograms> programs,
                                                        const Request& request);
 
   const Request& request() const { return request_; }
-  /// Returns maps of the surface, drawn at the first call; null if the GL implementation cannot draw them.
+  /// Returns maps of the surface for the inspector, drawn at the first call; null without a GL context, and if the GL
+  /// implementation cannot draw them.
   const SurfaceMaps* maps() const;
   /// Returns the least thickness along the rays through each submodule of the symbol, mm; infinite where no ray meets
   /// both sides. Row-major from the symbol's top left.
@@ -63,7 +55,6 @@ class MeasuredPlace {
 
   Request request_;
   std::shared_ptr<const EngravableModel> model_;
-  std::shared_ptr<const GeometryPass> pass_;
   mutable std::optional<SurfaceMaps> maps_;
   std::vector<double> thicknessMm_;
   std::unique_ptr<PlaceLight> light_;

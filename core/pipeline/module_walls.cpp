@@ -25,17 +25,15 @@ bool isInFinder(Vec2 module, int modules) {
 
 }  // namespace
 
-Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, const GeometryPass& pass,
-                                       const ProjectionFrame& frame, const VisiblePatch& patch, CellSquare square,
-                                       double depthMm, double minWallMm) {
+Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const SurfaceRenderer& surface, const ProjectionFrame& frame,
+                                       const VisiblePatch& patch, CellSquare square, double depthMm, double minWallMm) {
   const int cells = square.cells;
   const MapWindow window{square.edgeMm, cells};
-  const auto front = pass.render(gpu, frame, window);
+  const auto front = surface.render(frame, window);
   if (!front) return tl::unexpected(front.error());
-  const auto back = pass.renderBack(gpu, frame, window);
-  if (!back) return tl::unexpected(back.error());
-  const std::vector<float> ahead = front->framebuffer.readRgba(1);
-  const std::vector<float> behind = back->framebuffer.readRed();
+  const auto behind = surface.renderBack(frame, window);
+  if (!behind) return tl::unexpected(behind.error());
+  const std::vector<float> ahead = rayDistances(*front, frame, window);
 
   SubmoduleMask all;
   all.size = cells;
@@ -46,10 +44,9 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, con
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const auto texel = static_cast<std::size_t>((cells - 1 - row) * cells + column);  // row 0 at the bottom
-      const float nearest = ahead[4 * texel + 3];
-      if (!(nearest > 0 && behind[texel] > 0)) continue;
+      if (!(ahead[texel] > 0 && (*behind)[texel] > 0)) continue;
       const auto i = static_cast<std::size_t>(row * cells + column);
-      walls.thicknessMm[i] = static_cast<double>(behind[texel] - nearest);
+      walls.thicknessMm[i] = static_cast<double>((*behind)[texel] - ahead[texel]);
       walls.limitMm[i] = std::clamp(walls.thicknessMm[i] - minWallMm, 0.0, walls.limitMm[i]);
     }
   }

@@ -7,7 +7,7 @@
 #include "math/frame.h"
 #include "mesh/mesh.h"
 #include "projection/silhouette.h"
-#include "render/geometry_pass.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 
@@ -26,12 +26,12 @@ struct ModuleWalls {
   std::vector<double> thicknessMm;  ///< along the ray through the cell's centre; infinite without a far side
 };
 
+/// @param surface   of the mesh
 /// @param patch     covers the square and minWallMm + depthMm beyond it
 /// @param depthMm   depth to test, > 0
 /// @param minWallMm material that must remain, ≥ 0
-Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, const GeometryPass& pass,
-                                       const ProjectionFrame& frame, const VisiblePatch& patch, CellSquare square,
-                                       double depthMm, double minWallMm);
+Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const SurfaceRenderer& surface, const ProjectionFrame& frame,
+                                       const VisiblePatch& patch, CellSquare square, double depthMm, double minWallMm);
 
 /// Returns the depth of a round pit, in its widths, whose floor is darker than the open surface by `contrast`: the
 /// floor sees r²/(r² + d²) of the sky. This is about the depth that a lone module needs; modules among others need

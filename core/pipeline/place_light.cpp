@@ -54,8 +54,9 @@ class LightByProcessor final : public PlaceLight {
       : options_(options),
         openIrradiance_(static_cast<float>(openIrradiance(options.lamps))),
         light_(map, farHorizonOf(map, &around, options.moduleMm, options.modules)),
-        luminanceTexture_(map.size, map.size, gl::Format::R32F),
-        depthTexture_(map.size, map.size, gl::Format::R32F) {
+        size_(map.size),
+        luminance_(map.height.size(), 0.0f),
+        depthsMm_(map.height.size(), 0.0f) {
     light_.measure({.sampling = kUncarvedPoints, .reachMm = options.moduleMm, .lamps = options.lamps}, {}, uncarved_);
     for (Received& received : uncarved_) received.pastWalls = 1;
     received_ = uncarved_;
@@ -72,25 +73,28 @@ class LightByProcessor final : public PlaceLight {
                     .everyPatchMm = kEveryCell * options_.moduleMm / kN,
                     .lamps = options_.lamps},
                    wanted, received_);
-    std::vector<float> luminance;
-    luminance.reserve(received_.size());
-    for (const Received& received : received_)
-      luminance.push_back(luminanceOf(received, options_.albedo, openIrradiance_));
-    luminanceTexture_.upload(luminance.data());
-    depthTexture_.upload(depthsMm.data());
-    return luminance;
+    for (std::size_t cell = 0; cell < received_.size(); ++cell)
+      luminance_[cell] = luminanceOf(received_[cell], options_.albedo, openIrradiance_);
+    depthsMm_.assign(depthsMm.begin(), depthsMm.end());
+    return luminance_;
   }
   std::vector<Received> received() const override { return received_; }
   void uncarve() override { received_ = uncarved_; }
-  const gl::Texture& luminanceTexture() const override { return luminanceTexture_; }
-  const gl::Texture& depthTexture() const override { return depthTexture_; }
+  const gl::Texture& luminanceTexture() const override { return luminanceTexture_ = textureOf(luminance_); }
+  const gl::Texture& depthTexture() const override { return depthTexture_ = textureOf(depthsMm_); }
 
  private:
+  gl::Texture textureOf(const std::vector<float>& values) const {
+    return {size_, size_, gl::Format::R32F, values.data()};
+  }
+
   PlaceLightOptions options_;
   float openIrradiance_;
   HeightLight light_;
   std::vector<Received> uncarved_, received_;
-  gl::Texture luminanceTexture_, depthTexture_;
+  int size_;  // of the map, in cells
+  std::vector<float> luminance_, depthsMm_;
+  mutable gl::Texture luminanceTexture_, depthTexture_;  // made when asked for
 };
 
 }  // namespace

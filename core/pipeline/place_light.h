@@ -30,7 +30,7 @@ class PlaceLight {
   virtual std::vector<Received> received() const = 0;
   /// Resets all depths to zero.
   virtual void uncarve() = 0;
-  /// Return textures for the inspector; R32F, one texel a cell.
+  /// Return textures for the inspector; R32F, one texel a cell. Need a current GL context.
   virtual const gl::Texture& luminanceTexture() const = 0;
   virtual const gl::Texture& depthTexture() const = 0;
 };

@@ -49,9 +49,9 @@ Message codeInWords(const PlacementRequest& request) {
   return message("code-alone", with::lengthMm<"size">(request.sizeMm));
 }
 
-PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
+PlacementSearch::PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
                                  const PlacementRequest& request)
-    : model_(&model), gpu_(&gpu), pass_(&pass), modules_(modules), request_(request) {}
+    : model_(&model), surface_(&surface), modules_(modules), request_(request) {}
 
 double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_); }
 
@@ -267,7 +267,7 @@ Status PlacementSearch::leaveWalls() {
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
   const Stopwatch stopwatch(sizeMs_);
   const CellSquare square{placement_.symbolMm, modules_};
-  const auto walls = measureModuleWalls(model_->mesh, *gpu_, *pass_, placement_.frame, placement_.patch, square,
+  const auto walls = measureModuleWalls(model_->mesh, *surface_, placement_.frame, placement_.patch, square,
                                         pockets.depth(placement_.moduleMm), pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
@@ -293,7 +293,7 @@ Result<bool> PlacementSearch::searchOnce() {
   }
   if (optimal_) return refine();
   if (!direction_)
-    direction_.emplace(*pass_, *gpu_, placement_.frame.centre, surfaceNormal_, request_.upHint, request_.eyeDistanceMm,
+    direction_.emplace(*surface_, placement_.frame.centre, surfaceNormal_, request_.upHint, request_.eyeDistanceMm,
                        directionOptions());
   {
     const Stopwatch stopwatch(directionMs_);
@@ -309,7 +309,7 @@ Result<bool> PlacementSearch::searchOnce() {
   const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||
                        std::abs(fitMm_ - before) < kSettledShare * before;
   if (settled && request_.directionMethod == DirectionMethod::Optimal) {
-    optimal_.emplace(*pass_, *gpu_, placement_.frame.centre, placement_.frame.normal, request_.upHint,
+    optimal_.emplace(*surface_, placement_.frame.centre, placement_.frame.normal, request_.upHint,
                      request_.eyeDistanceMm, directionOptions());
     return false;
   }

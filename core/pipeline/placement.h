@@ -11,7 +11,7 @@
 #include "projection/placement_request.h"
 #include "projection/silhouette.h"
 #include "qr/symbol.h"
-#include "render/geometry_pass.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 
@@ -36,9 +36,9 @@ Message codeInWords(const PlacementRequest& request);
 /// from the depth-balanced direction.
 class PlacementSearch {
  public:
-  /// @param model, gpu, pass  kept by reference
-  /// @param modules           along the symbol's edge
-  PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
+  /// @param model, surface  kept by reference
+  /// @param modules         along the symbol's edge
+  PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
                   const PlacementRequest& request);
 
   /// Does one rendering or one silhouette.
@@ -69,8 +69,7 @@ class PlacementSearch {
   ProjectionFrame frameFor(Vec3 normal) const;
 
   const PreparedModel* model_;
-  const GpuMesh* gpu_;
-  const GeometryPass* pass_;
+  const SurfaceRenderer* surface_;
   int modules_;
   PlacementRequest request_;
   Placement placement_;

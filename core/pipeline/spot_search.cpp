@@ -77,9 +77,9 @@ std::vector<Message> concernsAt(const OfferedSpot& spot, const SpotSearchRequest
 }
 
 /// Measures the wall under nearly all modules, by the limits used in engraving.
-Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
-                         int modules, double depthMm, double minWallMm) {
-  auto walls = measureModuleWalls(model.prepared.mesh, model.gpu, pass, placement.frame, placement.patch,
+Result<Wall> measureWall(const EngravableModel& model, const Placement& placement, int modules, double depthMm,
+                         double minWallMm) {
+  auto walls = measureModuleWalls(model.prepared.mesh, *model.renderer, placement.frame, placement.patch,
                                   {placement.symbolMm, modules}, depthMm, minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   std::vector<double>& thickness = walls->thicknessMm;
@@ -101,7 +101,6 @@ struct SpotSearchJob::State {
 
   std::shared_ptr<const EngravableModel> model;
   SpotSearchRequest request;
-  GeometryPass pass;
   Stage stage = Stage::Mapping;
   std::optional<SizeMapSearch> mapping;
   double outer = 1;  // request.outerFactor()
@@ -240,7 +239,7 @@ void SpotSearchJob::State::beginTest() {
   const double pocketMm = placement.pockets.depth(wantedMm() / request.modules);
   placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
   if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
-  search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
+  search.emplace(model->prepared, *model->renderer, request.modules, placement);
   ++result.tried;
 }
 
@@ -267,7 +266,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
     nextTry();
     return {};
   }
-  const auto wall = measureWall(*model, pass, placement, request.modules, request.leastDepthMm, request.minWallMm);
+  const auto wall = measureWall(*model, placement, request.modules, request.leastDepthMm, request.minWallMm);
   if (!wall) return tl::unexpected(wall.error());
   if (wall->takes) {
     offered.unevenLight = lightOn(placement.frame, placement.symbolMm);
@@ -362,14 +361,11 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
   const SizeBound room{request.modules, request.outerFactor()};
   if (const Status large = checkSizeBound(model->prepared, room, request.placement.eyeDistanceMm); !large)
     return tl::unexpected(large.error());
-  auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
 
   auto state = std::make_unique<State>();
   state->outer = request.outerFactor();
   state->model = std::move(model);
   state->request = request;
-  state->pass = std::move(*pass);
   const PlacementRequest& placement = state->request.placement;
   state->startMap(state->fixed() ? placement.sizeMm * state->outer : unaskedLeastMm(*state->model));
   return std::unique_ptr<SpotSearchJob>(new SpotSearchJob(std::move(state)));

@@ -63,8 +63,8 @@ struct SpotSearchResult {
   std::size_t tried = 0;           ///< number of spots tested
 };
 
-/// Finds spots for a code, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the model's GL
-/// context.
+/// Finds spots for a code, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the
+/// model's GL context, if it has one.
 ///
 /// The size map (projection/size_map.h) proposes spots. Each is tested as in engraving: direction, exact silhouette,
 /// wall thickness. The requested direction method is tried first, then, if the code does not fit, the map's direction.

@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "printing/printed_layers.h"
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 
 namespace qrelief {
 namespace {

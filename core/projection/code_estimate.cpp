@@ -31,8 +31,8 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
   options.sizeMm = sizeMm;
   options.samples = kDirectionSamples;
   options.mapTexels = kDirectionTexels;
-  DirectionSearch search(surface.look, centre.position, triangleNormal(surface.mesh, centre.triangle), request.upHint,
-                         request.eyeDistanceMm, options);
+  DirectionSearch search(surface.renderer, centre.position, triangleNormal(surface.mesh, centre.triangle),
+                         request.upHint, request.eyeDistanceMm, options);
   for (int i = 0; i < mostLooks; ++i) {
     const Result<bool> found = search.step();
     if (!found) return tl::unexpected(found.error());
@@ -66,7 +66,7 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
     const auto normal = directionAt(surface, centre, sampled, looks, request);
     if (!normal) return tl::unexpected(normal.error());
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
-    auto reach = lookAround(surface.look, upright, window);
+    auto reach = lookAround(surface.renderer, upright, window);
     if (!reach) return tl::unexpected(reach.error());
     double turn = toRadians(request.rotateDeg);
     if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);

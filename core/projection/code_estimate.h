@@ -14,7 +14,7 @@ namespace qrelief {
 /// The model under the code; kept by reference.
 struct EstimatedSurface {
   const Mesh& mesh;
-  const SurfaceLook& look;
+  const SurfaceRenderer& renderer;
   double diagonalMm;  ///< diagonal of the bounding box
 };
 

@@ -179,46 +179,24 @@ MapSample sampleMap(std::span<const float> normals, int texels, const DirectionO
   return sample;
 }
 
-SurfaceLook lookByRendering(const GeometryPass& pass, const GpuMesh& mesh) {
-  return [&pass, &mesh](const ProjectionFrame& frame, const MapWindow& window) -> Result<std::vector<float>> {
-    const auto maps = pass.render(mesh, frame, window);
-    if (!maps) return tl::unexpected(maps.error());
-    return maps->framebuffer.readRgba(0);
-  };
-}
-
-Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
+Result<MapSample> lookFrom(const SurfaceRenderer& surface, const ProjectionFrame& frame,
                            const DirectionOptions& options) {
-  return lookFrom(lookByRendering(pass, mesh), frame, options);
-}
-
-Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame, const DirectionOptions& options) {
   const MapWindow window{options.sizeMm, options.mapTexels};
-  auto looked = look(frame, window);
-  if (!looked) return tl::unexpected(looked.error());
+  auto rendered = surface.render(frame, window);
+  if (!rendered) return tl::unexpected(rendered.error());
   // Uses facet normals where the paper interpolates vertex normals. Over a sampled square both average to the same, but
   // next to a crease interpolation leans away from the face by up to half the angle.
-  std::vector<float> map = std::move(*looked);
-  for (int row = 0; row < options.mapTexels; ++row) {
-    for (int column = 0; column < options.mapTexels; ++column) {
-      const auto i = 4 * static_cast<std::size_t>(row * options.mapTexels + column);
-      const bool isMet = map[i] != 0 || map[i + 1] != 0 || map[i + 2] != 0;
-      const double onPlane = glm::length(Vec3(window.planePoint(column, row), frame.eyeDistance));
-      map[i + 3] = isMet ? static_cast<float>(onPlane * (1 - static_cast<double>(map[i + 3]) / frame.eyeDistance)) : 0;
-    }
-  }
+  std::vector<float> map = std::move(*rendered);
+  const std::vector<float> distances = rayDistances(map, frame, window);
+  for (std::size_t texel = 0; texel < distances.size(); ++texel) map[4 * texel + 3] = distances[texel];
   DirectionOptions fromFrame = options;
   fromFrame.eyeDistanceMm = frame.eyeDistance;
   return sampleMap(map, options.mapTexels, fromFrame);
 }
 
-DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal,
-                                 Vec3 upHint, double eyeDistance, const DirectionOptions& options)
-    : DirectionSearch(lookByRendering(pass, mesh), centre, surfaceNormal, upHint, eyeDistance, options) {}
-
-DirectionSearch::DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
-                                 const DirectionOptions& options)
-    : look_(std::move(look)),
+DirectionSearch::DirectionSearch(const SurfaceRenderer& surface, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint,
+                                 double eyeDistance, const DirectionOptions& options)
+    : surface_(&surface),
       centre_(centre),
       upHint_(upHint),
       current_(glm::normalize(surfaceNormal)),
@@ -228,7 +206,7 @@ DirectionSearch::DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNorm
 
 Result<bool> DirectionSearch::step() {
   const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
-  const Result<MapSample> looked = lookFrom(look_, frame, options_);
+  const Result<MapSample> looked = lookFrom(*surface_, frame, options_);
   if (!looked) return tl::unexpected(looked.error());
   const MapSample& sample = *looked;
   iterations_.push_back({current_, sample.varianceMm2, sample.outsideFraction, sample.worstAngle, sample.measure});

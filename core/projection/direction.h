@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -9,7 +8,7 @@
 
 #include "base/result.h"
 #include "math/frame.h"
-#include "render/geometry_pass.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 
@@ -74,16 +73,8 @@ inline constexpr double kObliqueWeight = 0.02;
 /// @param normals  texels² values of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
 MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options);
 
-/// Function that produces the surface map (SurfaceMaps::surface, texels² values) of a window.
-using SurfaceLook = std::function<Result<std::vector<float>>(const ProjectionFrame& frame, const MapWindow& window)>;
-
-/// Returns a look that renders on the GPU and reads the map back.
-/// @param pass, mesh  kept by reference
-SurfaceLook lookByRendering(const GeometryPass& pass, const GpuMesh& mesh);
-
 /// Samples the square that a frame defines, from the frame's eye distance.
-Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame, const DirectionOptions& options);
-Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
+Result<MapSample> lookFrom(const SurfaceRenderer& surface, const ProjectionFrame& frame,
                            const DirectionOptions& options);
 
 /// Search for the direction of projection by sampling the surface [Papp 2022, §3], one rendering per step.
@@ -94,13 +85,11 @@ Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const 
 /// oscillate. If the distance never varies little enough, the direction with the least variance wins.
 class DirectionSearch {
  public:
+  /// @param surface        kept by reference
   /// @param surfaceNormal  at the centre, any length > 0
   /// @param eyeDistance    replaces the one in the options
-  DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
+  DirectionSearch(const SurfaceRenderer& surface, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
                   const DirectionOptions& options);
-  /// @param pass, mesh     kept by reference
-  DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint,
-                  double eyeDistance, const DirectionOptions& options);
 
   /// Renders once from the current direction. @returns true when the search is over
   Result<bool> step();
@@ -109,7 +98,7 @@ class DirectionSearch {
   const std::vector<DirectionIteration>& iterations() const { return iterations_; }
 
  private:
-  SurfaceLook look_;
+  const SurfaceRenderer* surface_;
   Vec3 centre_, upHint_, current_, best_;
   double eyeDistance_;
   DirectionOptions options_;

@@ -24,8 +24,7 @@ struct Sample {
   bool isCandidate = false;
 };
 
-std::vector<Sample> visibleSamples(const SurfaceMaps& maps, double eyeDistance) {
-  const std::vector<float> surface = maps.framebuffer.readRgba(0);
+std::vector<Sample> visibleSamples(const std::vector<float>& surface, const MapWindow& window, double eyeDistance) {
   std::vector<Sample> samples;
   for (int row = 0; row < kTexels; ++row) {
     for (int column = 0; column < kTexels; ++column) {
@@ -34,7 +33,7 @@ std::vector<Sample> visibleSamples(const SurfaceMaps& maps, double eyeDistance) 
       sample.normal = {surface[i], surface[i + 1], surface[i + 2]};
       if (glm::dot(sample.normal, sample.normal) < 0.5) continue;
       const double height = surface[i + 3];
-      sample.position = Vec3(maps.window.planePoint(column, row) * (1 - height / eyeDistance), height);
+      sample.position = Vec3(window.planePoint(column, row) * (1 - height / eyeDistance), height);
       sample.isCandidate = row % kStride == 0 && column % kStride == 0 && sample.normal.z >= kLeastFacing;
       samples.push_back(sample);
     }
@@ -81,11 +80,12 @@ Rated rate(const std::vector<Sample>& samples, std::size_t index, double sizeMm)
 
 }  // namespace
 
-Result<std::vector<FirstSpot>> firstSpots(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& view,
-                                          double widthMm, double sizeMm, std::size_t most) {
-  const auto maps = pass.render(mesh, view, {widthMm, kTexels});
-  if (!maps) return tl::unexpected(maps.error());
-  const std::vector<Sample> samples = visibleSamples(*maps, view.eyeDistance);
+Result<std::vector<FirstSpot>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view, double widthMm,
+                                          double sizeMm, std::size_t most) {
+  const MapWindow window{widthMm, kTexels};
+  const auto map = surface.render(view, window);
+  if (!map) return tl::unexpected(map.error());
+  const std::vector<Sample> samples = visibleSamples(*map, window, view.eyeDistance);
   std::vector<Rated> ranked;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!samples[i].isCandidate) continue;

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "math/frame.h"
-#include "render/geometry_pass.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 
@@ -25,7 +25,7 @@ struct FirstSpot {
 /// @param sizeMm  edge of the rated square, > 0
 /// @param most    limit on the number of spots
 /// @returns an empty list if the eye sees no surface that faces it
-Result<std::vector<FirstSpot>> firstSpots(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& view,
-                                          double widthMm, double sizeMm, std::size_t most);
+Result<std::vector<FirstSpot>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view, double widthMm,
+                                          double sizeMm, std::size_t most);
 
 }  // namespace qrelief

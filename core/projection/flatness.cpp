@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "math/angle.h"
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 
 namespace qrelief {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "mesh/mesh.h"
-#include "render/geometry_pass.h"
+#include "render/map_window.h"
 
 namespace qrelief {
 

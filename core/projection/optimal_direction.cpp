@@ -14,10 +14,9 @@ constexpr double kLastStep = toRadians(1);
 
 }  // namespace
 
-OptimalDirection::OptimalDirection(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 start, Vec3 upHint,
+OptimalDirection::OptimalDirection(const SurfaceRenderer& surface, Vec3 centre, Vec3 start, Vec3 upHint,
                                    double eyeDistance, const DirectionOptions& options)
-    : pass_(&pass),
-      mesh_(&mesh),
+    : surface_(&surface),
       frame_(makeFrame(centre, start, upHint, eyeDistance)),
       upHint_(upHint),
       options_(options),
@@ -48,7 +47,7 @@ bool OptimalDirection::chooseNext() {
 Result<bool> OptimalDirection::step() {
   const Vec3 normal = turned(next_);
   const ProjectionFrame frame = makeFrame(frame_.centre, normal, upHint_, frame_.eyeDistance);
-  const Result<MapSample> looked = lookFrom(*pass_, *mesh_, frame, options_);
+  const Result<MapSample> looked = lookFrom(*surface_, frame, options_);
   if (!looked) return tl::unexpected(looked.error());
   iterations_.push_back({normal, looked->varianceMm2, looked->outsideFraction, looked->worstAngle, looked->measure});
   const bool isFirst = iterations_.size() == 1;

@@ -19,11 +19,11 @@ class OptimalDirection {
   static constexpr double kFarthestTurn = 0.6;  ///< radians: 34°
   static constexpr int kMaxLooks = 40;
 
-  /// @param pass, mesh  kept by reference
-  /// @param start       any length > 0; DepthBalanced's answer
-  /// @param options     the square and its sampling; the method is ignored
-  OptimalDirection(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 start, Vec3 upHint,
-                   double eyeDistance, const DirectionOptions& options);
+  /// @param surface  kept by reference
+  /// @param start    any length > 0; DepthBalanced's answer
+  /// @param options  the square and its sampling; the method is ignored
+  OptimalDirection(const SurfaceRenderer& surface, Vec3 centre, Vec3 start, Vec3 upHint, double eyeDistance,
+                   const DirectionOptions& options);
 
   /// Renders from one more direction. @returns true when the search is over
   Result<bool> step();
@@ -36,8 +36,7 @@ class OptimalDirection {
   Vec3 turned(Vec2 turn) const;
   bool chooseNext();
 
-  const GeometryPass* pass_;
-  const GpuMesh* mesh_;
+  const SurfaceRenderer* surface_;
   ProjectionFrame frame_;  // the start's
   Vec3 upHint_;
   DirectionOptions options_;

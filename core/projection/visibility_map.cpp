@@ -88,20 +88,21 @@ void VisibilityMap::trust() {
   for (std::size_t i = 0; i < texels.size(); i += 4) texels[i + 1] = 1;
 }
 
-Result<VisibilityMap> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window) {
-  const auto looked = look(frame, window);
-  if (!looked) return tl::unexpected(looked.error());
-  const std::vector<float>& surface = *looked;
-  VisibilityMap reach{frame, window, std::vector<float>(surface.size())};
-  for (std::size_t i = 0; i < surface.size(); i += 4) {
-    const float facing = std::max(surface[i + 2], kSteepest);
-    const bool isMet = surface[i] != 0 || surface[i + 1] != 0 || surface[i + 2] != 0;
-    reach.texels[i] = isMet ? surface[i + 3] : VisibilityMap::kNothing;
+Result<VisibilityMap> lookAround(const SurfaceRenderer& surface, const ProjectionFrame& frame,
+                                 const MapWindow& window) {
+  const auto rendered = surface.render(frame, window);
+  if (!rendered) return tl::unexpected(rendered.error());
+  const std::vector<float>& map = *rendered;
+  VisibilityMap reach{frame, window, std::vector<float>(map.size())};
+  for (std::size_t i = 0; i < map.size(); i += 4) {
+    const float facing = std::max(map[i + 2], kSteepest);
+    const bool isMet = map[i] != 0 || map[i + 1] != 0 || map[i + 2] != 0;
+    reach.texels[i] = isMet ? map[i + 3] : VisibilityMap::kNothing;
     reach.texels[i + 1] = 0;
-    reach.texels[i + 2] = -surface[i] / facing;
-    reach.texels[i + 3] = -surface[i + 1] / facing;
+    reach.texels[i + 2] = -map[i] / facing;
+    reach.texels[i + 3] = -map[i + 1] / facing;
   }
-  flood(reach, surface);
+  flood(reach, map);
   return reach;
 }
 

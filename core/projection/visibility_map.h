@@ -37,6 +37,6 @@ struct VisibilityMap {
 
 /// Renders a window and floods it from the centre. The flood passes from texel to texel where the surface is less
 /// oblique than kSteepest and does not jump. Cost: one look.
-Result<VisibilityMap> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window);
+Result<VisibilityMap> lookAround(const SurfaceRenderer& surface, const ProjectionFrame& frame, const MapWindow& window);
 
 }  // namespace qrelief

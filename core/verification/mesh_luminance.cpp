@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "light/height_light.h"
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 #include "verification/baked_light.h"
 
 namespace qrelief {

@@ -2,9 +2,9 @@
 // Engraves a link into a model: engrave IN.stl OUT.stl X,Y,Z-of-the-centre-in-mm
 #include <cstdio>
 #include <qrelief/io/read_model.h>
-#include <qrelief/native/egl_context.h>
 #include <qrelief/native/engraver.h>
 #include <qrelief/native/files.h>
+#include <qrelief/native/graphics.h>
 
 using namespace qrelief;
 
@@ -13,9 +13,9 @@ int main(int argc, char** argv) {
   if (argc != 4 || std::sscanf(argv[3], "%lf,%lf,%lf", &request.placement.centreMm.x, &request.placement.centreMm.y,
                                &request.placement.centreMm.z) != 3)
     return 2;
-  const auto context = EglContext::create().value();
+  const Graphics graphics = Graphics::open();
   const auto model = prepareModel(readModel(readFile(argv[1]).value(), argv[1]).value(), {}).value();
-  const auto engraver = Engraver::create(EngravableModel::upload(model)).value();
+  const auto engraver = Engraver::create(EngravableModel::create(model, graphics.pass)).value();
   const auto engraved = engraver.engrave(request, [](const Progress&) {}).value();
   std::printf("%d of %d tries decode it\n", engraved.reading.count.reads, engraved.reading.count.tries);
   return writeFileAtomically(argv[2], engraved.result.stl) ? 0 : 1;

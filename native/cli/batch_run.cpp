@@ -43,15 +43,11 @@ Status BatchRun::prepare(EngraveRequest& all) {
   report_.fileName = fileNameOf(options_->model.path);
   report_.format = loaded->format;
   report_.scaleToMm = loaded->scaleToMm;
-  auto gl = EglContext::create();
-  if (!gl) return tl::unexpected(gl.error());
-  gl_ = std::move(*gl);
-  const auto capabilities = gl::queryCapabilities();
-  if (!capabilities) return tl::unexpected(capabilities.error());
-  report_.gl = *capabilities;
+  graphics_ = Graphics::open();
+  report_.gl = graphics_.capabilities;
   report_.wording = commandWording();
   report_.reader = zxingName();
-  model_ = EngravableModel::upload(std::move(loaded->prepared));
+  model_ = EngravableModel::create(std::move(loaded->prepared), graphics_.pass);
   auto engraver = Engraver::create(model_);
   if (!engraver) return tl::unexpected(engraver.error());
   engraver_.emplace(std::move(*engraver));
@@ -96,7 +92,7 @@ bool BatchRun::isFiled() const { return options_->perPlate == 0 || !options_->na
 Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& entries) {
   const std::vector<BatchRow>& rows = unit.rows;
   std::vector<ModelObject> objects;
-  const std::vector<Vec3> offsets = plateOffsets(model_->gpu.box(), rows.size());
+  const std::vector<Vec3> offsets = plateOffsets(model_->box, rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ManifestEntry& entry = entries[i];
     entry.status = RowStatus::Failed;

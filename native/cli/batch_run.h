@@ -12,8 +12,8 @@
 #include "cli/model_input.h"
 #include "cli/setting_flags.h"
 #include "native/batch_folder.h"
-#include "native/egl_context.h"
 #include "native/engraver.h"
+#include "native/graphics.h"
 #include "report/report.h"
 
 namespace qrelief {
@@ -61,7 +61,7 @@ class BatchRun {
 
   const BatchOptions* options_;
   BatchFolder folder_;
-  std::unique_ptr<EglContext> gl_;  // outlives the GL objects below
+  Graphics graphics_;  // outlives the GL objects below
   std::shared_ptr<const EngravableModel> model_;
   std::optional<Engraver> engraver_;
   std::vector<std::string> partNames_;

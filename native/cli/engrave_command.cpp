@@ -12,9 +12,9 @@
 #include "cli/tried_print.h"
 #include "io/sniff_format.h"
 #include "messages/sentences.h"
-#include "native/egl_context.h"
 #include "native/engraver.h"
 #include "native/files.h"
+#include "native/graphics.h"
 #include "native/png_file.h"
 #include "native/zxing_decoder.h"
 #include "pipeline/carved_objects.h"
@@ -142,12 +142,9 @@ int engraveModel(EngraveOptions& options) {
     options.request.placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * input->scaleToMm;
 
   const auto uploading = Clock::now();
-  const auto gl = EglContext::create();
-  if (!gl) return printError(gl.error());
-  const auto capabilities = gl::queryCapabilities();
-  if (!capabilities) return printError(capabilities.error());
-  context.gl = *capabilities;
-  const auto model = EngravableModel::upload(std::move(input->prepared));
+  const Graphics graphics = Graphics::open();
+  context.gl = graphics.capabilities;
+  const auto model = EngravableModel::create(std::move(input->prepared), graphics.pass);
   context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
   const auto choosing = Clock::now();

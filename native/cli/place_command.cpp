@@ -10,8 +10,8 @@
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "messages/sentences.h"
-#include "native/egl_context.h"
 #include "native/files.h"
+#include "native/graphics.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
@@ -121,9 +121,8 @@ int findSpots(PlaceOptions& options) {
   auto input = loadEngravable(options.model);
   if (!input) return printError(input.error(), file);
   options.request.scaleToMm = input->scaleToMm;
-  const auto gl = EglContext::create();
-  if (!gl) return printError(gl.error());
-  const auto model = EngravableModel::upload(std::move(input->prepared));
+  const Graphics graphics = Graphics::open();
+  const auto model = EngravableModel::create(std::move(input->prepared), graphics.pass);
   const double prepareMs = millisecondsSince(start);
 
   const auto placing = Clock::now();

@@ -16,7 +16,7 @@ EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderP
 
 Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol,
                                  MakeSearch makeSearch) {
-  EngraveJob::Known known{spot.search.get(), spot.pass, nullptr, symbol, spot.measured};
+  EngraveJob::Known known{spot.search.get(), nullptr, symbol, spot.measured};
   known.makeSearch = std::move(makeSearch);
   auto job = EngraveJob::create(spot.model, request, known);
   if (!job) return tl::unexpected(job.error());

@@ -33,6 +33,18 @@ TEST_F(EngraveCommandTest, EngravesAModelAndWritesMeshReportAndPreview) {
   EXPECT_EQ(contentOf(path("out.png")).substr(1, 3), "PNG");
 }
 
+TEST_F(EngraveCommandTest, EngravesWhereNoGlContextCanBeMade) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  ASSERT_EQ(setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null", 1), 0);  // EGL finds no implementation
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--at", "0,0,40", "--size", "25", "-o", path("out.stl"),
+                               "--report", path("out.json"), "--quiet"});
+  unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["gl"]["renderer"], "processor");
+  EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
+}
+
 TEST_F(EngraveCommandTest, UnitsScaleModelAndCentre) {
   Mesh metres = shapes::icosphere(40, 4);
   for (Vec3f& p : metres.positions) p *= 0.001f;

@@ -56,7 +56,7 @@ class InspectedEngineTest : public GlTest {
   bool takesPointer() { return takes(R"({"kind": "pointer", "x": 1, "y": 1, "buttons": 1, "wheel": 0})"); }
   bool takesPick() { return takes(R"({"kind": "pick", "x": 1, "y": 1})"); }
   Json drawn() { return Json::parse(engine_.draw()); }
-  InspectedEngine engine_{"", false, &makeFake};
+  InspectedEngine engine_{"", true, false, &makeFake};
 };
 
 TEST_F(InspectedEngineTest, DoesNothingBeforeTheInspectorIsOpened) {

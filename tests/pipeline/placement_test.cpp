@@ -6,6 +6,7 @@
 
 #include "messages/sentences.h"
 #include "projection/size.h"
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -20,16 +21,16 @@ class PlacementTest : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value());
-    pass_ = std::move(*made);
+    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
   }
   void load(const Mesh& mesh) {
     auto prepared = prepareModel(shapes::soupOf(mesh), {});
     ASSERT_TRUE(prepared.has_value());
     model_ = std::move(*prepared);
-    gpu_ = GpuMesh(model_.mesh, model_.normals);
+    surface_.emplace(pass_, GpuMesh(model_.mesh, model_.normals));
   }
   Result<Placement> place(const PlacementRequest& request) const {
-    PlacementSearch search(model_, gpu_, pass_, kModules, request);
+    PlacementSearch search(model_, *surface_, kModules, request);
     for (;;) {
       const Result<bool> done = search.step();
       if (!done) return tl::unexpected(done.error());
@@ -46,8 +47,8 @@ class PlacementTest : public GlTest {
   }
   static constexpr double kTurn = 20 * std::numbers::pi / 180;
   PreparedModel model_;
-  GpuMesh gpu_;
-  GeometryPass pass_;
+  std::shared_ptr<const GeometryPass> pass_;
+  std::optional<GpuSurface> surface_;
 };
 
 TEST_F(PlacementTest, TheThreeSizesOfATurnedSquareMatchTheirClosedForms) {
@@ -188,7 +189,7 @@ TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOne) {
     DirectionOptions options;
     options.sizeMm = balanced->symbolMm;
     const auto measure = [&](const Placement& placed) {
-      return lookFrom(pass_, gpu_, makeFrame(placed.frame.centre, placed.frame.normal, request.upHint, 250), options)
+      return lookFrom(*surface_, makeFrame(placed.frame.centre, placed.frame.normal, request.upHint, 250), options)
           ->measure;
     };
     EXPECT_LE(measure(*optimal), measure(*balanced));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "pipeline/placement.h"
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -16,18 +17,15 @@ class CodeEstimateTest : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::make_unique<GeometryPass>(std::move(*made));
     auto prepared = prepareModel(shapes::soupOf(shapes::box({60, 60, 20})), {});
     ASSERT_TRUE(prepared.has_value());
     prepared_ = std::move(*prepared);
-    gpu_ = GpuMesh(prepared_.mesh, vertexNormals(prepared_.mesh));
-    look_ = lookByRendering(*pass_, gpu_);
+    surface_.emplace(std::make_shared<const GeometryPass>(std::move(*made)),
+                     GpuMesh(prepared_.mesh, vertexNormals(prepared_.mesh)));
   }
-  EstimatedSurface box() const { return {prepared_.mesh, look_, boundingBox(prepared_.mesh).diagonal()}; }
+  EstimatedSurface box() const { return {prepared_.mesh, *surface_, boundingBox(prepared_.mesh).diagonal()}; }
   PreparedModel prepared_;
-  GpuMesh gpu_;
-  std::unique_ptr<GeometryPass> pass_;
-  SurfaceLook look_;
+  std::optional<GpuSurface> surface_;
 };
 
 TEST_F(CodeEstimateTest, AnEstimateOnTopOfABoxAgreesWithTheExactPlacement) {
@@ -38,7 +36,7 @@ TEST_F(CodeEstimateTest, AnEstimateOnTopOfABoxAgreesWithTheExactPlacement) {
   const SurfacePoint centre = *closestPoint(surface.mesh, request.centreMm);
   const auto estimate = estimateCode(surface, centre, 29, request);
   ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
-  PlacementSearch search(prepared_, gpu_, *pass_, 29, request);
+  PlacementSearch search(prepared_, *surface_, 29, request);
   for (bool done = false; !done;) {
     const auto found = search.step();
     ASSERT_TRUE(found.has_value()) << found.error().message;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -116,12 +117,12 @@ class DirectionTest : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value());
-    pass_ = std::move(*made);
+    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
   }
   /// Runs a search to its end.
   DirectionSearch search(const Mesh& mesh, Vec3 centre, Vec3 normal, DirectionOptions options) {
-    gpu_ = GpuMesh(mesh, vertexNormals(mesh));
-    DirectionSearch made(pass_, gpu_, centre, normal, {0, 1, 0}, 250, options);
+    surface_.emplace(pass_, GpuMesh(mesh, vertexNormals(mesh)));
+    DirectionSearch made(*surface_, centre, normal, {0, 1, 0}, 250, options);
     for (int i = 0; i < 20; ++i) {
       const Result<bool> done = made.step();
       EXPECT_TRUE(done.has_value());
@@ -129,8 +130,8 @@ class DirectionTest : public GlTest {
     }
     return made;
   }
-  GeometryPass pass_;
-  GpuMesh gpu_;
+  std::shared_ptr<const GeometryPass> pass_;
+  std::optional<GpuSurface> surface_;
 };
 
 TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusForAnyFirstNormal) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -15,13 +16,13 @@ class FirstSpots : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::move(*made);
+    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
   }
   /// Searches from above.
   std::optional<Vec3> spotOn(const Mesh& mesh, double sizeMm) {
     const double widthMm = boundingBox(mesh).diagonal();
     const ProjectionFrame view = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 2 * widthMm);
-    const auto spots = firstSpots(pass_, {mesh, vertexNormals(mesh)}, view, widthMm, sizeMm, 5);
+    const auto spots = firstSpots(GpuSurface(pass_, {mesh, vertexNormals(mesh)}), view, widthMm, sizeMm, 5);
     EXPECT_TRUE(spots.has_value());
     if (!spots || spots->empty()) return {};
     for (std::size_t i = 0; i < spots->size(); ++i)
@@ -29,7 +30,7 @@ class FirstSpots : public GlTest {
         EXPECT_GE(glm::length((*spots)[i].position - (*spots)[j].position), 0.3 * sizeMm);
     return spots->front().position;
   }
-  GeometryPass pass_;
+  std::shared_ptr<const GeometryPass> pass_;
 };
 
 TEST_F(FirstSpots, OnAPlateTheSquareFitsWithinTheEdges) {

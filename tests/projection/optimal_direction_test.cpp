@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "mesh/ray.h"
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -17,7 +18,7 @@ class OptimalDirectionTest : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value());
-    pass_ = std::move(*made);
+    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
   }
   template <class Search>
   static Search finished(Search search) {
@@ -29,14 +30,14 @@ class OptimalDirectionTest : public GlTest {
     return search;
   }
   OptimalDirection search(const Mesh& mesh, Vec3 centre, Vec3 start, const DirectionOptions& options) {
-    gpu_ = GpuMesh(mesh, vertexNormals(mesh));
-    return finished(OptimalDirection(pass_, gpu_, centre, start, {0, 1, 0}, 250, options));
+    surface_.emplace(pass_, GpuMesh(mesh, vertexNormals(mesh)));
+    return finished(OptimalDirection(*surface_, centre, start, {0, 1, 0}, 250, options));
   }
   double measureFrom(Vec3 centre, Vec3 normal, const DirectionOptions& options) const {
-    return lookFrom(pass_, gpu_, makeFrame(centre, normal, {0, 1, 0}, 250), options)->measure;
+    return lookFrom(*surface_, makeFrame(centre, normal, {0, 1, 0}, 250), options)->measure;
   }
-  GeometryPass pass_;
-  GpuMesh gpu_;
+  std::shared_ptr<const GeometryPass> pass_;
+  std::optional<GpuSurface> surface_;
 };
 
 TEST_F(OptimalDirectionTest, FindsTheNormalOfAPlaneFromATiltedStart) {
@@ -89,12 +90,12 @@ TEST_F(OptimalDirectionTest, IsNeverWorseThanDepthBalancedOnGeneratedShapes) {
     DirectionOptions options;
     options.sizeMm = random.uniform(12, 30);
     options.mapTexels = 128;
-    gpu_ = GpuMesh(mesh, vertexNormals(mesh));
-    const Vec3 balanced = finished(DirectionSearch(pass_, gpu_, surface->position,
+    surface_.emplace(pass_, GpuMesh(mesh, vertexNormals(mesh)));
+    const Vec3 balanced = finished(DirectionSearch(*surface_, surface->position,
                                                    triangleNormal(mesh, surface->triangle), {0, 1, 0}, 250, options))
                               .normal();
     const Vec3 optimal =
-        finished(OptimalDirection(pass_, gpu_, surface->position, balanced, {0, 1, 0}, 250, options)).normal();
+        finished(OptimalDirection(*surface_, surface->position, balanced, {0, 1, 0}, 250, options)).normal();
     const double before = measureFrom(surface->position, balanced, options);
     const double after = measureFrom(surface->position, optimal, options);
     EXPECT_LE(after, before) << k;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -15,16 +16,15 @@ class EyeReachTest : public GlTest {
   void SetUp() override {
     auto made = GeometryPass::create();
     ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::make_unique<GeometryPass>(std::move(*made));
+    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
   }
   VisibilityMap look(const Mesh& mesh, Vec3 centre, double extentMm) {
-    const GpuMesh gpu(mesh, vertexNormals(mesh));
-    auto reach =
-        lookAround(lookByRendering(*pass_, gpu), makeFrame(centre, {0, 0, 1}, {0, 1, 0}, 250), {extentMm, 128});
+    const GpuSurface surface(pass_, GpuMesh(mesh, vertexNormals(mesh)));
+    auto reach = lookAround(surface, makeFrame(centre, {0, 0, 1}, {0, 1, 0}, 250), {extentMm, 128});
     EXPECT_TRUE(reach.has_value());
     return *reach;
   }
-  std::unique_ptr<GeometryPass> pass_;
+  std::shared_ptr<const GeometryPass> pass_;
 };
 
 TEST_F(EyeReachTest, SquaresOnTopOfABoxMatchTheClosedFormToATexel) {

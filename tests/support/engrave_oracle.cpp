@@ -250,11 +250,8 @@ ProjectionFrame frameOf(const PlacementRequest& place, Vec3 centre, Vec3 normal)
 
 Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int modules) {
   const PlacementRequest& place = made.request.placement;
-  // Without a direction search nothing is rendered.
-  const Result<GeometryPass> pass = place.direction ? GeometryPass() : GeometryPass::create();
   Search repeated;
-  if (!pass) return repeated;
-  PlacementSearch search(model.prepared, model.gpu, *pass, modules, place);
+  PlacementSearch search(model.prepared, *model.renderer, modules, place);
   for (;;) {
     const Result<bool> step = search.step();
     if (!step || *step) break;
@@ -478,8 +475,8 @@ OracleVerdict runEngraveCase(const EngraveCase& made) {
 OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
   auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
   if (!prepared) return {"not prepared", sentence(prepared.error().message)};
-  EngravableModel model;  // nothing is rendered, so nothing is uploaded
-  model.prepared = std::move(*prepared);
+  const auto shared = EngravableModel::create(std::move(*prepared), nullptr);
+  const EngravableModel& model = *shared;
   if (const Status engravable = model.prepared.engravable(); !engravable)
     return judge(made, model, tl::unexpected(engravable.error()));
   const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
@@ -491,8 +488,7 @@ OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
     directed.request.placement.direction = triangleNormal(model.prepared.mesh, nearest->triangle);
   }
   directed.request.placement.beyondMm = made.request.minWallMm + kDeepestMm;
-  const GeometryPass unused;
-  PlacementSearch search(model.prepared, model.gpu, unused, symbol->size, directed.request.placement);
+  PlacementSearch search(model.prepared, *model.renderer, symbol->size, directed.request.placement);
   if (const Result<bool> placed = search.step(); !placed) return judge(directed, model, tl::unexpected(placed.error()));
   return judge(directed, model, carve(directed, model, search.placement(), *symbol, choices));
 }

@@ -13,7 +13,7 @@ let workers = [];
 /** Starts the workers in advance. */
 export function prepareReader() {
   if (workers.length > 0) return;
-  const count = Math.min(kMostWorkers, navigator.hardwareConcurrency || 1);
+  const count = Math.min(kMostWorkers, globalThis.navigator?.hardwareConcurrency || 1);
   workers = Array.from(
     { length: count },
     () =>
@@ -21,6 +21,12 @@ export function prepareReader() {
         workers = []; // the next call starts new ones
       }),
   );
+}
+
+/** Ends the workers; nobody may wait for them. */
+export function dismissReader() {
+  for (const worker of workers) worker.end();
+  workers = [];
 }
 
 /**
@@ -60,6 +66,10 @@ class ScanWorker {
       for (const { reject } of this.pending_.values()) reject(failed(event.message || 'it could not be loaded'));
       this.pending_.clear();
     };
+  }
+
+  end() {
+    this.worker_.terminate();
   }
 
   /** @param {GreyImage[]} pictures @param {string} [wanted] @returns {Promise<string[]>} */

@@ -58,7 +58,8 @@ for (const verb of [...Object.keys(kPageVerbs), ...Object.keys(kBatchVerbs), ...
 export class EngineClient extends Verbs {
   /**
    * @param {object} options
-   * @param {() => HTMLCanvasElement | OffscreenCanvas} options.makeCanvas  puts a fresh canvas in place of the last one
+   * @param {() => HTMLCanvasElement | OffscreenCanvas | null} options.makeCanvas
+   *   puts a fresh canvas in place of the last one; null: the engine draws nothing and uses the processor
    * @param {(event: HostEvent) => void} options.onEvent
    *   called when the context is lost or something fails outside any verb
    * @param {(search: import('./types.js').SearchMaps) => void} [options.onSearch]  called during a depth search
@@ -202,21 +203,32 @@ export class EngineClient extends Verbs {
   /** @returns {Promise<Backend>} */
   async startBackend_() {
     let visible = this.makeCanvas_();
+    if (!visible) return this.startWorker_(null);
     if (typeof OffscreenCanvas === 'function' && (visible instanceof OffscreenCanvas || canBeTransferred(visible))) {
       const canvas = visible instanceof OffscreenCanvas ? visible : visible.transferControlToOffscreen();
-      const backend = new WorkerBackend((event) => this.receive_(event));
       try {
-        await backend.send('start', [canvas, { draws: this.draws_ }], [canvas]);
-        return backend;
+        return await this.startWorker_(canvas);
       } catch (thrown) {
-        backend.end();
         if (!(thrown instanceof EngineFailure && thrown.code === 'no-webgl2')) throw thrown;
+        if (!this.draws_) return this.startWorker_(null);
         // Some browsers have OffscreenCanvas without WebGL: run the module in the page.
         visible = this.makeCanvas_();
       }
     }
     const { EngineHost } = await import('./engine_host.js');
     return new PageBackend(await EngineHost.create(visible, (event) => this.receive_(event), { draws: this.draws_ }));
+  }
+
+  /** @param {OffscreenCanvas | null} canvas @returns {Promise<Backend>} */
+  async startWorker_(canvas) {
+    const backend = new WorkerBackend((event) => this.receive_(event));
+    try {
+      await backend.send('start', [canvas, { draws: this.draws_ }], canvas ? [canvas] : []);
+      return backend;
+    } catch (thrown) {
+      backend.end();
+      throw thrown;
+    }
   }
 
   /** @param {HostEvent} event */

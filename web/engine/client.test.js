@@ -20,12 +20,14 @@ class FakeWorker {
     /** @type {{ id: number, verb: string, args: any[] }[]} */ this.asked = [];
     /** @type {(event: any) => void} */ this.onmessage = () => {};
     /** @type {(event: any) => void} */ this.onerror = () => {};
+    /** @type {any[]} */ this.canvases = []; // that it was started with
     this.ended = false;
     FakeWorker.all.push(this);
   }
   /** @param {{ id: number, verb: string, args: any[] }} request */
   postMessage(request) {
     const at = { start: undefined, capabilities: { problems: [] } };
+    if (request.verb === 'start') this.canvases.push(request.args[0]);
     if (request.verb in at)
       queueMicrotask(() => this.onmessage({ data: { id: request.id, value: /** @type {any} */ (at)[request.verb] } }));
     else this.asked.push(request);
@@ -176,4 +178,33 @@ test('An idle worker and one that reports progress are never replaced for their 
   assert.equal(await job, true);
   assert.deepEqual(events, []);
   assert.equal(FakeWorker.all.length, 1);
+});
+
+test('Without a canvas, the worker starts without graphics', async () => {
+  const bare = new EngineClient({ makeCanvas: () => null, onEvent: () => {}, draws: false });
+  assert.deepEqual(await bare.start(), { problems: [] });
+  assert.deepEqual(worker().canvases, [null]);
+});
+
+test('A client that draws nothing goes on without graphics where a worker has no WebGL 2', async () => {
+  class WithoutWebGl extends FakeWorker {
+    /** @param {{ id: number, verb: string, args: any[] }} request */
+    postMessage(request) {
+      const error = { kind: 'Internal', ...message('no-webgl2') };
+      if (request.verb === 'start' && request.args[0])
+        queueMicrotask(() => this.onmessage({ data: { id: request.id, error } }));
+      else super.postMessage(request);
+    }
+  }
+  Object.assign(globalThis, { Worker: WithoutWebGl });
+  class Canvas {}
+  Object.assign(globalThis, { OffscreenCanvas: Canvas });
+  const hidden = new EngineClient({
+    makeCanvas: () => /** @type {any} */ (new Canvas()),
+    onEvent: () => {},
+    draws: false,
+  });
+  assert.deepEqual(await hidden.start(), { problems: [] });
+  assert.deepEqual(worker().canvases, [null]);
+  assert.equal(FakeWorker.all.at(-2)?.ended, true);
 });

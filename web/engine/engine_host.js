@@ -36,6 +36,14 @@ const kContextAttributes = {
   powerPreference: 'high-performance',
 };
 
+/** @param {HTMLCanvasElement | OffscreenCanvas} canvas */
+function contextOf(canvas) {
+  const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
+  if (!gl) throw new EngineFailure(internal(message('no-webgl2')));
+  gl.getExtension('EXT_color_buffer_float');
+  return gl;
+}
+
 /**
  * Lets the event loop handle pending messages. Unlike a timer, this is not throttled and takes microseconds.
  * @returns {Promise<void>}
@@ -69,8 +77,8 @@ export class EngineHost {
    * @param {object} options
    * @param {import('./types.js').QReliefModule} options.module
    * @param {() => Promise<void>} options.loadInspector
-   * @param {HTMLCanvasElement | OffscreenCanvas} options.canvas
-   * @param {WebGL2RenderingContext} options.gl  of the canvas
+   * @param {HTMLCanvasElement | OffscreenCanvas | null} options.canvas  null: no verb that draws may be called
+   * @param {WebGL2RenderingContext | null} options.gl  of the canvas
    * @param {(event: HostEvent) => void} options.notify
    * @param {boolean} options.draws  false: the canvas is never visible
    */
@@ -80,8 +88,8 @@ export class EngineHost {
     this.object_ = new module.Engine();
     this.engine_ = callsOf(this.object_, { ...kPageVerbs, ...kInnerVerbs });
     /** @type {import('./verbs.js').Calls<typeof kBatchVerbs> | undefined} */ this.batch_ = undefined;
-    this.canvas_ = canvas;
-    this.gl_ = gl;
+    this.canvas_ = /** @type {HTMLCanvasElement | OffscreenCanvas} */ (canvas);
+    this.gl_ = /** @type {WebGL2RenderingContext} */ (gl);
     /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
     this.notify_ = notify;
     this.draws_ = draws;
@@ -102,18 +110,16 @@ export class EngineHost {
 
   /**
    * Loads the module and creates its host.
-   * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+   * @param {HTMLCanvasElement | OffscreenCanvas | null} canvas  null: engraves with the processor and draws nothing
    * @param {(event: HostEvent) => void} notify
    * @param {{ draws?: boolean }} [options]  `draws`: false: the canvas is never visible
    */
   static async create(canvas, notify, { draws = true } = {}) {
-    const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
-    if (!gl) throw new EngineFailure(internal(message('no-webgl2')));
-    gl.getExtension('EXT_color_buffer_float');
+    const gl = canvas && contextOf(canvas);
     const { module, loadInspector } = await loadModule();
-    module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
+    if (gl) module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
     const host = new EngineHost({ module, loadInspector, canvas, gl, notify, draws });
-    canvas.addEventListener('webglcontextlost', (event) => {
+    canvas?.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.lost_ = true;
       notify({ event: 'contextlost' });

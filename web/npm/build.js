@@ -16,6 +16,7 @@ const kPackage = join(kRoot, 'build/npm');
 const kEntries = [
   'npm/index.js',
   'npm/node.js',
+  'npm/node_thread.js',
   'engine/worker.js',
   'engine/print_worker.js',
   'decoder/scan_worker.js',

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine for other programs: an EngineClient without a view, and a carver that decodes every result.
 import { Carver } from '../batch/carver.js';
+import { dismissReader } from '../decoder/reader.js';
 import { EngineClient } from '../engine/client.js';
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
 import { message } from '../engine/message.js';
+import { dismissPrinter } from '../engine/printer.js';
 
 /**
  * Settings by key, see options.md. A missing key has its default. The top of the code is not among them: see `up`
@@ -23,19 +25,20 @@ import { message } from '../engine/message.js';
  * @typedef {{ verdict: import('../engine/types.js').Verdict, report: import('../engine/types.js').Report, settings: Settings }} Engraved
  */
 
+/** Engines that share the decoder's workers. @type {Set<Engine>} */ const running = new Set();
+
 /**
  * One engraving module in its own worker, with one model. Its verbs run one after the other. Every failure rejects with
  * an EngineError.
  */
 export class Engine {
   /**
-   * Starts an engine. Needs WebGL 2 with float render targets, in a page or in a worker.
+   * Starts an engine, in a page, in a worker or in Node. It uses the GPU through WebGL 2 if it can, else the processor.
    * @returns {Promise<Engine>}
    */
   static async start() {
-    if (typeof OffscreenCanvas !== 'function' && typeof document !== 'object')
-      throw new EngineFailure(internal(message('no-webgl2')));
     const engine = new Engine();
+    running.add(engine);
     const { problems } = await engine.client_.start();
     if (problems.length === 0) return engine;
     engine.end();
@@ -61,6 +64,9 @@ export class Engine {
    */
   end() {
     this.client_.end();
+    if (!running.delete(this) || running.size > 0) return;
+    dismissPrinter();
+    dismissReader();
   }
 
   /**

@@ -6,7 +6,7 @@ export { EngineFailure as EngineError } from '../engine/engine_error.js';
 export { Engine, engrave } from './engine.js';
 
 /**
- * Loads the part that needs no graphics.
+ * Loads the part that needs no worker.
  * @returns {Promise<Planner>}
  */
 export const loadPlanner = () => Planner.load();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything of the module that needs no graphics: models, symbols, and the plans of batches.
+// Everything of the module that takes no time: models, symbols, and the plans of batches.
 import { callsOf } from '../engine/module_calls.js';
 import { loadModule } from '../engine/module.js';
 import { kBatchVerbs, kFactVerbs } from '../engine/verbs.js';

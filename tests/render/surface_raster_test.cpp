@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 
 #include <cmath>
 
-#include "projection/direction.h"
+#include "render/gpu_surface.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -18,9 +18,9 @@ class SurfaceRasterTest : public GlTest {
   static double differingShare(const Mesh& mesh, const ProjectionFrame& frame, double extentMm) {
     auto pass = GeometryPass::create();
     if (!pass) return 1;
-    const GpuMesh gpu(mesh, vertexNormals(mesh));
+    const GpuSurface gpu(std::make_shared<const GeometryPass>(std::move(*pass)), GpuMesh(mesh, vertexNormals(mesh)));
     const MapWindow window{extentMm, kTexels};
-    const auto rendered = lookByRendering(*pass, gpu)(frame, window);
+    const auto rendered = gpu.render(frame, window);
     const std::vector<float> drawn = SurfaceRaster(mesh).draw(frame, window);
     EXPECT_TRUE(rendered.has_value());
     EXPECT_EQ(rendered->size(), drawn.size());

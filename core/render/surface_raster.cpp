@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 
 #include <algorithm>
 #include <array>
@@ -131,17 +131,7 @@ std::vector<float> SurfaceRaster::draw(const ProjectionFrame& frame, const MapWi
 std::vector<float> SurfaceRaster::drawBack(const ProjectionFrame& frame, const MapWindow& window) const {
   Canvas canvas(frame, window);
   drawFacets(canvas, frame, window, false);
-  const std::vector<float> map = canvas.takeMap();
-  std::vector<float> distances(map.size() / 4, 0.0f);
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (map[4 * i] == 0 && map[4 * i + 1] == 0 && map[4 * i + 2] == 0) continue;
-    const auto column = static_cast<int>(i % static_cast<std::size_t>(window.texels));
-    const auto row = static_cast<int>(i / static_cast<std::size_t>(window.texels));
-    const double depth = frame.eyeDistance - static_cast<double>(map[4 * i + 3]);
-    distances[i] = static_cast<float>(depth / frame.eyeDistance *
-                                      glm::length(Vec3(window.planePoint(column, row), frame.eyeDistance)));
-  }
-  return distances;
+  return rayDistances(canvas.takeMap(), frame, window);
 }
 
 }  // namespace qrelief
