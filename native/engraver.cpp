@@ -62,7 +62,7 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
   });
   if (!ended) return tl::unexpected(ended.error());
   EngraveResult result = (*job)->takeResult();
-  known.measured = (*job)->measuredPlace();
+  known.measured = (*job)->placementMeasurement();
   const auto start = Clock::now();
   const ReadingEvidence evidence = readCarving(request, result);
   result.timingsMs.verify += millisecondsSince(start);
@@ -95,6 +95,7 @@ Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
 
 Result<Engraved> Engraver::follow(EngravePlan plan, const Tell& tell) const {
   std::map<int, Carving> carvings;  // by attempt: the kept one and the current one
+  std::optional<Error> failure;     // of the carving as requested
   while (plan.step() != EngravePlan::Step::Deliver) {
     const int attempt = plan.attempt();
     if (plan.step() == EngravePlan::Step::Print) {
@@ -103,14 +104,17 @@ Result<Engraved> Engraver::follow(EngravePlan plan, const Tell& tell) const {
       plan.printed(carving.engraved.verdict, *carving.engraved.printed);
     } else if (auto carved = carve(plan.request(), tell, plan.expectsPrint())) {
       plan.carved(carvings.emplace(attempt, std::move(*carved)).first->second.engraved.verdict);
-    } else if (attempt == 0) {
+    } else if (!plan.mayFail()) {
       return tl::unexpected(carved.error());
     } else {
+      if (attempt == 0) failure = carved.error();
       plan.notCarved();
     }
     std::erase_if(carvings, [&](const auto& one) { return one.first != plan.kept() && one.first != plan.attempt(); });
   }
-  return std::move(carvings.at(plan.attempt()).engraved);
+  const auto delivered = carvings.find(plan.attempt());
+  if (delivered == carvings.end()) return tl::unexpected(*failure);
+  return std::move(delivered->second.engraved);
 }
 
 Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell& tell) const {

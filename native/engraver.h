@@ -50,7 +50,7 @@ class Engraver {
     int modules;
     PlacementRequest request;
     PlacementSearch found;
-    std::shared_ptr<MeasuredPlace> measured;  ///< by the last carving there
+    std::shared_ptr<PlacementMeasurement> measured;  ///< by the last carving there
   };
 
   struct Print {

@@ -11,7 +11,7 @@
 
 namespace qrelief::study {
 
-Result<CarvedSurface> CarvedSurface::make(const Spot& spot, const DepthField& depths) {
+Result<CarvedSurface> CarvedSurface::make(const StudyPlacement& spot, const DepthField& depths) {
   auto carved =
       embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, depths);
   if (!carved) return tl::unexpected(carved.error());

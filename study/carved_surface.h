@@ -15,7 +15,7 @@ namespace qrelief::study {
 class CarvedSurface {
  public:
   /// @returns the error of embedDepthField() if that fails
-  static Result<CarvedSurface> make(const Spot& spot, const DepthField& depths);
+  static Result<CarvedSurface> make(const StudyPlacement& spot, const DepthField& depths);
 
   const Mesh& mesh() const { return *mesh_; }
   const RayTree& tree() const { return *tree_; }

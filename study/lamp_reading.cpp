@@ -12,7 +12,8 @@ constexpr int kPixelsPerModule = 8, kMarginModules = 6;
 
 }  // namespace
 
-Result<int> readsUnder(const Spot& spot, const CarvedCode& code, const std::vector<DirectionalLight>& lights) {
+Result<int> readsUnder(const StudyPlacement& spot, const CarvedCode& code,
+                       const std::vector<DirectionalLight>& lights) {
   const auto surface = CarvedSurface::make(spot, code.depths);
   if (!surface) return tl::unexpected(surface.error());
   const GpuMesh carved(surface->mesh(), vertexNormals(surface->mesh()));

@@ -9,6 +9,6 @@
 namespace qrelief::study {
 
 /// Counts the verdict's tries that decode a carved code from the front under the sky and lamps.
-Result<int> readsUnder(const Spot& spot, const CarvedCode& code, const std::vector<DirectionalLight>& lights);
+Result<int> readsUnder(const StudyPlacement& spot, const CarvedCode& code, const std::vector<DirectionalLight>& lights);
 
 }  // namespace qrelief::study

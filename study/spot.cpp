@@ -6,17 +6,18 @@
 
 namespace qrelief::study {
 
-std::vector<double> Spot::limitsMm(const SubmoduleMask& mask, double maxDepthMm) const {
+std::vector<double> StudyPlacement::limitsMm(const SubmoduleMask& mask, double maxDepthMm) const {
   return wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask,
                     {placement.symbolMm, maxDepthMm, request.minWallMm});
 }
 
-Result<Spot> findSpot(std::string name, std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
+Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const EngravableModel> model,
+                                const EngraveRequest& request) {
   auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
-  Spot spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
+  StudyPlacement spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
   spot.pass = std::make_shared<const GeometryPass>(std::move(*pass));
   const int modules = spot.symbol.size;
   const auto search = std::make_shared<PlacementSearch>(spot.model->prepared, *spot.model->renderer, modules,

@@ -17,7 +17,7 @@ inline constexpr double kPublishedMaxDepthModules = 10;
 inline constexpr double kUsualModuleMm = 1;
 
 /// A place for a symbol, with everything that is known before any depth: the input of every method.
-struct Spot {
+struct StudyPlacement {
   std::string name;  ///< of the model
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;  ///< text, size, direction, material; a method may use more of it
@@ -27,7 +27,7 @@ struct Spot {
   std::shared_ptr<const PlacementSearch> search;  ///< the search that found the place
 
   /// Measurements from the last carving by carveByEngine(), for the next one.
-  mutable std::shared_ptr<MeasuredPlace> measured = {};
+  mutable std::shared_ptr<PlacementMeasurement> measured = {};
 
   double submoduleMm() const { return placement.moduleMm / kSubmodulesPerModule; }
 
@@ -37,6 +37,7 @@ struct Spot {
 };
 
 /// Finds the place for a request. Needs a GL context.
-Result<Spot> findSpot(std::string name, std::shared_ptr<const EngravableModel> model, const EngraveRequest& request);
+Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const EngravableModel> model,
+                                const EngraveRequest& request);
 
 }  // namespace qrelief::study

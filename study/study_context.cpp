@@ -91,8 +91,8 @@ Result<EngraveRequest> StudyContext::usualRequest(const std::string& modelName) 
   return request;
 }
 
-Result<const Spot*> StudyContext::spotFor(const std::string& modelName, const EngraveRequest& request, double scale,
-                                          const std::string& key) {
+Result<const StudyPlacement*> StudyContext::spotFor(const std::string& modelName, const EngraveRequest& request,
+                                                    double scale, const std::string& key) {
   if (const auto known = spots_.find(key); known != spots_.end()) return &known->second;
   auto loaded = model(modelName, scale);
   if (!loaded) return tl::unexpected(loaded.error());
@@ -101,15 +101,15 @@ Result<const Spot*> StudyContext::spotFor(const std::string& modelName, const En
   return &spots_.emplace(key, std::move(*spot)).first->second;
 }
 
-Result<const Spot*> StudyContext::usualSpot(const std::string& modelName, DirectionMethod direction) {
+Result<const StudyPlacement*> StudyContext::usualSpot(const std::string& modelName, DirectionMethod direction) {
   auto request = usualRequest(modelName);
   if (!request) return tl::unexpected(request.error());
   request->placement.directionMethod = direction;
   return spotFor(modelName, *request, 1, modelName + " " + directionMethodName(direction));
 }
 
-Result<const Spot*> StudyContext::spotOfWidth(const std::string& modelName, double moduleMm,
-                                              DirectionMethod direction) {
+Result<const StudyPlacement*> StudyContext::spotOfWidth(const std::string& modelName, double moduleMm,
+                                                        DirectionMethod direction) {
   auto request = usualRequest(modelName);
   if (!request) return tl::unexpected(request.error());
   const double scale = moduleMm / kUsualModuleMm;
@@ -127,7 +127,7 @@ DepthSummary depthOf(const CarvedCode& code) {
   return summarise(masked);
 }
 
-Result<Judged> StudyContext::judge(const Spot& spot, const CarvedCode& code) const {
+Result<Judged> StudyContext::judge(const StudyPlacement& spot, const CarvedCode& code) const {
   Judged judged;
   const std::vector<double>& depths = code.depths.depthMm;
   for (const double depth : depths) judged.removedMm += depth / static_cast<double>(depths.size());

@@ -41,27 +41,27 @@ class StudyContext {
   Result<EngraveRequest> usualRequest(const std::string& modelName);
 
   /// Returns the place of the usual request; searched only once. @param direction  method for finding the direction
-  Result<const Spot*> usualSpot(const std::string& modelName,
-                                DirectionMethod direction = DirectionMethod::DepthBalanced);
+  Result<const StudyPlacement*> usualSpot(const std::string& modelName,
+                                          DirectionMethod direction = DirectionMethod::DepthBalanced);
 
   /// Returns the same place for modules of another width, mm. The model is scaled with them, so that the code lies on
   /// the same surface at every size. Searched only once. @param direction  method for finding the direction
-  Result<const Spot*> spotOfWidth(const std::string& modelName, double moduleMm,
-                                  DirectionMethod direction = DirectionMethod::DepthBalanced);
+  Result<const StudyPlacement*> spotOfWidth(const std::string& modelName, double moduleMm,
+                                            DirectionMethod direction = DirectionMethod::DepthBalanced);
 
   /// Embeds and decodes a carved code under the light that it is carved for. Traces the light on the design and on the
   /// print by the spot's process.
-  Result<Judged> judge(const Spot& spot, const CarvedCode& code) const;
+  Result<Judged> judge(const StudyPlacement& spot, const CarvedCode& code) const;
 
  private:
   Result<Vec3> centreOf(const std::string& modelName);
-  Result<const Spot*> spotFor(const std::string& modelName, const EngraveRequest& request, double scale,
-                              const std::string& key);
+  Result<const StudyPlacement*> spotFor(const std::string& modelName, const EngraveRequest& request, double scale,
+                                        const std::string& key);
 
   std::string samplesFolder_;
   std::map<std::string, Vec3> centres_;  // for the samples
   std::map<std::string, std::shared_ptr<const EngravableModel>> models_;
-  std::map<std::string, Spot> spots_;
+  std::map<std::string, StudyPlacement> spots_;
 };
 
 /// Text that fits version 3 at level H, so that every method has the same number of modules.

@@ -37,7 +37,7 @@ Status Carvings::compilePrograms() {
 
 Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, const EngraveRequest& request,
                                                       const PlacementSearch* placed,
-                                                      std::shared_ptr<MeasuredPlace> measured) {
+                                                      std::shared_ptr<PlacementMeasurement> measured) {
   const Device device = timerQueries_ ? Device::Gpu : Device::Faster;  // timed passes need shaders
   if (ground.model.engravable->usesShaders(device))
     if (const Status compiled = compilePrograms(); !compiled) return tl::unexpected(compiled.error());
@@ -97,7 +97,7 @@ Result<Progress> Carvings::advance() {
   if (passTimings_) passTimings_->stopListening();
   if (!progress) {
     forgetCurrent();
-    if (plan_ && plan_->attempt() > 0)
+    if (plan_ && plan_->mayFail())
       plan_->notCarved();
     else
       plan_.reset();
@@ -106,7 +106,7 @@ Result<Progress> Carvings::advance() {
   if (progress->done) {
     runs_ = false;  // keep the job: the inspector shows its maps
     current_.result = job_->takeResult();
-    measured_ = job_->measuredPlace();
+    measured_ = job_->placementMeasurement();
     current_.number = ++finished_;
   }
   current_.ms += millisecondsSince(start);

@@ -126,7 +126,8 @@ class Carvings {
     std::optional<ViewTrials> viewTrials;
   };
   Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
-                                              const PlacementSearch* placed, std::shared_ptr<MeasuredPlace> measured);
+                                              const PlacementSearch* placed,
+                                              std::shared_ptr<PlacementMeasurement> measured);
   Status compilePrograms();
   void forgetCurrent();
   Verdict verdict() const;
@@ -138,7 +139,7 @@ class Carvings {
   int started_ = 0, finished_ = 0;
   std::optional<Prepared> prepared_;  // for the next engraving, if its request is still the same by then
   std::unique_ptr<EngraveJob> job_;
-  std::shared_ptr<MeasuredPlace> measured_;  // from the last job that ended, for the next one
+  std::shared_ptr<PlacementMeasurement> measured_;  // from the last job that ended, for the next one
   bool runs_ = false;
   std::optional<EngravePlan> plan_;
   int kept_ = 0;

@@ -44,7 +44,7 @@ void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer
   missingFraction = reach->missingFraction(symbolMm * outer, turn);
 }
 
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const WantedCode& wanted, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& wanted, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm) {
   const Symbol& symbol = *wanted.symbol();
   // Following the pointer does not wait for the GPU.

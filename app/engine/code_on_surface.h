@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "engine/code_input.h"
 #include "engine/loaded_model.h"
-#include "engine/wanted_code.h"
 #include "mesh/ray.h"
 #include "viewer/viewer.h"
 
@@ -29,7 +29,7 @@ struct CodeOnSurface {
 };
 
 /// Estimates where the wanted code would lie, see estimateCode. Its symbol must exist.
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const WantedCode& wanted, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& wanted, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm = {});
 
 /// Returns the code at the exact place that was found.

@@ -43,7 +43,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   auto model = loadedModel(pass_, std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();
-  placedCode_.forgetFound();
+  preview_.forgetFound();
   offers_.forget();
   plate_ = {};
   scene_.show(Scene::Surface::Carved, false);
@@ -82,7 +82,7 @@ std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
 std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
   if (!point) return textOf({{"hit", false}});
   wanted_.choose(point->position);
-  placedCode_.forget();
+  preview_.forget();
   scene_.show(Scene::Surface::Carved, false);
   updateView();
   return textOf({{"hit", true}, {"centre", jsonOf(point->position)}});

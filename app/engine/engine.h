@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "engine/carvings.h"
+#include "engine/code_input.h"
 #include "engine/job_map.h"
-#include "engine/placed_code.h"
+#include "engine/placement_preview.h"
 #include "engine/plate.h"
 #include "engine/scene.h"
 #include "engine/spot_offers.h"
-#include "engine/wanted_code.h"
 
 namespace qrelief {
 
@@ -198,7 +198,7 @@ class Engine {
   /// Returns the place in symbol and quiet zone at a screen position, if the eye of the last engraving sees it, too:
   /// (0, 0) = the quiet zone's upper left, (1, 1) = its lower right.
   std::optional<Vec2> codePlaceAt(double x, double y) const;
-  const Placement* placed() const { return placedCode_.placement(); }
+  const Placement* placed() const { return preview_.placement(); }
   const Viewer* viewer() const { return scene_.viewer(); }
   const gl::Capabilities& gl() const { return gl_; }
 
@@ -236,8 +236,8 @@ class Engine {
   std::vector<Message> problems_;
   std::shared_ptr<const GeometryPass> pass_;
   std::optional<LoadedModel> model_;
-  WantedCode wanted_;
-  PlacedCode placedCode_;
+  CodeInput wanted_;
+  PlacementPreview preview_;
   SpotOffers offers_;
   Carvings carvings_;
   Plate plate_;

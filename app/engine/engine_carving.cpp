@@ -81,7 +81,7 @@ std::string Engine::printOrder(const std::string& changed) const {
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
-  if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
+  if (!carvings_.result() || !carvings_.request().print.process) return answer(kNoResult);
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
   const Verdict verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);

@@ -11,7 +11,7 @@ namespace {
 
 Json jsonOf(const SpotOffers& offers) {
   Json spots = Json::array();
-  for (const OfferedSpot& spot : offers.spots()) {
+  for (const Spot& spot : offers.spots()) {
     Json concerns = Json::array();
     for (const Message& concern : spot.concerns) concerns.push_back(qrelief::jsonOf(concern));
     spots.push_back({{"centre", qrelief::jsonOf(spot.centreMm)},
@@ -44,7 +44,7 @@ std::string Engine::startEngrave(const std::string& options,
                       {.looksAtPrint = given->value("print", true),
                        .mayChange = !overridden,
                        .fixed = given->value("fixed", std::vector<std::string>())}});
-  const PlacementSearch* const placed = overridden ? nullptr : placedCode_.found(request, wanted_.symbol());
+  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
   const auto started = carvings_.start(ground(), std::move(request), placed);
   return started ? answer(*started) : answer(started.error());
 }
@@ -62,7 +62,7 @@ std::string Engine::advancePreparation() {
   bool isDone = true;
   if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
     const EngraveRequest request = wanted_.request(scene_.camera().skyward());
-    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
+    isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()));
   }
   return textOf({{"ok", true}, {"done", isDone}});
 }
@@ -73,7 +73,7 @@ std::string Engine::advanceEngrave() {
   if (!progress) return answer(progress.error());
   if (progress->done) {
     const EngraveResult& result = *carvings_.result();
-    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+    preview_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
     updateView();
   }
   return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
@@ -89,18 +89,18 @@ std::string Engine::advanceSpotSearch() {
 }
 
 std::string Engine::advanceSettling() {
-  if (!placedCode_.isSettling()) return answer(kNoCode);
-  const Result<bool> settled = placedCode_.settle(task());
+  if (!preview_.isSettling()) return answer(kNoCode);
+  const Result<bool> settled = preview_.settle(task());
   if (!settled) return answer(settled.error());
   if (!*settled) return textOf({{"ok", true}, {"done", false}});
-  scene_.setGhost(placedCode_.hovered());
-  return describeCode(*placedCode_.hovered());
+  scene_.setGhost(preview_.hovered());
+  return describeCode(*preview_.hovered());
 }
 
 std::string Engine::startJob(const std::string& job, const std::string& options,
                              const std::function<EngraveRequest(EngraveRequest)>& overridden) {
   if (job == "spots") return startSpotSearch();
-  if (job == "settling") return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
+  if (job == "settling") return takesCode() && preview_.startSettling(task()) ? done() : answer(kNoCode);
   if (job == "view-trials") {
     if (!carvings_.result()) return answer(kNoResult);
     return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});

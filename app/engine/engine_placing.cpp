@@ -20,18 +20,18 @@ Status Engine::placeCode() {
   if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message("no-centre"));
   if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
-  return placedCode_.place(task());
+  return preview_.place(task());
 }
 
 std::string Engine::placement() {
-  placedCode_.forget();
+  preview_.forget();
   const Status placed = placeCode();
   updateView();
   return placed ? describePlacement() : answer(placed.error());
 }
 
 std::string Engine::describePlacement() const {
-  const Placement& placement = *placedCode_.placement();
+  const Placement& placement = *preview_.placement();
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement.frame.centre)},
@@ -64,34 +64,34 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
 std::string Engine::hover(const std::string& at) {
   const Result<Json> given = parseJson(at);
   if (!given) return answer(given.error());
-  placedCode_.stopSettling();
+  preview_.stopSettling();
   const bool mayHit = !given->is_null() && takesCode() && !showsCarved();
   const auto point = mayHit ? surfaceAt(numberOf(given->at(0)), numberOf(given->at(1))) : std::nullopt;
   if (!point) {
     endHover();
     return textOf({{"ok", true}, {"hit", false}});
   }
-  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *point)) {
+  if (preview_.code() && preview_.code()->covers(model_->mesh(), *point)) {
     endHover();
     return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
   }
-  if (const Status hovered = placedCode_.hover(task(), *point); !hovered) return answer(hovered.error());
-  scene_.setGhost(placedCode_.hovered());
-  return describeCode(*placedCode_.hovered());
+  if (const Status hovered = preview_.hover(task(), *point); !hovered) return answer(hovered.error());
+  scene_.setGhost(preview_.hovered());
+  return describeCode(*preview_.hovered());
 }
 
 void Engine::endHover() {
-  placedCode_.endHover();
+  preview_.endHover();
   scene_.setGhost(nullptr);
 }
 
 std::string Engine::moveCode(double x, double y) {
   const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
   if (!at) return textOf({{"ok", true}, {"hit", false}});
-  if (const Status moved = placedCode_.move(task(), *at); !moved) return answer(moved.error());
+  if (const Status moved = preview_.move(task(), *at); !moved) return answer(moved.error());
   scene_.setGhost(nullptr);
-  scene_.setDecal(placedCode_.code());
-  return describeCode(*placedCode_.code());
+  scene_.setDecal(preview_.code());
+  return describeCode(*preview_.code());
 }
 
 std::string Engine::adjustCode(const std::string& change) {
@@ -102,19 +102,19 @@ std::string Engine::adjustCode(const std::string& change) {
 }
 
 std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
-  if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
+  if (!preview_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
                                                with::angleDeg<"rotation">(rotateDeg)));
-  placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement));
-  scene_.setDecal(placedCode_.code());
-  return describeCode(*placedCode_.code());
+  preview_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement));
+  scene_.setDecal(preview_.code());
+  return describeCode(*preview_.code());
 }
 
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
     return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index + 1)));
-  const OfferedSpot& spot = offers_.spots()[index];
+  const Spot& spot = offers_.spots()[index];
   const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
   return chosen;
@@ -127,7 +127,7 @@ void Engine::showSizes(bool shown) {
 
 ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
   if (index >= offers_.spots().size() || !model_ || !wanted_.symbol()) return {};
-  const OfferedSpot& spot = offers_.spots()[index];
+  const Spot& spot = offers_.spots()[index];
   const PlacementRequest& request = offers_.request();
   const ProjectionFrame upright =
       makeFrame(spot.centreMm, spot.direction, scene_.camera().skyward(), request.eyeDistanceMm);

@@ -48,8 +48,8 @@ Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& c
 }  // namespace
 
 void Engine::updateView() {
-  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(),
-                 placedCode_.code(), placedCode_.hovered(), wanted_.centreMm()});
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), preview_.code(),
+                 preview_.hovered(), wanted_.centreMm()});
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -67,8 +67,8 @@ std::string Engine::look(const std::string& action) {
   if (!given) return answer(given.error());
   const auto number = [&](const char* key) { return given->at(key).get<double>(); };
   const std::string kind = given->at("kind");
-  const Placement* const placement = placedCode_.placement();
-  const CodeOnSurface* const code = placedCode_.code();
+  const Placement* const placement = preview_.placement();
+  const CodeOnSurface* const code = preview_.code();
   if (kind == "orbit")
     scene_.camera().orbit(number("dx"), number("dy"));
   else if (kind == "pan")
@@ -117,7 +117,7 @@ std::string Engine::viewState() const {
   const CameraView view = camera.view();
   Json axes = Json::array();
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
-  const CodeOnSurface* placed = placedCode_.code();
+  const CodeOnSurface* placed = preview_.code();
   const Json code = placed && !showsCarved() ? onScreen(*placed, camera) : Json();
   const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
   return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});

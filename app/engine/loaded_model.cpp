@@ -51,7 +51,7 @@ std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& c
   double largest = 0;
   const auto spots =
       firstSpots(*model.engravable->renderer, camera.frame(), camera.widthAtTargetMm(), wanted, kSpotsTried);
-  for (const FirstSpot& spot : spots ? *spots : std::vector<FirstSpot>{}) {
+  for (const OrientedPoint& spot : spots ? *spots : std::vector<OrientedPoint>{}) {
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;
     const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.skyward, eyeDistanceMm);

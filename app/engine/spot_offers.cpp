@@ -44,7 +44,7 @@ void SpotOffers::finish() {
       heatMesh(model_->prepared.mesh, found.map, request_.leastPrintableMm * outer, topMm_ * outer));
 }
 
-double SpotOffers::offeredMm(const OfferedSpot& spot) const {
+double SpotOffers::offeredMm(const Spot& spot) const {
   return request_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/placed_code.h"
+#include "engine/placement_preview.h"
 #include "pipeline/spot_search.h"
 
 namespace qrelief {
@@ -20,9 +20,9 @@ class SpotOffers {
   Result<Progress> advance();
 
   /// Returns the spots, best first; empty before a search is done.
-  std::span<const OfferedSpot> spots() const { return spots_; }
+  std::span<const Spot> spots() const { return spots_; }
   /// Returns the size of the symbol that is offered at a spot.
-  double offeredMm(const OfferedSpot& spot) const;
+  double offeredMm(const Spot& spot) const;
   /// Returns the request of the search.
   const PlacementRequest& request() const { return request_.placement; }
   /// Returns the symbol size that has the last colour.
@@ -38,7 +38,7 @@ class SpotOffers {
   SpotSearchRequest request_;
   std::shared_ptr<const EngravableModel> model_;
   std::unique_ptr<SpotSearchJob> job_;
-  std::vector<OfferedSpot> spots_;
+  std::vector<Spot> spots_;
   double topMm_ = 0;
   std::shared_ptr<const GpuMesh> sizesDisplay_;
 };

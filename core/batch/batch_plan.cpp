@@ -35,7 +35,7 @@ bool isDeviceName(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> BatchRow::files() const { return fileNames(file, request.isTwoColoured()); }
+std::vector<std::string> BatchRow::files() const { return fileNames(file, request.marking.isTwoColoured()); }
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
   if (name.empty()) return message("name-empty");
@@ -56,12 +56,12 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   plan.list_ = std::move(list);
   plan.all_ = request.all;
   plan.firstNumber_ = request.firstNumber;
-  const std::string text = request.all.text.empty() ? "{text}" : request.all.text;
+  const std::string text = request.all.code.text.empty() ? "{text}" : request.all.code.text;
   const bool hasFile = plan.list_.find(kFile).has_value();
-  const char* const usual = hasFile ? "{file}" : request.all.isInColour() ? "{id}.3mf" : "{id}.stl";
+  const char* const usual = hasFile ? "{file}" : request.all.marking.isInColour() ? "{id}.3mf" : "{id}.stl";
   const std::string name = request.name.empty() ? usual : request.name;
   const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name),
-             labelTemplate = TextTemplate::parse(request.all.label.text);
+             labelTemplate = TextTemplate::parse(request.all.code.label.text);
   for (const auto* parsed : {&textTemplate, &nameTemplate, &labelTemplate})
     if (!*parsed) plan.problems_.push_back(parsed->error().message);
   if (!plan.problems_.empty()) return plan;
@@ -141,10 +141,10 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   auto text = text_.filled(value);
   if (!text) return tl::unexpected(text.error());
   if (text->empty()) return badInput(message("row-without-text"));
-  row.request.text = std::move(*text);
+  row.request.code.text = std::move(*text);
   auto label = label_.filled(value);
   if (!label) return tl::unexpected(label.error());
-  row.request.label.text = std::move(*label);
+  row.request.code.label.text = std::move(*label);
   auto file = name_.filled(value);
   if (!file) return tl::unexpected(file.error());
   if (auto why = whyNoPlainName(*file)) return badInput(std::move(*why));
@@ -174,27 +174,27 @@ void BatchPlan::checkRows() {
       add(list_.line(i), row.error().message);
       continue;
     }
-    const SymbolOptions& symbol = row->request.symbol;
-    const int needed =
-        versions.try_emplace(symbol.errorCorrection, symbol.errorCorrection).first->second.smallest(row->request.text);
+    const SymbolOptions& symbol = row->request.code.symbol;
+    const int needed = versions.try_emplace(symbol.errorCorrection, symbol.errorCorrection)
+                           .first->second.smallest(row->request.code.text);
     if (needed == 0 || (symbol.version && needed > *symbol.version)) {
-      const auto encoded = encodeSymbol(row->request.text, symbol);
+      const auto encoded = encodeSymbol(row->request.code.text, symbol);
       if (!encoded) add(row->line, encoded.error().message);
     } else if (!symbol.version) {
       largest = std::max(largest, needed);
     }
-    if (row->request.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
+    if (row->request.marking.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
       add(row->line, message("colour-has-no-file", with::quoted<"name">(row->file)));
-    if (!row->request.label.text.empty())
-      if (const auto label = layOutLabel(row->request.label, 21); !label) add(row->line, label.error().message);
+    if (!row->request.code.label.text.empty())
+      if (const auto label = layOutLabel(row->request.code.label, 21); !label) add(row->line, label.error().message);
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }
   if (!problems_.empty()) return;
-  if (!all_.symbol.version) all_.symbol.version = largest;
-  checkTwice([](const BatchRow& row) { return row.request.text; },
+  if (!all_.code.symbol.version) all_.code.symbol.version = largest;
+  checkTwice([](const BatchRow& row) { return row.request.code.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("text-twice", with::quoted<"text">(row.request.text), with::count<"other">(other));
+               return message("text-twice", with::quoted<"text">(row.request.code.text), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return lowered(row.file); },
              [](const BatchRow& row, std::uint32_t other) {

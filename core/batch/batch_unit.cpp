@@ -25,7 +25,7 @@ std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const
     ManifestEntry entry;
     entry.number = row.number;
     entry.id = row.id;
-    entry.text = row.request.text;
+    entry.text = row.request.code.text;
     entry.file = unit.hasOwnFiles ? row.file : unit.plate;
     entry.plate = unit.hasOwnFiles ? unit.plate : std::string();
     if (const std::vector<std::string> files = row.files(); unit.hasOwnFiles && files.size() > 1)

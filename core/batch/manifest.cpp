@@ -123,7 +123,7 @@ std::string describeRow(const CarvedRow& row) {
   };
   const DepthSummary depth = summarise(result.depths);
   const SymbolGrades grades =
-      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
+      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.depth.albedo));
   Json details = {{"symbol",
                    {{"version", result.symbol.version},
                     {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
@@ -139,7 +139,7 @@ std::string describeRow(const CarvedRow& row) {
   details["depth"] = {{"meanMm", rounded(depth.meanMm)},
                       {"maxMm", rounded(depth.maxMm)},
                       {"p95Mm", rounded(depth.p95Mm)},
-                      {"preset", presetName(request.preset)}};
+                      {"preset", presetName(request.depth.preset)}};
   details["timingsMs"] = {{"total", std::round(totalMs)}};
   return dumped(details);
 }

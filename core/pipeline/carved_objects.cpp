@@ -26,8 +26,8 @@ std::vector<std::uint32_t> paintedOfCarvedPart(const EngraveResult& result) {
 
 bool holdsColoursOf(const EngraveRequest& request, ModelFormat format) {
   if (format == ModelFormat::ThreeMf || format == ModelFormat::Obj) return true;
-  if (format == ModelFormat::Stl) return request.mark != Mark::Paint;
-  return !request.isInColour() && !request.inlay;
+  if (format == ModelFormat::Stl) return request.marking.mark != Mark::Paint;
+  return !request.marking.isInColour() && !request.marking.inlay;
 }
 
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,

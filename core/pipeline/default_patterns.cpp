@@ -15,20 +15,23 @@ constexpr FinderPattern kPatternedFinders = FinderPattern::ThickPlusSharp;
 constexpr double kMostShallow = 0.1;
 
 bool mayHaveWholeFinders(const EngraveRequest& request) {
-  return !request.modulePattern && !request.finderPattern && request.objective == DepthObjective::Contrast &&
-         request.solver == ContrastSolver::Fast && request.lights.empty();
+  return !request.code.modulePattern && !request.code.finderPattern &&
+         request.depth.objective == DepthObjective::Contrast && request.depth.solver == ContrastSolver::Fast &&
+         request.depth.lights.empty();
 }
 
 }  // namespace
 
 EngraveRequest withDefaultPatterns(EngraveRequest request, double moduleMm, bool areWallsThin) {
   const bool hasWholeFinders = mayHaveWholeFinders(request) && !areWallsThin;
-  const bool isSmall = moduleMm < kSmallModuleNozzles * request.printer.nozzleMm;
-  if (hasWholeFinders && !request.contrast)
-    request.contrast = (isSmall ? kWholeFinderContrastSmall : kWholeFinderContrast) * request.contrastAsked();
-  if (!request.finderPattern) request.finderPattern = hasWholeFinders ? FinderPattern::None : kPatternedFinders;
-  if (!request.modulePattern) request.modulePattern = kModules;
-  if (!request.maxDepthMm) request.maxDepthMm = kMaxDepthModules * moduleMm;
+  const bool isSmall = moduleMm < kSmallModuleNozzles * request.print.printer.nozzleMm;
+  if (hasWholeFinders && !request.depth.contrast)
+    request.depth.contrast =
+        (isSmall ? kWholeFinderContrastSmall : kWholeFinderContrast) * request.depth.contrastAsked();
+  if (!request.code.finderPattern)
+    request.code.finderPattern = hasWholeFinders ? FinderPattern::None : kPatternedFinders;
+  if (!request.code.modulePattern) request.code.modulePattern = kModules;
+  if (!request.depth.maxDepthMm) request.depth.maxDepthMm = kMaxDepthModules * moduleMm;
   return request;
 }
 
@@ -47,9 +50,9 @@ bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>
 }
 
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request) {
-  if (request.isInColour()) return std::ceil(100 * lineWidthMm(request.printer) - 1e-6) / 100;
-  return leastPrintableModuleMm(symbol, request.modulePattern.value_or(kModules),
-                                request.finderPattern.value_or(kPatternedFinders), request.printer);
+  if (request.marking.isInColour()) return std::ceil(100 * lineWidthMm(request.print.printer) - 1e-6) / 100;
+  return leastPrintableModuleMm(symbol, request.code.modulePattern.value_or(kModules),
+                                request.code.finderPattern.value_or(kPatternedFinders), request.print.printer);
 }
 
 }  // namespace qrelief

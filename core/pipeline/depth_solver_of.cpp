@@ -15,23 +15,23 @@ constexpr int kPassesBeforePrint = 4;
 
 FastSearchOptions fastOptions(const EngraveRequest& request) {
   FastSearchOptions options;
-  options.contrast = request.contrastAsked();
-  options.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
-  options.albedo = static_cast<double>(request.albedo);
+  options.contrast = request.depth.contrastAsked();
+  options.slackMm = std::min(request.print.printer.layerMm, kDepthStepMm) / 2;
+  options.albedo = static_cast<double>(request.depth.albedo);
   return options;
 }
 
 }  // namespace
 
 std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target) {
-  if (request.objective == DepthObjective::OneLight)
+  if (request.depth.objective == DepthObjective::OneLight)
     return std::make_unique<OneLightSearch>(
-        std::move(target), OneLightOptions{.lamp = request.lamps().front(), .contrast = request.contrastAsked()});
-  if (request.solver == ContrastSolver::Fast)
+        std::move(target), OneLightOptions{.lamp = request.lamps().front(), .contrast = request.depth.contrastAsked()});
+  if (request.depth.solver == ContrastSolver::Fast)
     return std::make_unique<FastSearch>(std::move(target), fastOptions(request));
   DepthSearchOptions options;
-  options.contrast = request.contrastAsked();
-  options.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
+  options.contrast = request.depth.contrastAsked();
+  options.initialDepthMm = std::min(request.print.printer.layerMm, kDepthStepMm);
   return std::make_unique<DepthSearch>(std::move(target), options);
 }
 

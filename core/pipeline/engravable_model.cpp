@@ -13,27 +13,27 @@ namespace qrelief {
 /// The patch must also cover the walls next to the largest possible code (see wallLimits).
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
-  if (request.mark == Mark::Paint) return place;  // needs no wall
-  if (request.mark == Mark::Inlay) {
-    const double depth = request.markDepthMm.value_or(deepestInlayMm(request.printer));
-    place.beyondMm = request.minWallMm + depth;
-    place.pockets = {request.minWallMm, 0, depth};
+  place.labelMarginModules = labelMarginModules(request.code.label, modules);
+  if (request.marking.mark == Mark::Paint) return place;  // needs no wall
+  if (request.marking.mark == Mark::Inlay) {
+    const double depth = request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
+    place.beyondMm = request.depth.minWallMm + depth;
+    place.pockets = {request.depth.minWallMm, 0, depth};
     return place;
   }
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
-  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
-  place.labelMarginModules = labelMarginModules(request.label, modules);
-  const double contrast = request.contrastAsked();
+  place.beyondMm = request.depth.minWallMm + request.depth.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  const double contrast = request.depth.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // later refused
   const double depth = request.isForOneLight() ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
-  place.pockets = {request.minWallMm, depth};
+  place.pockets = {request.depth.minWallMm, depth};
   return place;
 }
 
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
   if (const Status checked = checkSettings(request); !checked) return checked;
   if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
-  if (const auto label = layOutLabel(request.label, symbol.size); !label) return tl::unexpected(label.error());
+  if (const auto label = layOutLabel(request.code.label, symbol.size); !label) return tl::unexpected(label.error());
   const SizeBound room{symbol.size, roomFactor(symbol.size, searchedPlacement(request, symbol.size))};
   return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
 }

@@ -35,7 +35,7 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
   std::vector<std::uint8_t> carved;
   for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
   CarvedFeatures features = measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
-  features.labelCapitalMm = labelCapitalMm(result.request.label, result.symbol.size, result.placement.moduleMm);
+  features.labelCapitalMm = labelCapitalMm(result.request.code.label, result.symbol.size, result.placement.moduleMm);
   return features;
 }
 
@@ -80,29 +80,29 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   result.timingsMs.direction = found.directionMs();
   result.timingsMs.size = found.sizeMs();
   asked = request;
-  if (!request.isInColour()) decidePatterns(false);
+  if (!request.marking.isInColour()) decidePatterns(false);
   stage = Stage::Mapping;
 }
 
 void EngraveJob::State::decidePatterns(bool areWallsThin) {
   request = withDefaultPatterns(asked, result.placement.moduleMm, areWallsThin);
-  mask = submodulesToCarve(symbol, *request.modulePattern, *request.finderPattern);
+  mask = submodulesToCarve(symbol, *request.code.modulePattern, *request.code.finderPattern);
 }
 
 std::vector<double> EngraveJob::State::limitsOfMask() const {
   return depthLimits(model->prepared.mesh, result.placement, mask, measured->thicknessMm(),
-                     {*request.maxDepthMm, request.minWallMm});
+                     {*request.depth.maxDepthMm, request.depth.minWallMm});
 }
 
 /// Measures the place, if it is not the one measured before.
 Status EngraveJob::State::measurePlace(bool withLight) {
   const Placement& placement = result.placement;
-  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout, request.albedo, request.lamps(),
-                                      device,          withLight};
+  const PlacementMeasurement::Request wanted{
+      placement.frame, placement.moduleMm, layout, request.depth.albedo, request.lamps(), device, withLight};
   if (measured && measured->request() == wanted) {
     if (withLight) measured->light().uncarve();
   } else {
-    auto made = MeasuredPlace::create(model, programs, wanted);
+    auto made = PlacementMeasurement::create(model, programs, wanted);
     if (!made) return tl::unexpected(made.error());
     measured = std::move(*made);
   }
@@ -115,14 +115,14 @@ Status EngraveJob::State::map() {
   const Placement& placement = result.placement;
   if (const Status known = measurePlace(true); !known) return known;
   std::vector<double> limits = limitsOfMask();
-  if (!asked.finderPattern && request.finderPattern == FinderPattern::None &&
+  if (!asked.code.finderPattern && request.code.finderPattern == FinderPattern::None &&
       wallsAreThinForWholeFinders(symbol, limits, placement.moduleMm)) {
     decidePatterns(true);
     limits = limitsOfMask();
   }
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (mask.carved[i]) allCarved.push_back(i);
-  if (request.recordSearch) startRecord(limits);
+  if (request.depth.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
   startSearch();
   result.timingsMs.surface = millisecondsSince(start);
@@ -138,12 +138,12 @@ Status EngraveJob::State::embed() {
     result.label = std::move(*label);
   }
   EmbedOptions options;
-  options.inlay = request.mark == Mark::Inlay;
-  options.paint = request.mark == Mark::Paint;
-  if (!request.isInColour()) options.surface = request.surface;
+  options.inlay = request.marking.mark == Mark::Inlay;
+  options.paint = request.marking.mark == Mark::Paint;
+  if (!request.marking.isInColour()) options.depth.surface = request.depth.surface;
   options.label = result.label;
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                              request.isInColour() ? marked : result.depths, options);
+                              request.marking.isInColour() ? marked : result.depths, options);
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -170,7 +170,7 @@ Status EngraveJob::State::print() {
   if (progress->done) {
     search = makeSearchAfterPrint(
         request, target,
-        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()),
+        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.depth.contrastAsked()),
         *std::exchange(searchBeforePrint, nullptr));
     printing.reset();
     embedded = {};
@@ -192,7 +192,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
                                                        EngraveRequest request, const Known& known) {
   if (const Status checked = checkSettings(request); !checked) return tl::unexpected(checked.error());
-  auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.text, request.symbol);
+  auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (const Status good = checkEngraving(*model, request, *symbol); !good) return tl::unexpected(good.error());
   auto state = std::make_unique<State>();
@@ -224,7 +224,7 @@ Result<Progress> EngraveJob::advance() {
       done = s.place();
       break;
     case Stage::Mapping:
-      done = s.request.isInColour() ? s.mapMark() : s.map();
+      done = s.request.marking.isInColour() ? s.mapMark() : s.map();
       break;
     case Stage::Searching:
       done = s.searchOnce();
@@ -266,7 +266,7 @@ const EngraveResult* EngraveJob::writtenResult() const {
 InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
   if (!state_->isMeasured || !state_->measured->request().withLight) return maps;
-  const MeasuredPlace& measured = *state_->measured;
+  const PlacementMeasurement& measured = *state_->measured;
   maps.light = &measured.light();
   maps.symbol = &state_->symbol;
   maps.search = &state_->result.search;
@@ -275,7 +275,7 @@ InspectorMaps EngraveJob::inspectorMaps() const {
 
 const SurfaceMaps* EngraveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
 
-std::shared_ptr<MeasuredPlace> EngraveJob::measuredPlace() const {
+std::shared_ptr<PlacementMeasurement> EngraveJob::placementMeasurement() const {
   return state_->isMeasured ? state_->measured : nullptr;
 }
 

@@ -14,8 +14,8 @@
 #include "depth/fast_search.h"
 #include "depth/search_record.h"
 #include "pipeline/engravable_model.h"
-#include "pipeline/measured_place.h"
 #include "pipeline/placement.h"
+#include "pipeline/placement_measurement.h"
 #include "qr/symbol.h"
 #include "render/luminance_pass.h"
 #include "settings/engrave_request.h"
@@ -82,7 +82,8 @@ CarvedFeatures featuresOf(const EngraveResult& result);
 
 /// Maps of a running or finished job for the inspector. The job owns them all.
 struct InspectorMaps {
-  const PlaceLight* light = nullptr;  ///< with luminance and depths as textures; null before the surface is measured
+  const PlacementLight* light =
+      nullptr;  ///< with luminance and depths as textures; null before the surface is measured
   const Symbol* symbol = nullptr;
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
@@ -105,7 +106,7 @@ class EngraveJob {
     std::shared_ptr<const LuminancePrograms> programs = nullptr;  ///< null: makes its own if the model uses shaders
     const Symbol* symbol = nullptr;  ///< replaces the symbol of the request's text and options
     /// From a finished job on the same model; the place is measured anew if this job's place differs.
-    std::shared_ptr<MeasuredPlace> measured = nullptr;
+    std::shared_ptr<PlacementMeasurement> measured = nullptr;
     Device device = Device::Faster;
     /// Replaces the request's objective and solver, if the request is not carved for its print
     /// (EngraveRequest::isForPrint). The study's methods use it.
@@ -132,7 +133,7 @@ class EngraveJob {
   const EngraveResult* writtenResult() const;
 
   /// Returns null before the surface is measured.
-  std::shared_ptr<MeasuredPlace> measuredPlace() const;
+  std::shared_ptr<PlacementMeasurement> placementMeasurement() const;
 
   InspectorMaps inspectorMaps() const;
   /// Returns maps of the uncarved surface, drawn at the first call; null before the surface is measured.

@@ -63,9 +63,9 @@ Status EngraveJob::State::check() {
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =
       partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
-  if (request.hasInlay())
-    if (const Status made =
-            request.mark == Mark::Inlay ? setInlay(embedded.inlay, result) : addInlay(*model, request.surface, result);
+  if (request.marking.hasInlay())
+    if (const Status made = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
+                                                                : addInlay(*model, request.depth.surface, result);
         !made)
       return made;
   result.timingsMs.verify += millisecondsSince(start);
@@ -82,21 +82,21 @@ void EngraveJob::State::view() {
   const int pixels = std::clamp(kMostPixels / modulesAcross, kLeastPixelsPerModule, kBakedPixels);
   options.extentMm = placement.moduleMm * modulesAcross;
   options.texels = pixels * modulesAcross;
-  options.reliefMm = static_cast<float>(request.isInColour() ? kFlatReliefMm : summarise(result.depths).maxMm);
+  options.reliefMm = static_cast<float>(request.marking.isInColour() ? kFlatReliefMm : summarise(result.depths).maxMm);
   options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.surfaceAlbedo();
   options.lights = request.lamps();
   // A body with its inlay has the surface of the model.
   std::vector<float> luminance =
-      meshLuminance(request.mark == Mark::Inlay ? model->prepared.mesh : result.mesh, placement.frame,
+      meshLuminance(request.marking.mark == Mark::Inlay ? model->prepared.mesh : result.mesh, placement.frame,
                     {.pixels = options.texels,
                      .pixelMm = placement.moduleMm / pixels,
                      .nearMm = kPictureMarginModules * placement.moduleMm,
                      .albedo = static_cast<double>(options.albedo),
                      .lamps = options.lights,
                      .lampRadiusDeg = kOneLightRadiusDeg});
-  if (request.isInColour()) {
-    InkMap(markedSymbol(result), placement.symbolMm, request.ink).apply(luminance, placement.moduleMm / pixels);
+  if (request.marking.isInColour()) {
+    InkMap(markedSymbol(result), placement.symbolMm, request.marking.ink).apply(luminance, placement.moduleMm / pixels);
     result.luminance = submoduleMeans(luminance, symbol.size, pixels);
   }
   result.readerView = photographed(std::move(luminance), options);

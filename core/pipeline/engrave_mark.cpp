@@ -9,7 +9,7 @@ namespace qrelief {
 
 Symbol markedSymbol(const EngraveResult& result) {
   Symbol marked = result.symbol;
-  if (result.request.mark != Mark::Inlay) return marked;
+  if (result.request.marking.mark != Mark::Inlay) return marked;
   for (int row = 0; row < marked.size; ++row)
     for (int column = 0; column < marked.size; ++column) {
       const bool isCarved = result.depths.depth(row * kSubmodulesPerModule, column * kSubmodulesPerModule) > 0;
@@ -25,7 +25,7 @@ Status EngraveJob::State::mapMark() {
   mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   marked = paintedModules(symbol, placement.symbolMm);
   result.depths = {marked.size, marked.symbolMm, std::vector<double>(marked.depthMm.size(), 0)};
-  if (request.mark == Mark::Inlay)
+  if (request.marking.mark == Mark::Inlay)
     if (const Status chosen = chooseInlay(); !chosen) return chosen;
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Embedding;
@@ -35,15 +35,15 @@ Status EngraveJob::State::mapMark() {
 Status EngraveJob::State::chooseInlay() {
   const Placement& placement = result.placement;
   if (const Status known = measurePlace(false); !known) return known;
-  result.opaqueDepthMm =
-      inlayDepthMm(model->prepared.mesh, placement, request.buildUp.resolve(placement.frame), request.printer);
-  const double wantedMm = request.markDepthMm.value_or(result.opaqueDepthMm);
+  result.opaqueDepthMm = inlayDepthMm(model->prepared.mesh, placement, request.print.buildUp.resolve(placement.frame),
+                                      request.print.printer);
+  const double wantedMm = request.marking.markDepthMm.value_or(result.opaqueDepthMm);
   const std::vector<double> limits =
-      depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(), {wantedMm, request.minWallMm});
+      depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(), {wantedMm, request.depth.minWallMm});
   InlayPockets pockets = inlayPockets(symbol, placement.symbolMm, limits, wantedMm);
   if (pockets.depthMm == 0)
     return fail(ErrorKind::NoSolution, message("inlay-needs-walls", with::lengthMm<"depth">(wantedMm),
-                                               with::lengthMm<"wall">(request.minWallMm)));
+                                               with::lengthMm<"wall">(request.depth.minWallMm)));
   result.markDepthMm = pockets.depthMm;
   result.modulesLeftOut = pockets.leftOut;
   marked = result.depths = std::move(pockets.depths);

@@ -76,11 +76,11 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column)
       luminance[static_cast<std::size_t>(row * edge + column)] = means[layout.ofQuietZone(row, column)];
-  const DepthField tried = request.recordSearch ? search->depths() : DepthField{};
+  const DepthField tried = request.depth.recordSearch ? search->depths() : DepthField{};
   search->update(luminance);
   const double ms = millisecondsSince(start);
   result.timingsMs.depthSearch += ms;
-  if (request.recordSearch) recordPass(tried, luminance, ms);
+  if (request.depth.recordSearch) recordPass(tried, luminance, ms);
   if (!search->finished()) return {};
   result.depths = search->depths();
   result.searchIterations += search->iterations();
@@ -91,7 +91,8 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
-    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
+    return fail(ErrorKind::NoSolution,
+                message("nothing-can-be-carved", with::lengthMm<"wall">(request.depth.minWallMm)));
   stage = Stage::Embedding;
   return {};
 }

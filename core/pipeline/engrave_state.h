@@ -33,7 +33,7 @@ struct EngraveJob::State {
   std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
-  std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
+  std::shared_ptr<PlacementMeasurement> measured;  // before its stage: an earlier measurement, perhaps of this place
   bool isMeasured = false;
   DepthField marked;  // of a code in colour: what to embed
   Device device = Device::Faster;

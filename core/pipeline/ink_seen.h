@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/engrave.h"
-#include "projection/surface_raster.h"
+#include "render/surface_raster.h"
 
 namespace qrelief {
 

@@ -31,21 +31,21 @@ double leastThicknessMm(const Mesh& mesh, const ProjectionFrame& frame, const st
 
 Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
                                      int modules, double inlayMm) {
-  if (request.label.empty()) return OutlinedPockets{};
-  auto layout = layOutLabel(request.label, modules);
+  if (request.code.label.empty()) return OutlinedPockets{};
+  auto layout = layOutLabel(request.code.label, modules);
   if (!layout) return tl::unexpected(layout.error());
   OutlinedPockets pockets{std::move(layout->rings), std::move(layout->covered), 0};
   for (Ring& ring : pockets.rings)
     for (Vec2& corner : ring) corner *= placement.moduleMm;
   for (Rectangle& box : pockets.covered) box = {box.low * placement.moduleMm, box.high * placement.moduleMm};
-  if (request.mark == Mark::Paint) {
+  if (request.marking.mark == Mark::Paint) {
     pockets.depthMm = kDepthQuantumMm;  // marks what is painted, and lowers nothing
     return pockets;
   }
-  const double layerMm = request.printer.layerMm;
-  const double wantedMm = request.mark == Mark::Inlay ? inlayMm : kLabelLayers * layerMm;
+  const double layerMm = request.print.printer.layerMm;
+  const double wantedMm = request.marking.mark == Mark::Inlay ? inlayMm : kLabelLayers * layerMm;
   const double thicknessMm = leastThicknessMm(mesh, placement.frame, pockets.rings);
-  pockets.depthMm = quantisedDepth(wantedMm, std::min(wantedMm, thicknessMm - request.minWallMm));
+  pockets.depthMm = quantisedDepth(wantedMm, std::min(wantedMm, thicknessMm - request.depth.minWallMm));
   if (pockets.depthMm < std::max(layerMm, kDepthQuantumMm) - 1e-9)
     return fail(ErrorKind::NoSolution, message("label-too-deep", with::lengthMm<"depth">(wantedMm),
                                                with::lengthMm<"wall">(std::max(0.0, thicknessMm - wantedMm))));

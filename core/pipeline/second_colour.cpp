@@ -5,11 +5,12 @@ namespace qrelief {
 
 SecondColour secondColourOf(const EngraveResult& result) {
   const EngraveRequest& request = result.request;
-  const auto change = usualFilamentChange(request.printer);
-  const auto process = processOf(request.printer);
+  const auto change = usualFilamentChange(request.print.printer);
+  const auto process = processOf(request.print.printer);
   SecondColour second{{}, change.has_value()};
   if (!process) return second;
-  const ColourPrint print{request.buildUp.resolve(result.placement.frame), *process, change.value_or(FilamentChange{})};
+  const ColourPrint print{request.print.buildUp.resolve(result.placement.frame), *process,
+                          change.value_or(FilamentChange{})};
   if (result.inlay)
     second.cost = colourCost(result.mesh, *result.inlay, print);
   else if (!result.painted.empty())

@@ -50,10 +50,8 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
 
 /// Checks the settings shared with engraving by the same rules.
 Status checkRequest(const SpotSearchRequest& request) {
-  EngraveRequest engraving = defaultRequest();
-  engraving.placement = request.placement;
-  engraving.minWallMm = request.minWallMm;
-  if (const Status checked = checkSettings(engraving); !checked) return checked;
+  if (const Status checked = checkSettings(request.placement); !checked) return checked;
+  if (const Status checked = checkSettings(DepthRequest{.minWallMm = request.minWallMm}); !checked) return checked;
   if (request.count >= 1 && request.count <= kMaxSpots) return {};
   return fail(ErrorKind::BadUsage,
               message("place-count", with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
@@ -64,9 +62,9 @@ struct Wall {
   double thicknessMm = 0;  ///< along the rays
 };
 
-bool isUneven(const OfferedSpot& spot) { return spot.unevenLight > kMostUnevenLight; }
+bool isUneven(const Spot& spot) { return spot.unevenLight > kMostUnevenLight; }
 
-std::vector<Message> concernsAt(const OfferedSpot& spot, const SpotSearchRequest& request) {
+std::vector<Message> concernsAt(const Spot& spot, const SpotSearchRequest& request) {
   std::vector<Message> concerns;
   if (!spot.prints)
     concerns.push_back(message("spot-too-small-to-print", with::lengthMm<"nozzle">(request.nozzleMm),
@@ -112,18 +110,17 @@ struct SpotSearchJob::State {
   std::size_t likely = 0, screened = 0, deferred = 0;
   bool withDirection = false;  // true during the second try at a candidate
   std::optional<PlacementSearch> search;
-  OfferedSpot offered;            // the spot being tested
+  Spot offered;                   // the spot being tested
   std::optional<Vec3> direction;  // direction for the test; none: found by the request's method
   std::size_t tooThin = 0;
-  double thickestMm = 0;               // the thickest of these walls
-  std::optional<OfferedSpot> largest;  // largest spot that takes less than the requested size
+  double thickestMm = 0;        // the thickest of these walls
+  std::optional<Spot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
   double fraction = kMapShare;  // progress of the job, once spots are tested
 
   std::size_t goodSpots() const {  // counts small ones, too: later spots are hardly larger
-    return static_cast<std::size_t>(
-        std::count_if(result.spots.begin(), result.spots.end(),
-                      [](const OfferedSpot& spot) { return !spot.facesDown && !isUneven(spot); }));
+    return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
+                                                  [](const Spot& spot) { return !spot.facesDown && !isUneven(spot); }));
   }
   bool hasEnough() const {
     const bool isEnough = result.spots.size() >= request.count;
@@ -307,14 +304,14 @@ Status SpotSearchJob::State::finishTests() {
       propose(0);
     return {};
   }
-  const auto rank = [&](const OfferedSpot& spot) {
+  const auto rank = [&](const Spot& spot) {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
   // Doubts in order of importance.
-  const auto doubts = [](const OfferedSpot& spot) {
+  const auto doubts = [](const Spot& spot) {
     return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), spot.needsDirection);
   };
-  std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
+  std::stable_sort(result.spots.begin(), result.spots.end(), [&](const Spot& a, const Spot& b) {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
   });
   if (result.spots.size() > request.count) result.spots.resize(request.count);
@@ -407,12 +404,13 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
   SpotSearchRequest search;
   search.placement = searchedPlacement(request, symbol.size);
   search.modules = symbol.size;
-  search.minWallMm = request.minWallMm;
-  if (request.mark == Mark::Inlay)
-    search.leastDepthMm = kLeastInlayDepth * request.markDepthMm.value_or(deepestInlayMm(request.printer));
-  if (request.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
-  if (request.process) search.buildUp = request.buildUp;
-  search.nozzleMm = request.printer.nozzleMm;
+  search.minWallMm = request.depth.minWallMm;
+  if (request.marking.mark == Mark::Inlay)
+    search.leastDepthMm =
+        kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
+  if (request.marking.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
+  if (request.print.process) search.buildUp = request.print.buildUp;
+  search.nozzleMm = request.print.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);
   return search;
 }

@@ -41,7 +41,7 @@ int centreDecimals(double scaleToMm);
 
 /// A spot that takes the code. Placement and wall thickness have been tested for this centre (and direction, if
 /// needed).
-struct OfferedSpot {
+struct Spot {
   Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
   Vec3 centreMm{0};
   Vec3 direction{0};              ///< towards the viewer; if needed, a unit vector to four decimals
@@ -59,8 +59,8 @@ struct OfferedSpot {
 
 struct SpotSearchResult {
   SizeMap map;
-  std::vector<OfferedSpot> spots;  ///< best first, spots with concerns last; at least one
-  std::size_t tried = 0;           ///< number of spots tested
+  std::vector<Spot> spots;  ///< best first, spots with concerns last; at least one
+  std::size_t tried = 0;    ///< number of spots tested
 };
 
 /// Finds spots for a code, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the

@@ -37,23 +37,27 @@ double leastWall(const RayTree& tree, const ProjectionFrame& frame, const Carvin
   return least;
 }
 
-/// Returns the settings shared with engraving, to be checked by the same rules.
-EngraveRequest settingsOf(const VerifyRequest& request) {
-  EngraveRequest engraving = defaultRequest();
-  engraving.placement.sizeMode = SizeMode::Fixed;
-  engraving.placement.sizeMm = request.symbolMm;
-  engraving.placement.eyeDistanceMm = request.frame.eyeDistance;
-  engraving.process = request.process;
-  engraving.printer = request.printer;
-  engraving.buildUp.up = request.buildUp;
-  engraving.minWallMm = request.minWallMm;
-  engraving.mark = request.mark;
-  engraving.ink = request.ink;
+/// Checks the settings shared with engraving by the same rules.
+Status checkShared(const VerifyRequest& request) {
+  PlacementRequest placement;
+  placement.sizeMode = SizeMode::Fixed;
+  placement.sizeMm = request.symbolMm;
+  placement.eyeDistanceMm = request.frame.eyeDistance;
+  if (const Status checked = checkSettings(placement); !checked) return checked;
+  if (const Status checked = checkSettings(MarkRequest{.mark = request.mark, .ink = request.ink}); !checked)
+    return checked;
+  DepthRequest depth;
+  depth.minWallMm = request.minWallMm;
   if (request.oneLight) {
-    engraving.objective = DepthObjective::OneLight;
-    engraving.lights = {*request.oneLight};
+    depth.objective = DepthObjective::OneLight;
+    depth.lights = {*request.oneLight};
   }
-  return engraving;
+  if (const Status checked = checkSettings(depth); !checked) return checked;
+  PrinterRequest print;
+  print.process = request.process;
+  print.printer = request.printer;
+  print.buildUp.up = request.buildUp;
+  return checkSettings(print);
 }
 
 }  // namespace
@@ -62,16 +66,16 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   VerifyRequest wanted;
   wanted.frame = result.placement.frame;
   wanted.symbolMm = result.placement.symbolMm;
-  wanted.text = request.text;
+  wanted.text = request.code.text;
   wanted.symbol = result.symbol;
-  wanted.printer = request.printer;
-  wanted.process = request.process;
-  wanted.buildUp = request.buildUp.resolve(wanted.frame);
-  wanted.minWallMm = request.minWallMm;
+  wanted.printer = request.print.printer;
+  wanted.process = request.print.process;
+  wanted.buildUp = request.print.buildUp.resolve(wanted.frame);
+  wanted.minWallMm = request.depth.minWallMm;
   wanted.albedo = std::round(1e6 * static_cast<double>(request.surfaceAlbedo())) / 1e6;  // undoes rounding to a float
-  wanted.mark = request.mark;
+  wanted.mark = request.marking.mark;
   wanted.markDepthMm = result.markDepthMm;
-  wanted.ink = request.ink;
+  wanted.ink = request.marking.ink;
   if (request.isForOneLight()) wanted.oneLight = request.lamps().front();
   wanted.ranges = false;
   wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
@@ -238,7 +242,7 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   if (request.text.empty()) return fail(ErrorKind::BadUsage, message("verify-no-text"));
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
     return fail(ErrorKind::BadUsage, message("verify-no-direction"));
-  if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
+  if (const Status checked = checkShared(request); !checked) return tl::unexpected(checked.error());
   if (request.mark == Mark::Inlay && !(request.markDepthMm > 0))
     return fail(ErrorKind::BadUsage, message("verify-no-inlay-depth", with::setting<"depth">("markDepthMm")));
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));

@@ -80,8 +80,8 @@ Rated rate(const std::vector<Sample>& samples, std::size_t index, double sizeMm)
 
 }  // namespace
 
-Result<std::vector<FirstSpot>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view, double widthMm,
-                                          double sizeMm, std::size_t most) {
+Result<std::vector<OrientedPoint>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view,
+                                              double widthMm, double sizeMm, std::size_t most) {
   const MapWindow window{widthMm, kTexels};
   const auto map = surface.render(view, window);
   if (!map) return tl::unexpected(map.error());
@@ -95,11 +95,11 @@ Result<std::vector<FirstSpot>> firstSpots(const SurfaceRenderer& surface, const 
   std::stable_sort(ranked.begin(), ranked.end(), [](const Rated& a, const Rated& b) { return a.badness < b.badness; });
 
   const auto inModel = [&](Vec3 v) { return view.right * v.x + view.up * v.y + view.normal * v.z; };
-  std::vector<FirstSpot> spots;
+  std::vector<OrientedPoint> spots;
   for (const Rated& rated : ranked) {
     if (spots.size() == most || !std::isfinite(rated.badness)) break;
-    const FirstSpot spot{view.centre + inModel(samples[rated.sample].position), inModel(rated.normal)};
-    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const FirstSpot& other) {
+    const OrientedPoint spot{view.centre + inModel(samples[rated.sample].position), inModel(rated.normal)};
+    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const OrientedPoint& other) {
       return glm::length(other.position - spot.position) >= kApart * sizeMm;
     });
     if (isApart) spots.push_back(spot);

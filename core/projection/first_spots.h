@@ -10,7 +10,7 @@
 namespace qrelief {
 
 /// A promising place for a code.
-struct FirstSpot {
+struct OrientedPoint {
   Vec3 position;  ///< near the surface, model space
   Vec3 normal;    ///< mean normal of the surface around it, unit
 };
@@ -25,7 +25,7 @@ struct FirstSpot {
 /// @param sizeMm  edge of the rated square, > 0
 /// @param most    limit on the number of spots
 /// @returns an empty list if the eye sees no surface that faces it
-Result<std::vector<FirstSpot>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view, double widthMm,
-                                          double sizeMm, std::size_t most);
+Result<std::vector<OrientedPoint>> firstSpots(const SurfaceRenderer& surface, const ProjectionFrame& view,
+                                              double widthMm, double sizeMm, std::size_t most);
 
 }  // namespace qrelief

@@ -34,7 +34,7 @@ struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
   SizeMode sizeMode = SizeMode::Free;
   double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
-  double maxSizeMm = 60;  ///< upper bound of a found size, > 0
+  double maxSizeMm = 40;  ///< upper bound of a found size, > 0; larger codes take deeper pockets and decode no better
   bool quietZone = true;  ///< the quiet zone must fit, too
   Vec3 upHint{0, 0, 1};   ///< direction of the symbol's top, projected onto the QR plane
   double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it; Best: start of the turn

@@ -32,7 +32,7 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
 
 const char* solverName(const EngraveRequest& request) {
   if (request.isForOneLight()) return "one-light";
-  return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
+  return request.depth.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
 }
 
 Json describeSymbol(const Symbol& symbol) {
@@ -110,15 +110,15 @@ Json describeDepth(const EngraveRequest& request, const EngraveResult& result, c
                {"p95Mm", depth.p95Mm},
                {"iterations", result.searchIterations},
                {"limitedSubmodules", result.limitedSubmodules},
-               {"features", describeFeatures(featuresOf(result), request.printer)},
-               {"objective", depthObjectiveName(request.objective)},
+               {"features", describeFeatures(featuresOf(result), request.print.printer)},
+               {"objective", depthObjectiveName(request.depth.objective)},
                {"lights", describeLights(request.lamps())},
                {"carvedFor", request.isForPrint() ? "print" : "design"},
                {"solver", solverName(request)},
-               {"contrast", result.request.contrastAsked()}};
-  if (!request.contrast) {
-    json["preset"] = presetName(request.preset);
-    json["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
+               {"contrast", result.request.depth.contrastAsked()}};
+  if (!request.depth.contrast) {
+    json["preset"] = presetName(request.depth.preset);
+    json["askedPreset"] = presetName(context.askedPreset.value_or(request.depth.preset));
   }
   return json;
 }
@@ -147,7 +147,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   const SolidityReport& solid = result.solidity;
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
-  report["text"] = request.text;
+  report["text"] = request.code.text;
   report["input"] = describeInput(model, context);
   report["symbol"] = describeSymbol(result.symbol);
   report["projection"] = describeProjection(request, result.placement);
@@ -156,10 +156,10 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"guaranteedMm", result.placement.guaranteedMm},
                     {"rotationDeg", result.placement.rotationDeg},
                     {"mode", sizeModeName(request.placement.sizeMode)}};
-  addMark(report, request.mark, result.markDepthMm, request.ink);
-  report["depth"] = request.isInColour() ? describeInlay(result) : describeDepth(request, result, context);
-  report["label"] = describeLabel(request.label, result);
-  report["mesh"] = {{"surface", surfaceModeName(request.surface)},
+  addMark(report, request.marking.mark, result.markDepthMm, request.marking.ink);
+  report["depth"] = request.marking.isInColour() ? describeInlay(result) : describeDepth(request, result, context);
+  report["label"] = describeLabel(request.code.label, result);
+  report["mesh"] = {{"surface", surfaceModeName(request.depth.surface)},
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
                     {"keptTriangles", result.keptTriangles},

@@ -53,14 +53,14 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
-  if (request.isInColour() && request.ink.contrast() < kLeastInkContrast)
+  if (request.marking.isInColour() && request.marking.ink.contrast() < kLeastInkContrast)
     return fail(ErrorKind::BadUsage,
-                message("colours-too-alike", with::number<"dark">(request.ink.dark),
-                        with::number<"light">(request.ink.light), with::number<"least">(kLeastInkContrast)));
+                message("colours-too-alike", with::number<"dark">(request.marking.ink.dark),
+                        with::number<"light">(request.marking.ink.light), with::number<"least">(kLeastInkContrast)));
   if (request.isForOneLight() && request.lamps().size() > 1)
-    return fail(ErrorKind::BadUsage,
-                message("one-light-has-several", with::setting<"objective">("objective"),
-                        with::choice<"value">("objective", "one-light"), with::count<"count">(request.lights.size())));
+    return fail(ErrorKind::BadUsage, message("one-light-has-several", with::setting<"objective">("objective"),
+                                             with::choice<"value">("objective", "one-light"),
+                                             with::count<"count">(request.depth.lights.size())));
   return {};
 }
 
@@ -99,10 +99,22 @@ Status checkSettings(const EngraveRequest& request) {
   for (const Setting& setting : settings())
     if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
   if (const Status together = checkTogether(request); !together) return together;
-  if (!request.process) return {};
-  const auto process = processOf(request.printer);
+  if (!request.print.process) return {};
+  const auto process = processOf(request.print.printer);
   return process ? Status() : tl::unexpected(process.error());
 }
+
+template <class Part>
+Status checkPart(Part EngraveRequest::*part, const Part& value) {
+  EngraveRequest request = defaultRequest();
+  request.*part = value;
+  return checkSettings(request);
+}
+
+Status checkSettings(const PlacementRequest& placement) { return checkPart(&EngraveRequest::placement, placement); }
+Status checkSettings(const MarkRequest& marking) { return checkPart(&EngraveRequest::marking, marking); }
+Status checkSettings(const DepthRequest& depth) { return checkPart(&EngraveRequest::depth, depth); }
+Status checkSettings(const PrinterRequest& print) { return checkPart(&EngraveRequest::print, print); }
 
 Error wrongKind(const Setting& setting, std::string_view found) {
   const std::string choices = joined(setting.choices);

@@ -46,61 +46,91 @@ enum class CarveFor : std::uint8_t {
   Print    ///< the printed surface, too: pipeline/contrast_for_print.h
 };
 
-/// Everything that decides the result. The table of settings/settings.h lists what a person can set.
-struct EngraveRequest {
+/// The text and how it becomes a symbol.
+struct CodeRequest {
   std::string text;  ///< UTF-8, not empty
   SymbolOptions symbol;
-  std::optional<ModulePattern> modulePattern;  ///< none: see pipeline/default_patterns.h
-  std::optional<FinderPattern> finderPattern;  ///< none: the same
-  PlacementRequest placement;
-  /// Inlay and Paint need no light: patterns, preset and all else that decides the depth of pockets, lamps, albedo,
-  /// surface and `inlay` have no effect on them.
+  std::optional<ModulePattern> modulePattern = {};  ///< none: see pipeline/default_patterns.h
+  std::optional<FinderPattern> finderPattern = {};  ///< none: the same
+  LabelOptions label;                               ///< text under the code and frame round it
+
+  bool operator==(const CodeRequest&) const = default;
+};
+
+/// What makes the dark modules dark.
+struct MarkRequest {
+  /// Inlay and Paint need no light: patterns, depths, lamps, albedo, surface and `inlay` have no effect on them.
   Mark mark = Mark::Shadow;
-  std::optional<double> markDepthMm;  ///< depth of Mark::Inlay along the rays; none: pipeline/mark_depth.h
-  Ink ink;                            ///< of Mark::Inlay and Mark::Paint
-  DepthObjective objective = DepthObjective::Contrast;
-  Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
-  bool keepPreset = false;  ///< never carve deeper than the preset, even if the code or its print does not read
-  /// Fraction by which a carved submodule is darker than its surroundings, 0 < c < 1; none: the preset's contrast.
-  std::optional<double> contrast;
-  ContrastSolver solver = ContrastSolver::Fast;
-  /// Print takes effect for ContrastSolver::Fast without lamps, if a process is known; otherwise Design applies.
-  CarveFor carveFor = CarveFor::Design;
-  std::optional<double> maxDepthMm;      ///< none: see pipeline/default_patterns.h
-  double minWallMm = 0.8;                ///< material left behind every floor, ≥ 0
-  float albedo = 0.7f;                   ///< reflectance of the printed material
-  std::vector<DirectionalLight> lights;  ///< in addition to the uniform sky, at most kMaxLights; see lamps()
-  SurfaceMode surface = SurfaceMode::Preserved;
-  /// Index of the printer in namedPrinters(); none: the print is not simulated.
-  std::optional<std::size_t> process = 0;
-  Printer printer = namedPrinters()[0].printer;  ///< depths are found to within half a layer
-  BuildDirection buildUp;                        ///< orientation of the model on the printer
-  LabelOptions label;                            ///< text under the code and frame round it, carved two layers deep
-  bool inlay = false;         ///< also make the body that fills the pockets, for printing in two colours
-  bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
+  /// If a shadow does not read or print well, try an inlay, then paint (verdict/engrave_plan.h). Needs Mark::Shadow.
+  bool isOpen = false;
+  std::optional<double> markDepthMm = {};  ///< depth of Mark::Inlay along the rays; none: pipeline/mark_depth.h
+  Ink ink = {};                            ///< of Mark::Inlay and Mark::Paint
+  bool inlay = false;  ///< Mark::Shadow: also make the body that fills the pockets, for printing in two colours
 
   bool isInColour() const { return mark != Mark::Shadow; }
   /// Returns true if the result has a body of a second material.
   bool hasInlay() const { return mark == Mark::Inlay || (mark == Mark::Shadow && inlay); }
   bool isTwoColoured() const { return isInColour() || inlay; }
-  bool isForOneLight() const { return !isInColour() && objective == DepthObjective::OneLight; }
+
+  bool operator==(const MarkRequest&) const = default;
+};
+
+/// How deep pockets are, and in which light they have to be dark.
+struct DepthRequest {
+  DepthObjective objective = DepthObjective::Contrast;
+  Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
+  bool keepPreset = false;  ///< never carve deeper than the preset, even if the code or its print does not read
+  /// Fraction by which a carved submodule is darker than its surroundings, 0 < c < 1; none: the preset's contrast.
+  std::optional<double> contrast = {};
+  ContrastSolver solver = ContrastSolver::Fast;
+  /// Print takes effect for ContrastSolver::Fast without lamps, if a process is known; otherwise Design applies.
+  CarveFor carveFor = CarveFor::Design;
+  std::optional<double> maxDepthMm = {};      ///< none: see pipeline/default_patterns.h
+  double minWallMm = 0.8;                     ///< material left behind every floor, ≥ 0
+  float albedo = 0.7f;                        ///< reflectance of the printed material
+  std::vector<DirectionalLight> lights = {};  ///< in addition to the uniform sky, at most kMaxLights; see lamps()
+  SurfaceMode surface = SurfaceMode::Preserved;
+  bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
+
+  /// Returns the contrast asked for by itself, or else the preset's.
+  double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
+
+  bool operator==(const DepthRequest&) const = default;
+};
+
+/// The printer, and how the model stands on it.
+struct PrinterRequest {
+  /// Index of the printer in namedPrinters(); none: the print is not simulated.
+  std::optional<std::size_t> process = 0;
+  Printer printer = namedPrinters()[0].printer;  ///< depths are found to within half a layer
+  BuildDirection buildUp;                        ///< orientation of the model on the printer
+
+  bool operator==(const PrinterRequest&) const = default;
+};
+
+/// Everything that decides the result. The table of settings/settings.h lists what a person can set.
+struct EngraveRequest {
+  CodeRequest code;
+  PlacementRequest placement;
+  MarkRequest marking;
+  DepthRequest depth;
+  PrinterRequest print;
+
+  bool isForOneLight() const { return !marking.isInColour() && depth.objective == DepthObjective::OneLight; }
 
   bool isForPrint() const {
-    return !isInColour() && carveFor == CarveFor::Print && process && lights.empty() &&
-           objective == DepthObjective::Contrast && solver == ContrastSolver::Fast;
+    return !marking.isInColour() && depth.carveFor == CarveFor::Print && print.process && depth.lights.empty() &&
+           depth.objective == DepthObjective::Contrast && depth.solver == ContrastSolver::Fast;
   }
 
   /// Returns the lamps that the code is carved for and judged under.
   std::vector<DirectionalLight> lamps() const {
-    if (isInColour()) return {};
-    return isForOneLight() && lights.empty() ? std::vector{kOneLight} : lights;
+    if (marking.isInColour()) return {};
+    return isForOneLight() && depth.lights.empty() ? std::vector{kOneLight} : depth.lights;
   }
 
   /// Returns the reflectance of the model's material.
-  float surfaceAlbedo() const { return isInColour() ? static_cast<float>(ink.light) : albedo; }
-
-  /// Returns the contrast asked for by itself, or else the preset's.
-  double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
+  float surfaceAlbedo() const { return marking.isInColour() ? static_cast<float>(marking.ink.light) : depth.albedo; }
 
   bool operator==(const EngraveRequest&) const = default;
 };

@@ -89,11 +89,11 @@ Tunable partOfLamp(const Setting& setting, std::size_t lamp, const LampPart& par
   made.min = part.min, made.max = part.max, made.step = part.step;
   made.read = [lamp, part](const EngraveRequest& request) {
     static const DirectionalLight kOff = {.strength = 0};
-    return (lamp < request.lights.size() ? request.lights[lamp] : kOff).*part.value;
+    return (lamp < request.depth.lights.size() ? request.depth.lights[lamp] : kOff).*part.value;
   };
   made.write = [lamp, part](EngraveRequest& request, double value) {
-    while (request.lights.size() <= lamp) request.lights.push_back({.strength = 0});
-    request.lights[lamp].*part.value = value;
+    while (request.depth.lights.size() <= lamp) request.depth.lights.push_back({.strength = 0});
+    request.depth.lights[lamp].*part.value = value;
   };
   return made;
 }
@@ -143,7 +143,7 @@ double RequestOverrides::valueOf(std::size_t index, const EngraveRequest& page) 
 EngraveRequest RequestOverrides::appliedTo(EngraveRequest page) const {
   for (std::size_t i = 0; i < values_.size(); ++i)
     if (values_[i]) tunables()[i].write(page, *values_[i]);
-  std::erase_if(page.lights, [](const DirectionalLight& light) { return light.strength == 0; });
+  std::erase_if(page.depth.lights, [](const DirectionalLight& light) { return light.strength == 0; });
   return page;
 }
 

@@ -140,22 +140,22 @@ Setting choiceOrAuto(const char* key, const char* group, Part, Names) {
 
 Setting text() {
   Setting setting = made("text", "symbol", Kind::Text);
-  setting.read = [](const R& r) -> V { return r.text; };
-  setting.write = [](R& r, const V& v) { r.text = std::get<std::string>(v); };
+  setting.read = [](const R& r) -> V { return r.code.text; };
+  setting.write = [](R& r, const V& v) { r.code.text = std::get<std::string>(v); };
   return setting;
 }
 
 Setting label() {
   Setting setting = made("label", "making", Kind::Text);
   setting.since = kSinceThird;
-  setting.read = [](const R& r) -> V { return r.label.text; };
-  setting.write = [](R& r, const V& v) { r.label.text = std::get<std::string>(v); };
+  setting.read = [](const R& r) -> V { return r.code.label.text; };
+  setting.write = [](R& r, const V& v) { r.code.label.text = std::get<std::string>(v); };
   return setting;
 }
 
 Setting frame() {
   Setting setting = choice(
-      "frame", "making", [](auto& r) -> auto& { return r.label.frame; },
+      "frame", "making", [](auto& r) -> auto& { return r.code.label.frame; },
       [] { return namesOf(3, [](int i) { return labelFrameName(static_cast<LabelFrame>(i)); }); });
   setting.since = kSinceThird;
   return setting;
@@ -167,13 +167,13 @@ Setting errorCorrection() {
   setting.choices = namesOf(4, [](int i) { return errorCorrectionName(static_cast<ErrorCorrection>(i)); });
   setting.choices.insert(setting.choices.begin(), "auto");
   setting.read = [](const R& r) -> V {
-    const bool isAuto = r.symbol.raiseErrorCorrection && r.symbol.errorCorrection == ErrorCorrection::M;
-    return isAuto ? "auto" : std::string(errorCorrectionName(r.symbol.errorCorrection));
+    const bool isAuto = r.code.symbol.raiseErrorCorrection && r.code.symbol.errorCorrection == ErrorCorrection::M;
+    return isAuto ? "auto" : std::string(errorCorrectionName(r.code.symbol.errorCorrection));
   };
   setting.write = [](R& r, const V& v) {
     const auto level = errorCorrectionByName(std::get<std::string>(v));
-    r.symbol.errorCorrection = level.value_or(ErrorCorrection::M);
-    r.symbol.raiseErrorCorrection = !level;
+    r.code.symbol.errorCorrection = level.value_or(ErrorCorrection::M);
+    r.code.symbol.raiseErrorCorrection = !level;
   };
   return setting;
 }
@@ -184,15 +184,15 @@ Setting mask() {
   setting.min = 0, setting.max = 7, setting.step = 1;
   setting.isWhole = true;
   setting.read = [](const R& r) -> V {
-    if (r.symbol.maskRule == MaskRule::Fixed) return static_cast<double>(r.symbol.mask);
-    return std::string(r.symbol.maskRule == MaskRule::Shadiest ? "shadiest" : "auto");
+    if (r.code.symbol.maskRule == MaskRule::Fixed) return static_cast<double>(r.code.symbol.mask);
+    return std::string(r.code.symbol.maskRule == MaskRule::Shadiest ? "shadiest" : "auto");
   };
   setting.write = [](R& r, const V& v) {
     if (const double* n = std::get_if<double>(&v)) {
-      r.symbol.maskRule = MaskRule::Fixed;
-      r.symbol.mask = static_cast<int>(*n);
+      r.code.symbol.maskRule = MaskRule::Fixed;
+      r.code.symbol.mask = static_cast<int>(*n);
     } else {
-      r.symbol.maskRule = std::get<std::string>(v) == "shadiest" ? MaskRule::Shadiest : MaskRule::Standard;
+      r.code.symbol.maskRule = std::get<std::string>(v) == "shadiest" ? MaskRule::Shadiest : MaskRule::Standard;
     }
   };
   return setting;
@@ -201,14 +201,14 @@ Setting mask() {
 /// Makes the setting for contrast. If left out, it follows the preset.
 Setting contrast() {
   Setting setting = optionalNumber(
-      "contrast", "depth", Unit::None, {0.01, 0.99, 0.01}, [](auto& r) -> auto& { return r.contrast; });
-  setting.otherwise = [](const R& r) { return r.contrastAsked(); };
+      "contrast", "depth", Unit::None, {0.01, 0.99, 0.01}, [](auto& r) -> auto& { return r.depth.contrast; });
+  setting.otherwise = [](const R& r) { return r.depth.contrastAsked(); };
   return setting;
 }
 
 Setting carveFor() {
   Setting setting = choice(
-      "carveFor", "depth", [](auto& r) -> auto& { return r.carveFor; },
+      "carveFor", "depth", [](auto& r) -> auto& { return r.depth.carveFor; },
       [] {
         return std::vector<std::string>{"design", "print"};
       });
@@ -216,18 +216,29 @@ Setting carveFor() {
   return setting;
 }
 
+std::vector<std::string> markNames() {
+  return namesOf(3, [](int i) { return markName(static_cast<Mark>(i)); });
+}
+
 Setting mark() {
-  Setting setting = choice(
-      "mark", "mark", [](auto& r) -> auto& { return r.mark; },
-      [] { return namesOf(3, [](int i) { return markName(static_cast<Mark>(i)); }); });
+  Setting setting = made("mark", "mark", Kind::Choice);
+  setting.choices = markNames();
+  setting.choices.insert(setting.choices.begin(), "auto");
   setting.since = kSinceThird;
+  setting.read = [](const R& r) -> V {
+    return r.marking.isOpen ? std::string("auto") : std::string(markName(r.marking.mark));
+  };
+  setting.write = [](R& r, const V& v) {
+    r.marking.isOpen = std::get<std::string>(v) == "auto";
+    r.marking.mark = r.marking.isOpen ? Mark::Shadow : static_cast<Mark>(indexIn(markNames(), v));
+  };
   return setting;
 }
 
 Setting markDepth() {
   Setting setting = optionalNumber(
       "markDepthMm", "mark", Unit::Millimetre, {0.05, kMaxWallMm, 0.05},
-      [](auto& r) -> auto& { return r.markDepthMm; });
+      [](auto& r) -> auto& { return r.marking.markDepthMm; });
   setting.since = kSinceThird;
   return setting;
 }
@@ -242,7 +253,7 @@ Setting reflectance(const char* key, Part part) {
 
 Setting objective() {
   Setting setting = choice(
-      "objective", "depth", [](auto& r) -> auto& { return r.objective; },
+      "objective", "depth", [](auto& r) -> auto& { return r.depth.objective; },
       [] { return namesOf(2, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
   setting.since = kSinceSecond;
   return setting;
@@ -304,13 +315,13 @@ Setting process() {
   Setting setting = made("process", "printing", Kind::Choice);
   setting.choices = processNames();
   setting.since = kSinceSecond;
-  setting.read = [](const R& r) -> V { return processNames()[r.process ? *r.process + 1 : 0]; };
+  setting.read = [](const R& r) -> V { return processNames()[r.print.process ? *r.print.process + 1 : 0]; };
   setting.write = [](R& r, const V& v) {
     const std::size_t chosen = indexIn(processNames(), v);
-    r.process.reset();
+    r.print.process.reset();
     if (chosen == 0) return;
-    r.process = chosen - 1;
-    r.printer = namedPrinters()[chosen - 1].printer;
+    r.print.process = chosen - 1;
+    r.print.printer = namedPrinters()[chosen - 1].printer;
   };
   return setting;
 }
@@ -318,7 +329,7 @@ Setting process() {
 Setting lineWidth() {
   Setting setting = optionalNumber(
       "lineWidthMm", "printing", Unit::Millimetre, {0.01, 10, 0.05},
-      [](auto& r) -> auto& { return r.printer.lineWidthMm; });
+      [](auto& r) -> auto& { return r.print.printer.lineWidthMm; });
   setting.since = kSinceSecond;
   return setting;
 }
@@ -328,23 +339,23 @@ Setting buildUp() {
   setting.choices = buildPoseNames();
   setting.since = kSinceSecond;
   setting.read = [](const R& r) -> V {
-    if (r.buildUp.up) return *r.buildUp.up;
-    return std::string(buildPoseName(r.buildUp.pose));
+    if (r.print.buildUp.up) return *r.print.buildUp.up;
+    return std::string(buildPoseName(r.print.buildUp.pose));
   };
   setting.write = [](R& r, const V& v) {
-    r.buildUp = {};
+    r.print.buildUp = {};
     if (const Vec3* vector = std::get_if<Vec3>(&v))
-      r.buildUp.up = *vector;
+      r.print.buildUp.up = *vector;
     else
-      r.buildUp.pose = static_cast<BuildPose>(indexIn(buildPoseNames(), v));
+      r.print.buildUp.pose = static_cast<BuildPose>(indexIn(buildPoseNames(), v));
   };
   return setting;
 }
 
 Setting lamps() {
   Setting setting = made("light", "light", Kind::Lamps);
-  setting.read = [](const R& r) -> V { return r.lights; };
-  setting.write = [](R& r, const V& v) { r.lights = std::get<std::vector<DirectionalLight>>(v); };
+  setting.read = [](const R& r) -> V { return r.depth.lights; };
+  setting.write = [](R& r, const V& v) { r.depth.lights = std::get<std::vector<DirectionalLight>>(v); };
   return setting;
 }
 
@@ -354,37 +365,37 @@ std::vector<Setting> makeSettings() {
       text(),
       errorCorrection(),
       optionalNumber(
-          "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.symbol.version; }),
+          "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.code.symbol.version; }),
       mask(),
       mark(),
       markDepth(),
       reflectance(
-          "darkReflectance", [](auto& r) -> auto& { return r.ink.dark; }),
+          "darkReflectance", [](auto& r) -> auto& { return r.marking.ink.dark; }),
       reflectance(
-          "lightReflectance", [](auto& r) -> auto& { return r.ink.light; }),
+          "lightReflectance", [](auto& r) -> auto& { return r.marking.ink.light; }),
       choice(
-          "preset", "depth", [](auto& r) -> auto& { return r.preset; },
+          "preset", "depth", [](auto& r) -> auto& { return r.depth.preset; },
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
       toggle(
-          "keepPreset", "depth", [](auto& r) -> auto& { return r.keepPreset; }),
+          "keepPreset", "depth", [](auto& r) -> auto& { return r.depth.keepPreset; }),
       choiceOrAuto(
-          "pattern", "depth", [](auto& r) -> auto& { return r.modulePattern; },
+          "pattern", "depth", [](auto& r) -> auto& { return r.code.modulePattern; },
           [] { return namesOf(5, [](int i) { return modulePatternName(static_cast<ModulePattern>(i)); }); }),
       choiceOrAuto(
-          "finderPattern", "depth", [](auto& r) -> auto& { return r.finderPattern; },
+          "finderPattern", "depth", [](auto& r) -> auto& { return r.code.finderPattern; },
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
       contrast(),
       carveFor(),
       objective(),
       choice(
-          "solver", "depth", [](auto& r) -> auto& { return r.solver; },
+          "solver", "depth", [](auto& r) -> auto& { return r.depth.solver; },
           [] {
             return std::vector<std::string>{"fast", "paper-steps"};
           }),
       optionalNumber(
-          "maxDepthMm", "depth", mm, {0.1, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.maxDepthMm; }),
+          "maxDepthMm", "depth", mm, {0.1, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.depth.maxDepthMm; }),
       number(
-          "minWallMm", "depth", mm, {0, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.minWallMm; }),
+          "minWallMm", "depth", mm, {0, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.depth.minWallMm; }),
       size(),
       number(
           "maxSizeMm", "placement", mm, {0.1, kMaxMm, 1}, [](auto& r) -> auto& { return r.placement.maxSizeMm; }),
@@ -399,19 +410,19 @@ std::vector<Setting> makeSettings() {
           "eyeDistanceMm", "placement", mm, {20, 1e5, 10}, [](auto& r) -> auto& { return r.placement.eyeDistanceMm; }),
       lamps(),
       number(
-          "albedo", "light", Unit::None, {0, 0.95, 0.05}, [](auto& r) -> auto& { return r.albedo; }),
+          "albedo", "light", Unit::None, {0, 0.95, 0.05}, [](auto& r) -> auto& { return r.depth.albedo; }),
       choice(
-          "surface", "making", [](auto& r) -> auto& { return r.surface; },
+          "surface", "making", [](auto& r) -> auto& { return r.depth.surface; },
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
       toggle(
-          "inlay", "making", [](auto& r) -> auto& { return r.inlay; }),
+          "inlay", "making", [](auto& r) -> auto& { return r.marking.inlay; }),
       label(),
       frame(),
       process(),
       number(
-          "nozzleMm", "printing", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.printer.nozzleMm; }),
+          "nozzleMm", "printing", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.print.printer.nozzleMm; }),
       number(
-          "layerMm", "printing", mm, {0.01, 1, 0.01}, [](auto& r) -> auto& { return r.printer.layerMm; }),
+          "layerMm", "printing", mm, {0.01, 1, 0.01}, [](auto& r) -> auto& { return r.print.printer.layerMm; }),
       lineWidth(),
       buildUp(),
   };
@@ -452,9 +463,8 @@ const char* depthObjectiveName(DepthObjective objective) {
 
 EngraveRequest defaultRequest() {
   EngraveRequest request;
-  request.symbol.raiseErrorCorrection = true;
-  request.carveFor = CarveFor::Print;
-  request.placement.maxSizeMm = 40;  // larger codes take deeper pockets and decode no better
+  request.code.symbol.raiseErrorCorrection = true;
+  request.depth.carveFor = CarveFor::Print;
   return request;
 }
 

@@ -94,6 +94,13 @@ Status checkValue(const Setting& setting, const SettingValue& value);
 /// @returns BadUsage for the first invalid one, see checkValue()
 Status checkSettings(const EngraveRequest& request);
 
+/// Checks every setting of a part of a request.
+/// @returns BadUsage for the first invalid one, see checkValue()
+Status checkSettings(const PlacementRequest& placement);
+Status checkSettings(const MarkRequest& marking);
+Status checkSettings(const DepthRequest& depth);
+Status checkSettings(const PrinterRequest& print);
+
 /// Returns the error for a value in a file or on a command line that the setting does not accept.
 /// @param found  the value as written there
 Error wrongKind(const Setting& setting, std::string_view found);

@@ -6,10 +6,22 @@
 #include <utility>
 
 namespace qrelief {
+namespace {
+
+constexpr int kBestRank = 2;
+
+/// Returns 2 for a code that decodes and prints well as a solid, 1 if an aspect is barely good, and else 0.
+int rankOf(const Verdict& verdict) {
+  const Level worst = std::max({verdict.reads.level, verdict.prints.level, verdict.solid.level});
+  return kBestRank - static_cast<int>(worst);
+}
+
+}  // namespace
 
 EngravePlan::EngravePlan(EngraveRequest request, Options options)
     : options_(std::move(options)),
-      looksAtPrint_(options_.looksAtPrint && request.process),
+      looksAtPrint_(options_.looksAtPrint && request.print.process),
+      isMarkOpen_(request.marking.isOpen),
       kept_{0, request},
       current_{0, std::move(request)} {}
 
@@ -28,23 +40,53 @@ void EngravePlan::carveNext(const SettingChange& change) {
   step_ = Step::Carve;
 }
 
-/// Goes on with the kept carving: to its print, or to its delivery after the last print.
+/// Goes on with the kept carving: to its print, to the next mark in colour, or to its delivery.
 void EngravePlan::settle() {
+  if (phase_ == Phase::Design && looksAtPrint_ && keptRank_) {
+    current_ = kept_;
+    step_ = Step::Print;
+    return;
+  }
+  if (keptRank_ != kBestRank && tryColour()) return;
   current_ = kept_;
-  step_ = phase_ == Phase::Design && looksAtPrint_ ? Step::Print : Step::Deliver;
+  step_ = Step::Deliver;
+}
+
+/// Carves the next mark in colour, if the mark is open and one is left.
+bool EngravePlan::tryColour() {
+  if (!isMarkOpen_ || current_.request.marking.mark == Mark::Paint) return false;
+  const Mark next = phase_ == Phase::Colour ? Mark::Paint : Mark::Inlay;
+  const auto change = allowed(SettingChange{"mark", std::string(markName(next))});
+  if (!change) return false;
+  phase_ = Phase::Colour;
+  carveNext(*change);
+  return true;
+}
+
+void EngravePlan::keepCurrent(const Verdict& verdict) {
+  kept_ = current_;
+  keptRank_ = rankOf(verdict);
+}
+
+/// Keeps a finished carving in colour if it is better, and goes on.
+void EngravePlan::settleColour(const Verdict& verdict) {
+  if (rankOf(verdict) > keptRank_.value_or(-1)) keepCurrent(verdict);
+  settle();
 }
 
 void EngravePlan::carved(const Verdict& verdict) {
   assert(step_ == Step::Carve);
   const bool reads = verdict.reads.passed();
-  if (phase_ == Phase::Print) {
-    if (reads)
+  if (phase_ != Phase::Design) {
+    if (reads && looksAtPrint_)
       step_ = Step::Print;
+    else if (phase_ == Phase::Colour)
+      settleColour(verdict);
     else
       settle();
     return;
   }
-  if (reads) kept_ = current_;
+  if (reads || current_.number == 0) keepCurrent(verdict);
   if (const auto next = reads ? std::nullopt : allowed(changeToTryNext(current_.request, verdict)))
     carveNext(*next);
   else
@@ -52,14 +94,18 @@ void EngravePlan::carved(const Verdict& verdict) {
 }
 
 void EngravePlan::notCarved() {
-  assert(step_ == Step::Carve && current_.number > 0);
+  assert(step_ == Step::Carve && mayFail());
   settle();
 }
 
 void EngravePlan::printed(const Verdict& verdict, const PrintedEvidence& evidence) {
   assert(step_ == Step::Print);
+  if (phase_ == Phase::Colour) {
+    settleColour(verdict);
+    return;
+  }
   const bool isMended = phase_ == Phase::Print && evidence.reading.count.enough();
-  if (isMended) kept_ = current_;
+  if (isMended || kept_.number == current_.number) keepCurrent(verdict);
   phase_ = Phase::Print;
   const bool mayHelp = !isMended && verdict.reads.passed();  // deeper designs that do not decode were tried before
   if (const auto next = mayHelp ? allowed(changeToTryNext(current_.request, verdict, &evidence)) : std::nullopt)

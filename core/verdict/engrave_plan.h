@@ -11,8 +11,9 @@ namespace qrelief {
 
 /// Decides what an engraving consists of: carve as requested; if the code does not decode, or its print barely does,
 /// carve with the changes of changeToTryNext(); deliver the first carving that decodes, or else the carving as
-/// requested. The host carries out each step and reports the outcome. Command, batch and page drive the same plan, so
-/// they deliver the same carving.
+/// requested. If the mark is open (MarkRequest::isOpen) and no shadow decodes and prints well, carve an inlay, then
+/// paint; deliver the best. The host carries out each step and reports the outcome. Command, batch and page drive the
+/// same plan, so they deliver the same carving.
 class EngravePlan {
  public:
   enum class Step {
@@ -39,17 +40,20 @@ class EngravePlan {
   /// Returns the change of a Carve step from the carving before it; none for the carving as requested.
   const std::optional<SettingChange>& change() const { return change_; }
   /// Returns true if a Print step probably follows the Carve step, so that the host may start it early.
-  bool expectsPrint() const { return looksAtPrint_ && (current_.number == 0 || phase_ == Phase::Print); }
+  bool expectsPrint() const { return looksAtPrint_ && (current_.number == 0 || phase_ != Phase::Design); }
 
   /// Ends a Carve step. @param verdict  with the decoded pictures, without the print
   void carved(const Verdict& verdict);
-  /// Ends the Carve step of a changed request that cannot be carved. Not for the carving as requested.
+  /// Returns true if the plan goes on after a Carve step that fails: always for a changed request, and for the carving
+  /// as requested if its mark is open. Should all marks fail, the plan delivers attempt 0, which then does not exist.
+  bool mayFail() const { return current_.number > 0 || isMarkOpen_; }
+  /// Ends a Carve step that failed. Only if mayFail().
   void notCarved();
   /// Ends a Print step. @param verdict  with the print
   void printed(const Verdict& verdict, const PrintedEvidence& evidence);
 
  private:
-  enum class Phase { Design, Print };  // what the changes are to mend
+  enum class Phase { Design, Print, Colour };  // what the changes are to mend
   struct Attempt {
     int number = 0;
     EngraveRequest request;
@@ -58,9 +62,14 @@ class EngravePlan {
   std::optional<SettingChange> allowed(std::optional<SettingChange> change) const;
   void carveNext(const SettingChange& change);
   void settle();
+  void keepCurrent(const Verdict& verdict);
+  void settleColour(const Verdict& verdict);
+  bool tryColour();
 
   Options options_;
   bool looksAtPrint_ = false;
+  bool isMarkOpen_ = false;
+  std::optional<int> keptRank_;  // of the kept carving, see rankOf(); none: not carved
   Step step_ = Step::Carve;
   Phase phase_ = Phase::Design;
   Attempt kept_, current_;

@@ -38,13 +38,13 @@ std::vector<SettingChange> otherPrints(const VerifyRequest& printed) {
 
 VerifyRequest printedOtherwise(VerifyRequest request, const SettingChange& other) {
   EngraveRequest settings;
-  settings.printer = request.printer;
-  settings.process = request.process;
-  settings.buildUp.up = request.buildUp;
+  settings.print.printer = request.printer;
+  settings.print.process = request.process;
+  settings.print.buildUp.up = request.buildUp;
   apply(other, settings);
-  request.printer = settings.printer;
-  request.process = settings.process;
-  request.buildUp = settings.buildUp.resolve(request.frame);
+  request.printer = settings.print.printer;
+  request.process = settings.print.process;
+  request.buildUp = settings.print.buildUp.resolve(request.frame);
   return request;
 }
 

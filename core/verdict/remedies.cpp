@@ -39,10 +39,10 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  if (request.isInColour()) return;
-  if (request.contrast) {
+  if (request.marking.isInColour()) return;
+  if (request.depth.contrast) {
     remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
-  } else if (const std::optional<Preset> deeper = deeperPreset(request.preset)) {
+  } else if (const std::optional<Preset> deeper = deeperPreset(request.depth.preset)) {
     const char* name = presetName(*deeper);
     remedies.push_back({message("remedy-deeper", with::choice<"preset">("preset", name)), "preset", name});
   }
@@ -57,29 +57,29 @@ void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& r
 
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
-  request.carveFor = CarveFor::Print;
+  request.depth.carveFor = CarveFor::Print;
   if (request.isForPrint()) remedies.push_back({message("remedy-carve-for-print"), "carveFor", "print"});
 }
 
 /// Adds paint, which needs no wall.
 void addPaint(const EngraveRequest& request, const EngraveResult& result, std::vector<Remedy>& remedies) {
-  if (request.mark == Mark::Inlay && (result.modulesLeftOut > 0 || result.markDepthMm < result.opaqueDepthMm))
+  if (request.marking.mark == Mark::Inlay && (result.modulesLeftOut > 0 || result.markDepthMm < result.opaqueDepthMm))
     remedies.push_back({message("remedy-paint"), "mark", std::string(markName(Mark::Paint))});
 }
 
 void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Remedy>& remedies) {
   const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
-    return mm <= mostMm + kRoundingMm && mm < request.printer.nozzleMm;
+    return mm <= mostMm + kRoundingMm && mm < request.print.printer.nozzleMm;
   });
   if (finer != kNozzlesMm.end())
     remedies.push_back({message("remedy-nozzle", with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
 }
 
 std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result) {
-  const double lineMm = lineWidthMm(request.printer), moduleMm = result.placement.moduleMm;
+  const double lineMm = lineWidthMm(request.print.printer), moduleMm = result.placement.moduleMm;
   std::vector<Remedy> remedies;
   addLargerCode(request, result, lineMm, remedies);
-  if (moduleMm < lineMm) addFinerNozzle(nozzleForInk(moduleMm, request.printer), request, remedies);
+  if (moduleMm < lineMm) addFinerNozzle(nozzleForInk(moduleMm, request.print.printer), request, remedies);
   addPaint(request, result, remedies);
   remedies.push_back(anotherSpot());
   return remedies;
@@ -95,17 +95,17 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   addDarkerModules(request, remedies);
   addPaint(request, result, remedies);
   addLargerCode(request, result, 0, remedies);
-  if (request.symbol.errorCorrection == ErrorCorrection::L && !request.symbol.raiseErrorCorrection)
+  if (request.code.symbol.errorCorrection == ErrorCorrection::L && !request.code.symbol.raiseErrorCorrection)
     remedies.push_back({message("remedy-more-correction"), "ecc", ""});
   remedies.push_back(anotherSpot());
   return remedies;
 }
 
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
-  if (request.isInColour()) return inkPrintingRemedies(request, result);
+  if (request.marking.isInColour()) return inkPrintingRemedies(request, result);
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
-  const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
+  const double leastModuleMm = printableModuleMm(features, request.print.printer.nozzleMm);
   const bool isTooFine = features.moduleMm < leastModuleMm - kRoundingMm;
   if (wasPrinted && !isTooFine) {  // depth helps if the printer makes the modules
     addCarvingForAnyLight(request, remedies);
@@ -114,14 +114,14 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   }
   if (wasPrinted || isTooFine) addLargerCode(request, result, leastModuleMm, remedies);
   if (isTooFine) {
-    if (request.modulePattern && request.modulePattern != ModulePattern::ThickPlus) {
-      const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
+    if (request.code.modulePattern && request.code.modulePattern != ModulePattern::ThickPlus) {
+      const char* pattern = request.code.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
       remedies.push_back({message("remedy-pattern", with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
     }
     addFinerNozzle(printableNozzleMm(features), request, remedies);
   }
   const double thickestLayerMm = printableLayerMm(features);
-  if (thickestLayerMm < request.printer.layerMm - kRoundingMm) {
+  if (thickestLayerMm < request.print.printer.layerMm - kRoundingMm) {
     if (!wasPrinted) addDarkerModules(request, remedies);
     const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
                                       [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });

@@ -257,34 +257,35 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
 
 SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result) {
   return gradeSymbol(
-      measureModules(result.symbol,
-                     request.isInColour() ? withoutInversion(result.luminance, request.ink) : result.luminance),
-      request.isInColour() ? request.ink.light : static_cast<double>(request.albedo));
+      measureModules(result.symbol, request.marking.isInColour()
+                                        ? withoutInversion(result.luminance, request.marking.ink)
+                                        : result.luminance),
+      request.marking.isInColour() ? request.marking.ink.light : static_cast<double>(request.depth.albedo));
 }
 
 Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
               const PrintedEvidence* printed) {
   const SymbolGrades grades = gradesOf(request, result);
   Verdict verdict;
-  verdict.reads =
-      judgeReading(reading, request.text,
-                   request.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
+  verdict.reads = judgeReading(
+      reading, request.code.text,
+      request.marking.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
   if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
-  if (request.isInColour()) verdict.reads.warnings = adviseInk(request.ink);
+  if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink);
   if (result.modulesLeftOut > 0)
     verdict.reads.warnings.push_back(message("modules-left-out", with::count<"count">(result.modulesLeftOut),
-                                             with::lengthMm<"wall">(request.minWallMm)));
+                                             with::lengthMm<"wall">(request.depth.minWallMm)));
   if (verdict.reads.level != Level::Good) {
     if (result.limitedSubmodules > 0)
       verdict.reads.reasons.push_back(message("submodules-limited", with::count<"count">(result.limitedSubmodules)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
-  verdict.prints =
-      request.isInColour()
-          ? judgeInkPrinting(
-                {request.mark, result.placement.moduleMm, result.markDepthMm, result.opaqueDepthMm, request.printer},
-                printed, request.text)
-          : judgePocketPrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
+  verdict.prints = request.marking.isInColour()
+                       ? judgeInkPrinting({request.marking.mark, result.placement.moduleMm, result.markDepthMm,
+                                           result.opaqueDepthMm, request.print.printer},
+                                          printed, request.code.text)
+                       : judgePocketPrinting(featuresOf(result), request.print.printer, request.depth.minWallMm,
+                                             printed, request.code.text);
   if (verdict.prints.level != Level::Good)
     verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
@@ -332,13 +333,13 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
 
 std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,
                                              const PrintedEvidence* printed) {
-  if (request.isInColour()) return std::nullopt;  // depth does not make ink darker
+  if (request.marking.isInColour()) return std::nullopt;  // depth does not make ink darker
   const bool reads = verdict.reads.passed();
   if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
     return std::nullopt;
   if (!reads && request.isForPrint()) return SettingChange{"carveFor", "design"};
-  const bool mayGoDeeper = !request.contrast && !request.keepPreset;
-  const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
+  const bool mayGoDeeper = !request.depth.contrast && !request.depth.keepPreset;
+  const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.depth.preset) : std::nullopt;
   return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;
 }
 

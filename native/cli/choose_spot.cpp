@@ -18,7 +18,7 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
   auto job = SpotSearchJob::create(std::move(model), search);
   if (!job) return tl::unexpected(job.error());
   if (const Status done = runWithProgress(**job, quiet); !done) return done;
-  const OfferedSpot spot = (*job)->takeResult().spots.front();
+  const Spot spot = (*job)->takeResult().spots.front();
   request.placement.centreMm = spot.centreMm;
   if (spot.needsDirection) request.placement.direction = spot.direction;
   const int decimals = centreDecimals(scaleToMm);

@@ -82,7 +82,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                  {"viewsDropped", result.map.viewsDropped},
                  {"spotsTested", result.tried}};
   json["spots"] = Json::array();
-  for (const OfferedSpot& spot : result.spots)
+  for (const Spot& spot : result.spots)
     json["spots"].push_back({{"centre", triple(spot.centreFileUnits)},
                              {"centreMm", triple(spot.centreMm)},
                              {"direction", triple(spot.direction)},
@@ -101,7 +101,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
 
 void printSpots(const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
-    const OfferedSpot& spot = result.spots[i];
+    const Spot& spot = result.spots[i];
     fmt::print(
         "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°, decodes from up to "
         "{:.0f}° off "

@@ -88,7 +88,7 @@ double rounded(double x) { return std::round(1000 * x) / 1000; }
 
 /// A carving and the data that its pictures need.
 struct Carving {
-  Spot spot;
+  StudyPlacement spot;
   CarvedCode code;
   Lamp lamp;
   Json truth;  ///< common to all its pictures

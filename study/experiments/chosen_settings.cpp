@@ -17,7 +17,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const double moduleMm = std::stod(key[1]);
   const auto place = context.spotOfWidth(key[0], moduleMm);
   if (!place) return tl::unexpected(place.error());
-  Spot spot = **place;
+  StudyPlacement spot = **place;
   EngraveRequest& request = spot.request;
   request.buildUp = buildDirection(key[2], spot.placement.frame);
   request.carveFor = CarveFor::Print;

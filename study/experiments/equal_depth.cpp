@@ -23,8 +23,8 @@ constexpr double kAlike = 0.02;
 constexpr int kCorrections = 3;
 
 /// Returns the same place with another text of the same version.
-Result<Spot> spotFor(const Spot& usual, const std::string& text) {
-  Spot spot = usual;
+Result<StudyPlacement> spotFor(const StudyPlacement& usual, const std::string& text) {
+  StudyPlacement spot = usual;
   spot.request.text = text;
   auto symbol = encodeSymbol(text, spot.request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
@@ -33,13 +33,13 @@ Result<Spot> spotFor(const Spot& usual, const std::string& text) {
 }
 
 /// Returns the mean depth of the carved submodules, mm.
-Result<double> depthAt(const Method& method, const Spot& spot, double level) {
+Result<double> depthAt(const Method& method, const StudyPlacement& spot, double level) {
   const auto code = method.carve(spot, level);
   if (!code) return tl::unexpected(code.error());
   return depthOf(*code).meanMm;
 }
 
-Result<double> levelFor(const Method& method, const Spot& spot, double depthMm) {
+Result<double> levelFor(const Method& method, const StudyPlacement& spot, double depthMm) {
   struct Tried {
     double level, logDepth;
   };

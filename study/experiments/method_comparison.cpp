@@ -21,7 +21,7 @@ struct LightError {
   double mean = 0, meanSize = 0;
 };
 
-Result<LightError> lightError(const Spot& spot, const CarvedCode& code) {
+Result<LightError> lightError(const StudyPlacement& spot, const CarvedCode& code) {
   const auto surface = CarvedSurface::make(spot, code.depths);
   if (!surface) return tl::unexpected(surface.error());
   std::vector<SeenCell> cells;

@@ -12,7 +12,7 @@
 namespace qrelief::study {
 namespace {
 
-Result<CarvedCode> carve(const Spot& spot, const std::string& flips, const std::string& search) {
+Result<CarvedCode> carve(const StudyPlacement& spot, const std::string& flips, const std::string& search) {
   EngraveRequest request = spot.request;
   request.symbol.errorCorrection = ErrorCorrection::H;
   auto symbol = encodeSymbol(request.text, request.symbol);

@@ -5,7 +5,7 @@
 
 namespace qrelief::study {
 
-EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderPattern finders) {
+EngraveRequest publishedRequest(const StudyPlacement& spot, ModulePattern modules, FinderPattern finders) {
   EngraveRequest request = spot.request;
   request.solver = ContrastSolver::PaperSteps;
   request.modulePattern = modules;
@@ -14,7 +14,7 @@ EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderP
   return request;
 }
 
-Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol,
+Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveRequest& request, const Symbol* symbol,
                                  MakeSearch makeSearch) {
   EngraveJob::Known known{spot.search.get(), nullptr, symbol, spot.measured};
   known.makeSearch = std::move(makeSearch);
@@ -22,7 +22,7 @@ Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request
   if (!job) return tl::unexpected(job.error());
   auto result = runToEnd(**job);
   if (!result) return tl::unexpected(result.error());
-  spot.measured = (*job)->measuredPlace();
+  spot.measured = (*job)->placementMeasurement();
   CarvedCode code;
   code.mask = submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
   code.symbol = std::move(result->symbol);

@@ -41,7 +41,7 @@ std::vector<double> bSplineValues(const std::vector<double>& control, int size) 
   return along(along(control, 1, 0), 0, 1);
 }
 
-Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                     const GrooveOptions& options) {
   const auto start = Clock::now();
   // A groove runs out over its neighbours, so these are carved, too.

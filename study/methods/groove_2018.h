@@ -31,7 +31,7 @@ struct GrooveOptions {
   std::uint64_t seed = 1;
 };
 
-Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                     const GrooveOptions& options);
 
 /// Returns the uniform bicubic B-spline at its control points: weights 1/6, 4/6, 1/6 along both axes; beyond the border

@@ -23,13 +23,13 @@ SubmoduleMask wholeModules(const Symbol& symbol) {
   return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
 }
 
-Result<CarvedCode> groove2018(const Spot& spot, double contrast) {
+Result<CarvedCode> groove2018(const StudyPlacement& spot, double contrast) {
   GrooveOptions options;
   options.contrast = contrast;
   return carveGrooves2018(spot, spot.symbol, wholeModules(spot.symbol), options);
 }
 
-Result<CarvedCode> selfShadow2019(const Spot& spot, double contrast) {
+Result<CarvedCode> selfShadow2019(const StudyPlacement& spot, double contrast) {
   auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
   if (!symbol) return tl::unexpected(symbol.error());
   flipModules2019(*symbol);
@@ -38,7 +38,7 @@ Result<CarvedCode> selfShadow2019(const Spot& spot, double contrast) {
   return carveSelfShadow2019(spot, *symbol, wholeModules(*symbol), options);
 }
 
-Result<CarvedCode> oneLight2020(const Spot& spot, double contrast) {
+Result<CarvedCode> oneLight2020(const StudyPlacement& spot, double contrast) {
   auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
   if (!symbol) return tl::unexpected(symbol.error());
   breakUpRuns2020(*symbol);
@@ -48,7 +48,7 @@ Result<CarvedCode> oneLight2020(const Spot& spot, double contrast) {
 }
 
 /// Returns the spot's request with the given patterns and contrast.
-EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern finders, double contrast) {
+EngraveRequest patterned(const StudyPlacement& spot, ModulePattern modules, FinderPattern finders, double contrast) {
   EngraveRequest request = spot.request;
   request.modulePattern = modules;
   request.finderPattern = finders;
@@ -58,7 +58,7 @@ EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern 
 
 /// Carves by Papp 2022 with a module pattern and its finder patterns.
 auto paper2022(ModulePattern modules, FinderPattern finders) {
-  return [modules, finders](const Spot& spot, double contrast) {
+  return [modules, finders](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = publishedRequest(spot, modules, finders);
     request.contrast = contrast;
     return carveByEngine(spot, request);
@@ -66,7 +66,7 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
 }
 
 /// Carves everywhere to the requested depth, mm, except where walls limit it.
-Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
+Result<CarvedCode> evenDepth(const StudyPlacement& spot, double depthMm) {
   EngraveRequest request = patterned(spot, kOurModules, kOurFinders, 0.95);  // contrast never reached, so every depth
                                                                              // reaches its limit
   request.maxDepthMm = depthMm;
@@ -74,7 +74,7 @@ Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
 }
 
 /// Carves to the least depths that a blurred picture needs (docs/decisions/0024).
-Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
+Result<CarvedCode> oursReading(const StudyPlacement& spot, double contrast) {
   const ReadingOptions options{.dataContrast = contrast, .finderContrast = 1.5 * contrast};
   return carveByEngine(
       spot, patterned(spot, kOurModules, kOurFinders, contrast), nullptr,
@@ -83,7 +83,7 @@ Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
 
 /// Carves by Papp 2021: whole modules with a tilted or a wavy floor.
 auto floors2021(FloorShape shape) {
-  return [shape](const Spot& spot, double contrast) {
+  return [shape](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
     request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
     const ShapedFloorOptions options{.shape = shape, .contrast = contrast};
@@ -93,7 +93,7 @@ auto floors2021(FloorShape shape) {
   };
 }
 
-Result<CarvedCode> oursOneLight(const Spot& spot, double contrast) {
+Result<CarvedCode> oursOneLight(const StudyPlacement& spot, double contrast) {
   EngraveRequest request = spot.request;
   request.objective = DepthObjective::OneLight;
   request.contrast = contrast;
@@ -101,7 +101,7 @@ Result<CarvedCode> oursOneLight(const Spot& spot, double contrast) {
 }
 
 auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
-  return [modules, finders, carveFor](const Spot& spot, double contrast) {
+  return [modules, finders, carveFor](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = patterned(spot, modules, finders, contrast);
     request.carveFor = carveFor;
     return carveByEngine(spot, request);
@@ -109,7 +109,7 @@ auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
 }
 
 /// Carves as the app does: pipeline/default_patterns.h decides everything but the contrast.
-Result<CarvedCode> oursByDefault(const Spot& spot, double contrast) {
+Result<CarvedCode> oursByDefault(const StudyPlacement& spot, double contrast) {
   EngraveRequest request = spot.request;
   request.carveFor = CarveFor::Print;
   request.contrast = contrast;
@@ -122,7 +122,7 @@ std::string versionOfMethod(const std::vector<std::string>& key) {
   return versionOf({findMethod(key[1])->search, kLight, kPrint, kDecoding});
 }
 
-Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level) {
+Result<Symbol> symbolAtLevel(const StudyPlacement& spot, ErrorCorrection level) {
   SymbolOptions options = spot.request.symbol;
   options.errorCorrection = level;
   options.raiseErrorCorrection = false;

@@ -19,7 +19,7 @@ struct Method {
   std::vector<double> levels;
   double usual = 0;
   DirectionMethod direction = DirectionMethod::DepthBalanced;
-  std::function<Result<CarvedCode>(const Spot&, double level)> carve;
+  std::function<Result<CarvedCode>(const StudyPlacement&, double level)> carve;
   Part search = kSearch;  ///< part of the program that finds the depths
 };
 
@@ -33,6 +33,6 @@ std::string versionOfMethod(const std::vector<std::string>& key);
 const Method* findMethod(const std::string& name);
 
 /// Returns the spot's symbol at another level of error correction, with the same version and mask rule.
-Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level);
+Result<Symbol> symbolAtLevel(const StudyPlacement& spot, ErrorCorrection level);
 
 }  // namespace qrelief::study

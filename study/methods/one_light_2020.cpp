@@ -99,7 +99,7 @@ std::vector<std::uint8_t> lockedModules2020(const Symbol& symbol) {
   return spoilt < needed ? std::vector<std::uint8_t>() : locked;
 }
 
-Result<CarvedCode> carveOneLight2020(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                      const OneLightOptions& options) {
   const auto start = Clock::now();
   CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};

@@ -48,7 +48,7 @@ void breakUpRuns2020(Symbol& symbol);
 /// few.
 std::vector<std::uint8_t> lockedModules2020(const Symbol& symbol);
 
-Result<CarvedCode> carveOneLight2020(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                      const OneLightOptions& options);
 
 }  // namespace qrelief::study

@@ -31,7 +31,7 @@ std::vector<SkySeen> skyOf(const CarvedSurface& surface, const std::vector<std::
 
 double selfShadowGrey(double visibility) { return std::round(195.6 * std::pow(std::max(visibility, 0.0), 0.09219)); }
 
-Result<CarvedCode> carveSelfShadow2019(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                        const SelfShadowOptions& options) {
   const auto start = Clock::now();
   const std::vector<double> limitMm = spot.limitsMm(mask, options.maxDepthModules * spot.placement.moduleMm);

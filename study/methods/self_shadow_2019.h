@@ -45,7 +45,7 @@ double selfShadowGrey(double visibility);
 
 /// Carves with this search.
 /// @param mask  of the symbol; the program carves whole modules (ModulePattern::None)
-Result<CarvedCode> carveSelfShadow2019(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                        const SelfShadowOptions& options);
 
 }  // namespace qrelief::study

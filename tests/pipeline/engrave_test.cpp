@@ -73,10 +73,10 @@ TEST_F(EngraveTest, ABumpySphereGetsADecodableCodeAndStaysASolid) {
 
 TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
-  const auto carve = [&](EngraveRequest wanted, std::shared_ptr<MeasuredPlace> measured) {
+  const auto carve = [&](EngraveRequest wanted, std::shared_ptr<PlacementMeasurement> measured) {
     auto job = EngraveJob::create(model, std::move(wanted), {.measured = std::move(measured)});
     EXPECT_TRUE(job.has_value());
-    EXPECT_EQ((*job)->measuredPlace(), nullptr);
+    EXPECT_EQ((*job)->placementMeasurement(), nullptr);
     EXPECT_TRUE(runToEnd(**job).has_value());
     return std::move(*job);
   };
@@ -84,17 +84,17 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   other.text = "https://example.org/abcde";  // as long: the same place
   const auto expected = engrave(model, wanted);
   ASSERT_TRUE(expected.has_value());
-  const auto before = carve(other, nullptr)->measuredPlace();
+  const auto before = carve(other, nullptr)->placementMeasurement();
   auto job = EngraveJob::create(model, wanted, {.measured = before});
   ASSERT_TRUE(job.has_value());
   const auto result = runToEnd(**job);
   ASSERT_TRUE(result.has_value());
-  EXPECT_EQ((*job)->measuredPlace(), before);
+  EXPECT_EQ((*job)->placementMeasurement(), before);
   EXPECT_EQ(result->stl, expected->stl);
   EXPECT_EQ(result->luminance, expected->luminance);
 
   wanted.albedo = 0.5f;  // a place measured for other settings is not reused
-  EXPECT_NE(carve(wanted, before)->measuredPlace(), before);
+  EXPECT_NE(carve(wanted, before)->placementMeasurement(), before);
 }
 
 TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {

@@ -52,12 +52,12 @@ TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
   wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
   const auto found = findSpots(upload(model), wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
-  const auto isUneven = [](const OfferedSpot& spot) { return spot.unevenLight > kMostUnevenLight; };
-  const std::vector<OfferedSpot>& spots = found->spots;
+  const auto isUneven = [](const Spot& spot) { return spot.unevenLight > kMostUnevenLight; };
+  const std::vector<Spot>& spots = found->spots;
   ASSERT_GE(spots.size(), 2u);
   EXPECT_TRUE(spots.front().concerns.empty());
   bool wasDoubted = false;
-  for (const OfferedSpot& spot : spots) {
+  for (const Spot& spot : spots) {
     EXPECT_EQ(spot.concerns.empty(), !spot.facesDown && !isUneven(spot));
     EXPECT_TRUE(spot.concerns.empty() || isUneven(spot) || spot.concerns.front().code == "faces-down");
     EXPECT_FALSE(wasDoubted && spot.concerns.empty()) << "a good one behind a doubtful one";
@@ -70,7 +70,7 @@ TEST_F(SpotSearchTest, WarnsAboutSpotsTooSmallForTheNozzle) {
   wanted.leastPrintableMm = 31;
   const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
   ASSERT_TRUE(found.has_value());
-  for (const OfferedSpot& spot : found->spots) {
+  for (const Spot& spot : found->spots) {
     EXPECT_FALSE(spot.prints);
     ASSERT_EQ(spot.concerns.size(), 1u);
     EXPECT_EQ(spot.concerns.front(),
@@ -83,7 +83,7 @@ TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
   const auto found = findSpots(model, request(22));
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 5u);
-  for (const OfferedSpot& spot : found->spots) {
+  for (const Spot& spot : found->spots) {
     EXPECT_EQ(spot.symbolMm, 22);
     EXPECT_GE(spot.largestMm, 22);
     EngraveRequest engraving;
@@ -109,7 +109,7 @@ TEST_F(SpotSearchTest, OffersTheFacesOfACubeInFullSize) {
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 6u);
   const double most = 60.0 * 21 / 29;  // without the quiet zone
-  for (const OfferedSpot& spot : found->spots) {
+  for (const Spot& spot : found->spots) {
     const Vec3 p = glm::abs(spot.centreMm);
     EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
     EXPECT_NEAR(spot.guaranteedMm, most / std::sqrt(2), 3);
@@ -144,7 +144,7 @@ TEST_F(SpotSearchTest, RoundsACentreToThePrintedDigits) {
   wanted.scaleToMm = 1000;
   const auto found = findSpots(model, wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
-  for (const OfferedSpot& spot : found->spots) {
+  for (const Spot& spot : found->spots) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(spot.centreFileUnits[k], std::round(spot.centreFileUnits[k] * 1e6) / 1e6);
     EXPECT_EQ(spot.centreMm, spot.centreFileUnits * 1000.0);
     EXPECT_NEAR(glm::length(spot.centreMm), 30, 0.2);
@@ -183,7 +183,7 @@ TEST_F(SpotSearchTest, UsesTheRequestedDirection) {
   wanted.placement.direction = Vec3(0, 3, 0);
   const auto found = findSpots(upload(shapes::icosphere(40, 4)), wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
-  for (const OfferedSpot& spot : found->spots) {
+  for (const Spot& spot : found->spots) {
     EXPECT_FALSE(spot.needsDirection);
     EXPECT_LT(glm::distance(glm::normalize(spot.direction), Vec3(0, 1, 0)), 1e-12);
   }

@@ -28,7 +28,7 @@ TEST_F(Groove2018, SplineOfOneControlPointSpreadsOverItsNeighbours) {
 }
 
 TEST_F(Groove2018, LoneModuleEndsDarkEnoughAndSmooth) {
-  const Spot spot = plateSpot(2);
+  const StudyPlacement spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);
   const SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const GrooveOptions options;

@@ -25,7 +25,7 @@ TEST_F(OneLight2020, GreyLevelsMatchTheFit) {
 /// With the lamp on the left, a point is shaded if the rim, or a step further left, rises above it by more than their
 /// distance times the tangent of the lamp's elevation.
 TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
-  const Spot spot = plateSpot(2);
+  const StudyPlacement spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);
   const SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const OneLightOptions options;

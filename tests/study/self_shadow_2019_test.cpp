@@ -31,7 +31,7 @@ double pitVisibility(double halfWidthMm, double depthMm) {
 }
 
 TEST_F(SelfShadow2019, LonePitIsAsDeepAsItsGreyLevelRequires) {
-  const Spot spot = plateSpot(2);
+  const StudyPlacement spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);
   SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const std::uint32_t middle = carvedOf(mask)[12];
@@ -68,7 +68,7 @@ double meanSteps(const CarvedCode& code, double stepMm, const Condition& conditi
 /// mean 7.02, 90 % up to 10, at most 16. A finder pattern's ring took 7 to 10 steps, its core 6 to 9, lone modules 3 to
 /// 4. The ring takes 6.2 steps here: self_shadow_2019.h says why.
 TEST_F(SelfShadow2019, StepsOnAPlateMatchTheAuthorsLog) {
-  const Spot spot = plateSpot(2);
+  const StudyPlacement spot = plateSpot(2);
   const SubmoduleMask mask = submodulesToCarve(spot.symbol, ModulePattern::None, FinderPattern::None);
   SelfShadowOptions options;
   options.rays = 128;

@@ -10,7 +10,7 @@ namespace qrelief::study {
 /// Fixture with a plate of 70 × 70 mm, too thick for walls to limit depths; modules of 1.2 mm.
 class PlateTest : public GlTest {
  protected:
-  static Spot plateSpot(int version) {
+  static StudyPlacement plateSpot(int version) {
     auto prepared = prepareModel(shapes::soupOf(shapes::plate({70, 70}, 30, 4, 4)), {});
     EXPECT_TRUE(prepared.has_value());
     EngraveRequest request;
@@ -26,7 +26,7 @@ class PlateTest : public GlTest {
   }
 
   /// Returns the spot's symbol as data modules only, all light except the middle one.
-  static Symbol withOneDarkModule(const Spot& spot) {
+  static Symbol withOneDarkModule(const StudyPlacement& spot) {
     Symbol symbol = spot.symbol;
     symbol.dark.assign(symbol.dark.size(), 0);
     symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);

@@ -40,9 +40,16 @@ export class Carver {
   async carve(settings, looksAtPrint, job) {
     await this.client_.configure(settings);
     await this.client_.placement();
-    await this.carveOnce_({ print: looksAtPrint }, job);
     let current = settings;
-    const made = new Map([[await this.client_.carving(), settings]]);
+    const made = new Map();
+    /** @type {unknown} */ let failure;
+    try {
+      await this.carveOnce_({ print: looksAtPrint }, job);
+      made.set(await this.client_.carving(), settings);
+    } catch (thrown) {
+      if (settings.mark !== 'auto' || isLost(thrown) || job.signal.aborted) throw thrown;
+      failure = thrown; // the plan tries other marks (EngravePlan::mayFail)
+    }
     for (;;) {
       const step = await this.client_.nextStep();
       job.signal.throwIfAborted();
@@ -51,6 +58,7 @@ export class Carver {
         if (await this.carveNext_(job)) made.set(await this.client_.carving(), current);
         continue;
       }
+      if (made.size === 0) throw failure;
       await this.client_.useCarving(step.carving);
       if (step.step === 'deliver') return made.get(step.carving) ?? settings;
       await this.lookAtPrint_(job);

@@ -184,6 +184,8 @@ export class Carving {
     const asked = this.store_.work;
     let made = asked;
     /** @type {Attempt | undefined} */ let first;
+    /** @type {Map<number, Work>} */ const works = new Map(); // of each carving, by its number
+    this.failure_ = undefined;
     prepareReader();
     this.printing_.expect();
     for (;;) {
@@ -196,12 +198,16 @@ export class Carving {
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
+      if (reading.number) works.set(reading.number, made);
       const step = await this.client_.nextStep();
       const isEdited = !sameWork(made, this.store_.work);
       if (step.step !== 'carve' || isEdited) {
-        const isKept = !isEdited && step.carving === first?.number && (await this.keep_(first, started));
+        if (works.size === 0 && this.failure_) throw this.failure_;
+        const keptWork = step.carving === reading.number ? undefined : works.get(step.carving);
+        const kept = keptWork && { made: keptWork, number: step.carving };
+        const isKept = !isEdited && kept && (await this.keep_(kept, started));
         if (!isKept) await this.finish_(performance.now() - started, made, reading.passed && !isEdited);
-        this.messages_.say(() => this.wordsFor_(isKept ? asked : made, asked, overrides));
+        this.messages_.say(() => this.wordsFor_(isKept ? kept.made : made, asked, overrides));
         return;
       }
       first ??= { made, number: step.carving };
@@ -231,6 +237,7 @@ export class Carving {
   wordsFor_(made, asked, overrides) {
     if (overrides) return text('inspector.engraved', { overrides });
     if (made === asked) return text('page.engraved');
+    if (made.values.mark !== asked.values.mark) return text('page.engravedInColour');
     return text(made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
   }
 
@@ -254,7 +261,8 @@ export class Carving {
    * @param {AbortSignal} signal
    * @param {import('../engine/client.js').PlanOptions} plan
    * @param {boolean} [withOverrides]
-   * @returns {Promise<import('../engine/types.js').ReadingResult | undefined>}  undefined: cancelled
+   * @returns {Promise<(import('../engine/types.js').ReadingResult & { number?: number }) | undefined>}  with the
+   *   carving's number, unless it could not be carved; undefined: cancelled
    */
   async carveOnce_(signal, plan, withOverrides = false) {
     try {
@@ -267,14 +275,17 @@ export class Carving {
       });
       if (!finished) return undefined;
     } catch (thrown) {
-      if (!plan.next || isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      const goesOn = plan.next || this.store_.work.values.mark === 'auto'; // EngravePlan::mayFail
+      if (!goesOn || isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      this.failure_ ??= thrown;
       return { passed: false }; // the plan goes on without this carving
     }
     this.messages_.say(() => text('page.readingBack'));
     const pictures = await this.client_.pictures('reading');
     // Meanwhile the module prepares the carved model for display.
     const [texts] = await Promise.all([readEach(pictures), this.client_.show({ carved: true })]);
-    return this.client_.setReadings(texts, kReaderName);
+    const reading = await this.client_.setReadings(texts, kReaderName);
+    return { ...reading, number: await this.client_.carving() };
   }
 
   /**
@@ -337,7 +348,8 @@ export class Carving {
       async (signal) => {
         await this.drop();
         let made = first.made;
-        /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let print;
+        /** @type {Map<number, { made: Work, print: NonNullable<Awaited<ReturnType<Carving['printNow_']>>> }>} */
+        const printed = new Map(); // by the carving's number
         for (
           let isDone = true;
           isDone && step.step !== 'deliver';
@@ -348,17 +360,28 @@ export class Carving {
             this.printing_.expect();
             isDone = (await this.carveDeeper_(signal, first)) !== undefined;
           } else {
-            print = await this.printNow_(step.carving, signal);
+            const print = await this.printNow_(step.carving, signal);
+            if (print) printed.set(step.carving, { made, print });
             isDone = print !== undefined;
           }
         }
-        if (print && step.step === 'deliver' && step.carving !== first.number) {
-          const { result, printed } = print;
+        const delivered = step.step === 'deliver' ? printed.get(step.carving) : undefined;
+        if (delivered && (await this.client_.useCarving(step.carving))) {
+          const { result, printed: print } = delivered.print;
           const elapsedMs = performance.now() - started;
-          this.carved = { report: result.report, elapsedMs, number: step.carving, life: this.life_, made, printed };
+          if (delivered.made !== made) await this.return_(delivered.made);
+          this.carved = {
+            report: result.report,
+            elapsedMs,
+            number: step.carving,
+            life: this.life_,
+            made: delivered.made,
+            printed: print,
+          };
           await this.present_();
           this.printed.tell();
-          this.messages_.say(() => text('page.engravedForPrint'));
+          const isInColour = delivered.made.values.mark !== first.made.values.mark;
+          this.messages_.say(() => text(isInColour ? 'page.engravedInColour' : 'page.engravedForPrint'));
           return;
         }
         this.printing_.stop();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/measured_place.h"
+#include "pipeline/placement_measurement.h"
 
 #include <algorithm>
 #include <limits>
@@ -47,10 +47,10 @@ HeightMap coarser(const HeightMap& fine, int texels) {
 
 }  // namespace
 
-Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(std::shared_ptr<const EngravableModel> model,
-                                                             std::shared_ptr<const LuminancePrograms> programs,
-                                                             const Request& request) {
-  auto place = std::make_shared<MeasuredPlace>();
+Result<std::shared_ptr<PlacementMeasurement>> PlacementMeasurement::create(
+    std::shared_ptr<const EngravableModel> model, std::shared_ptr<const LuminancePrograms> programs,
+    const Request& request) {
+  auto place = std::make_shared<PlacementMeasurement>();
   place->request_ = request;
   place->model_ = std::move(model);
   if (!request.withLight || !place->model_->usesShaders(request.device))
@@ -60,16 +60,16 @@ Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(std::shared_ptr<con
   return place;
 }
 
-MapWindow MeasuredPlace::window(int texelsPerCell) const {
+MapWindow PlacementMeasurement::window(int texelsPerCell) const {
   const int cells = request_.layout.cells();
   return {request_.moduleMm * cells / kN, std::clamp(kMaxMapTexels / cells, 1, texelsPerCell) * cells};
 }
 
-PlaceLightOptions MeasuredPlace::lightOptions() const {
+PlacementLightOptions PlacementMeasurement::lightOptions() const {
   return {request_.layout.cells() / kN, request_.moduleMm, request_.albedo, request_.lights};
 }
 
-const SurfaceMaps* MeasuredPlace::maps() const {
+const SurfaceMaps* PlacementMeasurement::maps() const {
   if (!model_->gpu) return nullptr;
   if (!maps_) {
     auto drawn = model_->gpu->maps(request_.frame, window(kTexelsPerCell));
@@ -79,7 +79,7 @@ const SurfaceMaps* MeasuredPlace::maps() const {
   return &*maps_;
 }
 
-Status MeasuredPlace::measureByShaders(std::shared_ptr<const LuminancePrograms> programs) {
+Status PlacementMeasurement::measureByShaders(std::shared_ptr<const LuminancePrograms> programs) {
   const MapWindow map = window(kTexelsPerCell);
   const GpuSurface& surface = *model_->gpu;
   auto maps = surface.maps(request_.frame, map);
@@ -99,7 +99,7 @@ Status MeasuredPlace::measureByShaders(std::shared_ptr<const LuminancePrograms> 
   return {};
 }
 
-void MeasuredPlace::measureByProcessor() {
+void PlacementMeasurement::measureByProcessor() {
   const ProjectionFrame& frame = request_.frame;
   const SurfaceRaster& raster = *model_->raster;
   const auto heights = [&](const std::vector<float>& drawn, const MapWindow& seen) {
@@ -114,7 +114,8 @@ void MeasuredPlace::measureByProcessor() {
                             lightOptions());
 }
 
-void MeasuredPlace::measureThickness(std::span<const float> front, std::span<const float> back, int texelsPerCell) {
+void PlacementMeasurement::measureThickness(std::span<const float> front, std::span<const float> back,
+                                            int texelsPerCell) {
   const int cells = request_.layout.cells(), texels = texelsPerCell * cells;
   const int edge = kN * request_.layout.modules;
   for (int row = 0; row < edge; ++row)

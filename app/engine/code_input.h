@@ -8,9 +8,9 @@
 namespace qrelief {
 
 /// The requested code: its settings, its symbol, and its centre.
-class WantedCode {
+class CodeInput {
  public:
-  WantedCode();
+  CodeInput();
 
   void configure(EngraveRequest settings);
   const EngraveRequest& settings() const { return settings_; }

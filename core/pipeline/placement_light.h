@@ -16,9 +16,9 @@ namespace qrelief {
 
 /// Light on a place of a model while its cells (one a submodule) are carved to different depths. Cells are row-major
 /// from the lower left; luminance 1 = an unoccluded surface in the QR plane.
-class PlaceLight {
+class PlacementLight {
  public:
-  virtual ~PlaceLight() = default;
+  virtual ~PlacementLight() = default;
 
   /// Measures some cells anew and returns the luminance of all.
   /// @param cells     cells to measure, at least one
@@ -35,23 +35,23 @@ class PlaceLight {
   virtual const gl::Texture& depthTexture() const = 0;
 };
 
-struct PlaceLightOptions {
+struct PlacementLightOptions {
   int modules = 0;      ///< along the map's edge, margin included
   double moduleMm = 1;  ///< on the QR plane
   float albedo = 0.7f;
   std::vector<DirectionalLight> lamps = {};
 };
 
-/// Makes a PlaceLight that uses shaders on a GPU [LuminancePass].
+/// Makes a PlacementLight that uses shaders on a GPU [LuminancePass].
 /// @param maps, around  see LuminancePass::create
-Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
-                                                   double eyeDistance, const PlaceLightOptions& options,
-                                                   std::shared_ptr<const LuminancePrograms> programs);
+Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
+                                                       double eyeDistance, const PlacementLightOptions& options,
+                                                       std::shared_ptr<const LuminancePrograms> programs);
 
-/// Makes a PlaceLight that uses the CPU [HeightLight].
+/// Makes a PlacementLight that uses the CPU [HeightLight].
 /// @param map     the uncarved surface, one patch a cell
 /// @param around  the surface around it, in a wider window
-std::unique_ptr<PlaceLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
-                                             const PlaceLightOptions& options);
+std::unique_ptr<PlacementLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
+                                                 const PlacementLightOptions& options);
 
 }  // namespace qrelief

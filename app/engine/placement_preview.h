@@ -10,12 +10,12 @@ namespace qrelief {
 /// Parameters of a placement: the surface to search and the code to place.
 struct PlacementTask {
   const LoadedModel& model;
-  const WantedCode& wanted;  ///< its symbol must exist
+  const CodeInput& wanted;  ///< its symbol must exist
   Vec3 upHint{0, 0, 1};
 };
 
 /// Keeps the code's place, exact or roughly moved, and the code that follows the pointer.
-class PlacedCode {
+class PlacementPreview {
  public:
   /// Finds the place of the wanted code, unless the last search found it. Where no code fits, code() is an estimate.
   Status place(const PlacementTask& task);

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/wanted_code.h"
+#include "engine/code_input.h"
 
 #include <utility>
 
 namespace qrelief {
 
-WantedCode::WantedCode() : symbol_(encodeSymbol(settings_.text, settings_.symbol)) {}
+CodeInput::CodeInput() : symbol_(encodeSymbol(settings_.text, settings_.symbol)) {}
 
-void WantedCode::configure(EngraveRequest settings) {
+void CodeInput::configure(EngraveRequest settings) {
   settings_ = std::move(settings);
   symbol_ = encodeSymbol(settings_.text, settings_.symbol);
 }
 
-void WantedCode::choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction) {
+void CodeInput::choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction) {
   centreMm_ = centreMm;
   direction_ = direction;
 }
 
-EngraveRequest WantedCode::request(Vec3 upHint) const {
+EngraveRequest CodeInput::request(Vec3 upHint) const {
   EngraveRequest request = settings_;
   request.placement = placementAt(*centreMm_, upHint);
   if (direction_) request.placement.direction = direction_;
@@ -27,7 +27,7 @@ EngraveRequest WantedCode::request(Vec3 upHint) const {
   return request;
 }
 
-PlacementRequest WantedCode::placementAt(Vec3 centreMm, Vec3 upHint) const {
+PlacementRequest CodeInput::placementAt(Vec3 centreMm, Vec3 upHint) const {
   PlacementRequest request = settings_.placement;
   request.centreMm = centreMm;
   request.upHint = upHint;

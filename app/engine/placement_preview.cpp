@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/placed_code.h"
+#include "engine/placement_preview.h"
 
 #include <utility>
 
 namespace qrelief {
 
-const PlacementSearch* PlacedCode::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
+const PlacementSearch* PlacementPreview::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
   const bool isThat = found_ && symbol && found_->modules == symbol->size &&
                       found_->request == searchedPlacement(request, symbol->size);
   return isThat ? &found_->search : nullptr;
 }
 
-Status PlacedCode::find(const PlacementTask& task, const EngraveRequest& request) {
+Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& request) {
   const Result<Symbol>& symbol = task.wanted.symbol();
   if (found(request, symbol)) return {};
   found_.reset();
@@ -27,7 +27,7 @@ Status PlacedCode::find(const PlacementTask& task, const EngraveRequest& request
   return {};
 }
 
-Status PlacedCode::place(const PlacementTask& task) {
+Status PlacementPreview::place(const PlacementTask& task) {
   const EngraveRequest request = task.wanted.request(task.upHint);
   if (const Status found = find(task, request); !found) {
     const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
@@ -43,12 +43,12 @@ Status PlacedCode::place(const PlacementTask& task) {
   return {};
 }
 
-void PlacedCode::take(const Placement& placement, Result<CodeOnSurface> code) {
+void PlacementPreview::take(const Placement& placement, Result<CodeOnSurface> code) {
   placement_ = placement;
   if (code) code_ = std::move(*code);
 }
 
-Status PlacedCode::move(const PlacementTask& task, const SurfacePoint& to) {
+Status PlacementPreview::move(const PlacementTask& task, const SurfacePoint& to) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, to);
   if (!code) return tl::unexpected(code.error());
   endHover();
@@ -57,9 +57,11 @@ Status PlacedCode::move(const PlacementTask& task, const SurfacePoint& to) {
   return {};
 }
 
-void PlacedCode::adjust(double rotateDeg, double symbolMm, double outer) { code_->adjust(rotateDeg, symbolMm, outer); }
+void PlacementPreview::adjust(double rotateDeg, double symbolMm, double outer) {
+  code_->adjust(rotateDeg, symbolMm, outer);
+}
 
-Status PlacedCode::hover(const PlacementTask& task, const SurfacePoint& at) {
+Status PlacementPreview::hover(const PlacementTask& task, const SurfacePoint& at) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, at,
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   if (!code) return tl::unexpected(code.error());
@@ -68,13 +70,13 @@ Status PlacedCode::hover(const PlacementTask& task, const SurfacePoint& at) {
   return {};
 }
 
-void PlacedCode::endHover() {
+void PlacementPreview::endHover() {
   settling_.reset();
   hovered_.reset();
   hoveredAt_.reset();
 }
 
-bool PlacedCode::startSettling(const PlacementTask& task) {
+bool PlacementPreview::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
   settling_.emplace(model.prepared, *model.renderer, task.wanted.symbol()->size,
@@ -82,7 +84,7 @@ bool PlacedCode::startSettling(const PlacementTask& task) {
   return true;
 }
 
-Result<bool> PlacedCode::settle(const PlacementTask& task) {
+Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   const Result<bool> found = settling_->step();
   if (found && !*found) return false;
   auto code = found ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
@@ -93,13 +95,13 @@ Result<bool> PlacedCode::settle(const PlacementTask& task) {
   return true;
 }
 
-void PlacedCode::forget() {
+void PlacementPreview::forget() {
   placement_.reset();
   code_.reset();
   endHover();
 }
 
-void PlacedCode::forgetFound() {
+void PlacementPreview::forgetFound() {
   forget();
   found_.reset();
 }

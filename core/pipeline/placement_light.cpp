@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/place_light.h"
+#include "pipeline/placement_light.h"
 
 #include <cassert>
 #include <numeric>
@@ -17,7 +17,7 @@ constexpr LuminanceSampling kUncarvedSampling{1, 4};  // the surface is smooth b
 constexpr LightSampling kUncarvedPoints{1, 12}, kPoints{2, 12};
 constexpr double kEveryCell = 12;  // up to this distance a horizon checks every cell
 
-class LightByShaders final : public PlaceLight {
+class LightByShaders final : public PlacementLight {
  public:
   explicit LightByShaders(LuminancePass pass) : pass_(std::move(pass)) {}
 
@@ -48,9 +48,9 @@ class LightByShaders final : public PlaceLight {
   std::vector<Received> uncarved_;
 };
 
-class LightByProcessor final : public PlaceLight {
+class LightByProcessor final : public PlacementLight {
  public:
-  LightByProcessor(const HeightMap& map, const HeightMap& around, const PlaceLightOptions& options)
+  LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options)
       : options_(options),
         openIrradiance_(static_cast<float>(openIrradiance(options.lamps))),
         light_(map, farHorizonOf(map, &around, options.moduleMm, options.modules)),
@@ -88,7 +88,7 @@ class LightByProcessor final : public PlaceLight {
     return {size_, size_, gl::Format::R32F, values.data()};
   }
 
-  PlaceLightOptions options_;
+  PlacementLightOptions options_;
   float openIrradiance_;
   HeightLight light_;
   std::vector<Received> uncarved_, received_;
@@ -99,9 +99,9 @@ class LightByProcessor final : public PlaceLight {
 
 }  // namespace
 
-Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
-                                                   double eyeDistance, const PlaceLightOptions& options,
-                                                   std::shared_ptr<const LuminancePrograms> programs) {
+Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
+                                                       double eyeDistance, const PlacementLightOptions& options,
+                                                       std::shared_ptr<const LuminancePrograms> programs) {
   LuminanceOptions wanted;
   wanted.cellTexels = maps.window.texels / (kN * options.modules);
   wanted.albedo = options.albedo;
@@ -116,8 +116,8 @@ Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, cons
   return light;
 }
 
-std::unique_ptr<PlaceLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
-                                             const PlaceLightOptions& options) {
+std::unique_ptr<PlacementLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
+                                                 const PlacementLightOptions& options) {
   return std::make_unique<LightByProcessor>(map, around, options);
 }
 

@@ -8,13 +8,13 @@
 #include "base/result.h"
 #include "pipeline/cell_layout.h"
 #include "pipeline/engravable_model.h"
-#include "pipeline/place_light.h"
+#include "pipeline/placement_light.h"
 
 namespace qrelief {
 
 /// Measurements of the uncarved place: the material's thickness and the light on it. They are the same for every symbol
 /// of one size, so a batch measures them once.
-class MeasuredPlace {
+class PlacementMeasurement {
  public:
   struct Request {
     ProjectionFrame frame;
@@ -30,9 +30,9 @@ class MeasuredPlace {
 
   /// @param programs  for a model that uses shaders; null: makes its own
   /// @returns Internal if the GL implementation cannot make the maps
-  static Result<std::shared_ptr<MeasuredPlace>> create(std::shared_ptr<const EngravableModel> model,
-                                                       std::shared_ptr<const LuminancePrograms> programs,
-                                                       const Request& request);
+  static Result<std::shared_ptr<PlacementMeasurement>> create(std::shared_ptr<const EngravableModel> model,
+                                                              std::shared_ptr<const LuminancePrograms> programs,
+                                                              const Request& request);
 
   const Request& request() const { return request_; }
   /// Returns maps of the surface for the inspector, drawn at the first call; null without a GL context, and if the GL
@@ -42,12 +42,12 @@ class MeasuredPlace {
   /// both sides. Row-major from the symbol's top left.
   const std::vector<double>& thicknessMm() const { return thicknessMm_; }
   /// Returns the light on the place during carving, if Request::withLight is set. Only one job may use it at a time.
-  PlaceLight& light() { return *light_; }
-  const PlaceLight& light() const { return *light_; }
+  PlacementLight& light() { return *light_; }
+  const PlacementLight& light() const { return *light_; }
 
  private:
   MapWindow window(int texelsPerCell) const;
-  PlaceLightOptions lightOptions() const;
+  PlacementLightOptions lightOptions() const;
   Status measureByShaders(std::shared_ptr<const LuminancePrograms> programs);
   void measureByProcessor();
   /// @param front, back  distances from the eye along the rays of texelsPerCell² texels of every cell; 0: no surface
@@ -57,7 +57,7 @@ class MeasuredPlace {
   std::shared_ptr<const EngravableModel> model_;
   mutable std::optional<SurfaceMaps> maps_;
   std::vector<double> thicknessMm_;
-  std::unique_ptr<PlaceLight> light_;
+  std::unique_ptr<PlacementLight> light_;
 };
 
 }  // namespace qrelief
