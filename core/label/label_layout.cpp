@@ -17,7 +17,7 @@ constexpr double kGapModules = 0.5;           // between quiet zone, text and fr
 constexpr double kFrameModules = 1;           // width of the frame's line
 constexpr double kCornerModules = 2.5;        // outer radius of a rounded frame; its inside clears the quiet zone
 constexpr double kToleranceModules = 0.01;    // of chords: a hundredth of a millimetre in modules of one
-constexpr double kBorderModules = 0.06;       // carving may move outlines this far, see roomFactor()
+constexpr double kBorderModules = 1;          // material outside the label, for a wall next to its pockets
 
 double highestCapital(int modules) { return kCapitalFraction * modules; }
 

@@ -83,6 +83,16 @@ TEST_F(BatchCommandTest, CarvesOneModelPerRowAndReportsEachResult) {
   EXPECT_EQ(contentOf(path("alone.stl")), contentOf(path("out/B2.stl")));
 }
 
+TEST_F(BatchCommandTest, LabelsEveryCodeFromATemplate) {
+  const Outcome made = run(arguments({"--count", "2", "--text", "p/{n}", "--label", "No. {n:03}", "--reports"}));
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Json first = Json::parse(contentOf(path("out/1.stl.json"))),
+             second = Json::parse(contentOf(path("out/2.stl.json")));
+  EXPECT_EQ(first["label"]["text"], "No. 001");
+  EXPECT_EQ(second["label"]["text"], "No. 002");
+  EXPECT_EQ(first["label"]["capitalMm"], second["label"]["capitalMm"]);
+}
+
 TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {
   const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
   ASSERT_EQ(run(arguments({"--list", list})).status, 0);

@@ -129,6 +129,36 @@ TEST_F(EngraveCommandTest, TheInlayFillsThePocketsAndOtherObjectsStayUnchanged) 
 }
 
 TEST_F(EngraveCommandTest, AnInlayNeedsAFormatWithColours) {
+TEST_F(EngraveCommandTest, CarvesALabelAndAFrame) {
+  const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 5, 4, 4));
+  const auto engraved = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"engrave", model,   "--text",        "x",        "--at",          "0,0,5",
+                                          "--up",    "0,1,0", "--size",        "25",       "--process",     "none",
+                                          "--quiet", "-o",    path("out.stl"), "--report", path("out.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")));
+  };
+  const auto plain = engraved({}), labelled = engraved({"--label", "No. 7", "--frame", "rounded"});
+  EXPECT_TRUE(plain["label"].is_null());
+  EXPECT_EQ(labelled["label"]["text"], "No. 7");
+  EXPECT_EQ(labelled["label"]["frame"], "rounded");
+  EXPECT_NEAR(labelled["label"]["depthMm"].get<double>(), 0.4, 1e-9);
+  EXPECT_NEAR(labelled["label"]["capitalMm"].get<double>(), 25.0 / 8, 1e-9);
+  EXPECT_LT(labelled["mesh"]["volumeMm3"].get<double>(), plain["mesh"]["volumeMm3"].get<double>() - 20);
+  EXPECT_EQ(labelled["colour"]["changes"], 0);
+}
+
+TEST_F(EngraveCommandTest, NamesTheCharactersThatALabelCannotHave) {
+  const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 5, 4, 4));
+  const Outcome outcome =
+      run({"engrave", model, "--text", "x", "--at", "0,0,5", "--label", "Teil 漢", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("lacks these characters: \"漢\""), std::string::npos) << outcome.err;
+}
+
+TEST_F(EngraveCommandTest, AnInlayNeeds3mf) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
   for (const char* output : {"out.ply"}) {
     const Outcome outcome =

@@ -34,7 +34,7 @@ const kFirstRelease = '0.1.0'; // its files lack all later settings
  * @param {readonly SettingKey[]} controls
  * @returns {SettingKey[]}
  */
-export const fileKeys = (controls) => kKeys.filter((key) => kSettings[key].kind === 'text' || controls.includes(key));
+export const fileKeys = (controls) => kKeys.filter((key) => key === 'text' || controls.includes(key));
 
 /** Tells whether a file may leave out a setting; the control's default applies then. @param {SettingKey} key */
 function mayBeMissing(key) {
