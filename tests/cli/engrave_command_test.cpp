@@ -128,7 +128,6 @@ TEST_F(EngraveCommandTest, TheInlayFillsThePocketsAndOtherObjectsStayUnchanged) 
   EXPECT_NEAR((body + inlay) / whole, 1, 1e-6);
 }
 
-TEST_F(EngraveCommandTest, AnInlayNeedsAFormatWithColours) {
 TEST_F(EngraveCommandTest, CarvesALabelAndAFrame) {
   const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 5, 4, 4));
   const auto engraved = [&](const std::vector<std::string>& more) {
@@ -158,7 +157,7 @@ TEST_F(EngraveCommandTest, NamesTheCharactersThatALabelCannotHave) {
   EXPECT_NE(outcome.err.find("lacks these characters: \"漢\""), std::string::npos) << outcome.err;
 }
 
-TEST_F(EngraveCommandTest, AnInlayNeeds3mf) {
+TEST_F(EngraveCommandTest, AnInlayNeedsAFormatWithColours) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
   for (const char* output : {"out.ply"}) {
     const Outcome outcome =
