@@ -49,7 +49,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
   model_ = std::move(*model);
-  scene_.camera().setScene(model_->display->box());
+  scene_.camera().setScene(model_->engravable->box);
   scene_.camera().fitFromDefaultSide();
   wanted_.choose(proposedCentre(*model_, scene_.camera().view(), settings().placement.eyeDistanceMm));
   updateView();

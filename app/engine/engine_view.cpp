@@ -82,7 +82,7 @@ std::string Engine::look(const std::string& action) {
   else if (kind == "readerView" && placement && code)
     scene_.lookAsReader(placement->frame, code->decal.edgeMm);
   else if (kind == "face" && placement && code)
-    scene_.faceCode(placement->frame, code->decal.edgeMm, model_->display->box().diagonal());
+    scene_.faceCode(placement->frame, code->decal.edgeMm, model_->engravable->box.diagonal());
   else if (kind == "faceSection" && code)
     scene_.faceSection(*code);
   return done();
