@@ -128,7 +128,7 @@ double lowest(const Object& object) {
   return low;
 }
 
-/// Returns a settings file; an empty node if there is none.
+/// Returns a file; an empty node if there is none.
 XmlNode settingsOf(const std::map<std::string, std::string>& files, const std::string& name) {
   const auto found = files.find(name);
   return found == files.end() ? XmlNode() : parsedXml(found->second);
@@ -266,8 +266,8 @@ Project openInBambuStudio(std::span<const std::uint8_t> file) {
   Project project;
   // [BBS] _extract_xml_from_archive(sub_rels): only declared parts are read, before the root
   std::set<std::string> parts = {kRootModel};
-  if (const auto rels = files.find("3D/_rels/3dmodel.model.rels"); rels != files.end())
-    for (const XmlNode* r : parsedXml(rels->second).all("Relationship")) parts.insert((*r)["Target"].substr(1));
+  const XmlNode relationships = settingsOf(files, "3D/_rels/3dmodel.model.rels");
+  for (const XmlNode* r : relationships.all("Relationship")) parts.insert((*r)["Target"].substr(1));
   const Resources resources = resourcesOf(files, parts);
   // [BBS] _handle_start_color: a group keeps its last colour, and groups of all parts are in one list
   std::map<unsigned, std::string> groups;
