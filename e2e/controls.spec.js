@@ -6,7 +6,8 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 import { saddleFile, truncatedFile } from './support/models.js';
-import { isOrange, isTeal, shareOf } from './support/pixels.js';
+import { isDark, isOrange, isTeal, shareOf } from './support/pixels.js';
+import { unzip } from './support/three_mf.js';
 import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -99,6 +100,15 @@ const kOfTheModel = {
   },
 };
 
+/** Shows or hides buttons and legend over the view, whose colours the pictures would count. @param {Page} page @param {boolean} shown */
+const showOverlays = (page, shown) =>
+  page.locator('.tools, .legend, .view-cube').evaluateAll(
+    (all, opacity) => {
+      for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = opacity;
+    },
+    shown ? '1' : '0',
+  );
+
 /**
  * Types a coordinate away from the surface. Once placed, the code is at the nearest point of the surface, with other
  * coordinates.
@@ -186,6 +196,56 @@ const kOfThePlace = {
     await expect(at('lamp-count')).toHaveValue('0');
     await app.expectReady();
     expect((await settingsFile(app)).settings.light).toBeUndefined();
+  },
+  label: async ({ app, at }) => {
+    await at('label').fill('No. 7');
+    await at('label').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.label).toBe('No. 7');
+    await at('label').fill('');
+    await at('label').press('Tab');
+    await app.expectReady();
+  },
+  frame: ({ app, at }) => chooseAndBack(app, at('frame'), 'frame', 'rounded'),
+  mark: async ({ app, at }) => {
+    await at('mark').selectOption('inlay');
+    await app.expectReady();
+    for (const id of ['preset', 'lamp-count', 'pattern', 'max-depth', 'surface']) await expect(at(id)).toBeHidden();
+    await expect(at('min-wall')).toBeVisible();
+    await app.openSettings();
+    expect((await settingsFile(app)).settings).toMatchObject({ mark: 'inlay', preset: 'balanced' });
+  },
+  'mark-depth': async ({ app, at }) => {
+    await at('mark-depth').fill('0.6');
+    await at('mark-depth').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.markDepthMm).toBe(0.6);
+    await at('mark').selectOption('paint');
+    await expect(at('mark-depth')).toBeHidden();
+    await expect(at('min-wall')).toBeHidden();
+  },
+  'dark-reflectance': async ({ app, at, page }) => {
+    await showOverlays(page, false);
+    const inkShare = () => shareOf(app.canvas, isDark);
+    await expect.poll(inkShare).toBeGreaterThan(0.001);
+    const before = await inkShare();
+    await at('dark-reflectance').fill('0.6');
+    await at('dark-reflectance').press('Tab');
+    await app.expectReady();
+    await expect.poll(inkShare).toBeLessThan(before / 2);
+    await showOverlays(page, true);
+    expect((await settingsFile(app)).settings.darkReflectance).toBe(0.6);
+  },
+  'light-reflectance': async ({ app, at }) => {
+    await at('light-reflectance').fill('0.7');
+    await at('light-reflectance').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.lightReflectance).toBe(0.7);
+    await at('mark').selectOption('shadow');
+    await app.expectReady();
+    await expect(at('light-reflectance')).toBeHidden();
+    await expect(at('preset')).toBeVisible();
+    expect((await settingsFile(app)).settings).toMatchObject({ mark: 'shadow', darkReflectance: 0.6 });
   },
   solver: ({ app, at }) => chooseAndBack(app, at('solver'), 'solver', 'paper-steps'),
   surface: ({ app, at }) => chooseAndBack(app, at('surface'), 'surface', 'resampled'),
@@ -301,18 +361,14 @@ const kOfTheCarving = {
     await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the engraving');
   },
   'show-before': async ({ app, at, page }) => {
-    const hide = (/** @type {string} */ opacity) =>
-      page.locator('.tools, .legend').evaluateAll((all, to) => {
-        for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
-      }, opacity); // they use the colours of depths, too
-    await hide('0');
+    await showOverlays(page, false); // they use the colours of depths, too
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
       await expect(at('show-before')).toHaveAttribute('aria-pressed', 'true');
       await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
     });
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
-    await hide('1');
+    await showOverlays(page, true);
   },
   'reader-view': async ({ page, press }) => {
     await press('reader-view');
@@ -323,6 +379,16 @@ const kOfTheCarving = {
     await expect.poll(() => new Inspector(page).state()).toBeDefined();
     await press('inspector');
     await expect.poll(() => new Inspector(page).state()).toBeUndefined();
+  },
+  slicer: async ({ app, at }) => {
+    await expect(at('slicer')).toBeHidden();
+    await at('format').selectOption('3MF, two colours');
+    await at('slicer').selectOption('PrusaSlicer');
+    const { name, bytes } = await app.download();
+    expect(name).toMatch(/-inlay\.3mf$/);
+    const files = [...unzip(bytes).keys()];
+    expect(files).toContain('Metadata/Slic3r_PE_model.config');
+    expect(files).not.toContain('Metadata/model_settings.config');
   },
   format: async ({ app, at }) => {
     await at('format').selectOption('PLY');

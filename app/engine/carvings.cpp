@@ -279,7 +279,8 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer) {
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
-  const bool withInlay = format == "3mf-inlay" || current_.request.mark == Mark::Inlay;
+  const bool isPainted = current_.request.mark == Mark::Paint;
+  const bool withInlay = current_.request.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
   if (withInlay && !result.inlay) {
     const Status made = addInlay(*model.engravable, current_.request.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};

@@ -34,7 +34,7 @@ function valueOf(key, text) {
  */
 export function settingsFromAddress(address, controls) {
   const { settings: given, warnings } = withoutRemoved(Object.fromEntries(address));
-  const keys = fileKeys(controls).filter((key) => kSettings[key].kind !== 'text' && key in given);
+  const keys = fileKeys(controls).filter((key) => key !== 'text' && key in given);
   const settings = Object.fromEntries(
     keys.map((key) => {
       const value = valueOf(key, address.get(key) ?? '');

@@ -31,7 +31,7 @@
  * @property {{ code: string, values: Record<string, any> }} why  the message that says what to use instead
  */
 
-/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {
@@ -64,6 +64,8 @@ export const kSettings = {
   albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7,"since":"0.1.0","label":{"de":"Albedo","en":"Albedo"}},
   surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved","since":"0.1.0","label":{"de":"Oberfläche","en":"Surface"},"choiceNames":{"preserved":{"de":"Erhalten","en":"Preserved"},"resampled":{"de":"Neu vernetzt","en":"Resampled"}}},
   inlay: {"group":"making","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Zweite Farbe","en":"Second colour"}},
+  label: {"group":"making","kind":"text","default":"","since":"0.3.0","label":{"de":"Beschriftung","en":"Label"}},
+  frame: {"group":"making","kind":"choice","choices":["none","rounded","square"],"default":"none","since":"0.3.0","label":{"de":"Rahmen","en":"Frame"},"choiceNames":{"none":{"de":"Keiner","en":"None"},"rounded":{"de":"Runde Ecken","en":"Rounded corners"},"square":{"de":"Eckig","en":"Square corners"}}},
   process: {"group":"printing","kind":"choice","choices":["none","fdm-0.4/0.2","fdm-0.4/0.12","fdm-0.25/0.1","fdm-0.6/0.3","resin-0.05","powder"],"default":"fdm-0.4/0.2","since":"0.2.0","label":{"de":"Verfahren","en":"Process"},"choiceNames":{"fdm-0.25/0.1":{"de":"Filament, Düse 0,25 mm, Schichten 0,1 mm","en":"Filament, nozzle 0.25 mm, layers 0.1 mm"},"fdm-0.4/0.12":{"de":"Filament, Düse 0,4 mm, Schichten 0,12 mm","en":"Filament, nozzle 0.4 mm, layers 0.12 mm"},"fdm-0.4/0.2":{"de":"Filament, Düse 0,4 mm, Schichten 0,2 mm","en":"Filament, nozzle 0.4 mm, layers 0.2 mm"},"fdm-0.6/0.3":{"de":"Filament, Düse 0,6 mm, Schichten 0,3 mm","en":"Filament, nozzle 0.6 mm, layers 0.3 mm"},"none":{"de":"Keines: nicht simulieren","en":"None: do not simulate"},"powder":{"de":"Pulver (SLS, MJF)","en":"Powder (SLS, MJF)"},"resin-0.05":{"de":"Harz, Schichten 0,05 mm","en":"Resin, layers 0.05 mm"}}},
   nozzleMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Düse","en":"Nozzle"}},
   layerMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":1.0,"step":0.01,"default":0.2,"since":"0.1.0","label":{"de":"Schicht","en":"Layer"}},
