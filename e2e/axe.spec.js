@@ -75,4 +75,13 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
     await app.text.fill('B');
     await expectNoViolations(page, 'older than the settings');
   });
+
+  await test.step('with a code in a second colour', async () => {
+    await press('Inspector');
+    await app.setting('Made by').selectOption('Second colour, painted');
+    await app.expectReady();
+    await app.engrave();
+    await app.openSettings();
+    await expectNoViolations(page, 'painted');
+  });
 });

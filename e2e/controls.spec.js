@@ -3,18 +3,17 @@
 // specs check the full effect of each control; this one leaves out none. Controls that are not pressed are the same on
 // both.
 import { expect, test } from '@playwright/test';
+import { kOfTheParts } from './support/batch_controls.js';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 import { saddleFile, truncatedFile } from './support/models.js';
-import { isOrange, isTeal, shareOf } from './support/pixels.js';
+import { isDark, isOrange, isTeal, shareOf } from './support/pixels.js';
+import { unzip } from './support/three_mf.js';
 import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
-/** @typedef {{ app: Engraver, page: Page, at: (id: string) => import('@playwright/test').Locator, press: (id: string) => Promise<void> }} Hands */
-/**
- * @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by the id of the control or the side it shows;
- *   run in this order
- */
+/** @typedef {import('./support/batch_controls.js').Hands} Hands */
+/** @typedef {import('./support/batch_controls.js').Effects} Effects */
 
 /** For each setting: the value to choose, its entry in the settings file, and the value to find in the report. */
 const kSettings =
@@ -98,6 +97,15 @@ const kOfTheModel = {
     await app.expectReady();
   },
 };
+
+/** Shows or hides buttons and legend over the view, whose colours the pictures would count. @param {Page} page @param {boolean} shown */
+const showOverlays = (page, shown) =>
+  page.locator('.tools, .legend, .view-cube').evaluateAll(
+    (all, opacity) => {
+      for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = opacity;
+    },
+    shown ? '1' : '0',
+  );
 
 /**
  * Types a coordinate away from the surface. Once placed, the code is at the nearest point of the surface, with other
@@ -186,6 +194,56 @@ const kOfThePlace = {
     await expect(at('lamp-count')).toHaveValue('0');
     await app.expectReady();
     expect((await settingsFile(app)).settings.light).toBeUndefined();
+  },
+  label: async ({ app, at }) => {
+    await at('label').fill('No. 7');
+    await at('label').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.label).toBe('No. 7');
+    await at('label').fill('');
+    await at('label').press('Tab');
+    await app.expectReady();
+  },
+  frame: ({ app, at }) => chooseAndBack(app, at('frame'), 'frame', 'rounded'),
+  mark: async ({ app, at }) => {
+    await at('mark').selectOption('inlay');
+    await app.expectReady();
+    for (const id of ['preset', 'lamp-count', 'pattern', 'max-depth', 'surface']) await expect(at(id)).toBeHidden();
+    await expect(at('min-wall')).toBeVisible();
+    await app.openSettings();
+    expect((await settingsFile(app)).settings).toMatchObject({ mark: 'inlay', preset: 'balanced' });
+  },
+  'mark-depth': async ({ app, at }) => {
+    await at('mark-depth').fill('0.6');
+    await at('mark-depth').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.markDepthMm).toBe(0.6);
+    await at('mark').selectOption('paint');
+    await expect(at('mark-depth')).toBeHidden();
+    await expect(at('min-wall')).toBeHidden();
+  },
+  'dark-reflectance': async ({ app, at, page }) => {
+    await showOverlays(page, false);
+    const inkShare = () => shareOf(app.canvas, isDark);
+    await expect.poll(inkShare).toBeGreaterThan(0.001);
+    const before = await inkShare();
+    await at('dark-reflectance').fill('0.6');
+    await at('dark-reflectance').press('Tab');
+    await app.expectReady();
+    await expect.poll(inkShare).toBeLessThan(before / 2);
+    await showOverlays(page, true);
+    expect((await settingsFile(app)).settings.darkReflectance).toBe(0.6);
+  },
+  'light-reflectance': async ({ app, at }) => {
+    await at('light-reflectance').fill('0.7');
+    await at('light-reflectance').press('Tab');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.lightReflectance).toBe(0.7);
+    await at('mark').selectOption('shadow');
+    await app.expectReady();
+    await expect(at('light-reflectance')).toBeHidden();
+    await expect(at('preset')).toBeVisible();
+    expect((await settingsFile(app)).settings).toMatchObject({ mark: 'shadow', darkReflectance: 0.6 });
   },
   solver: ({ app, at }) => chooseAndBack(app, at('solver'), 'solver', 'paper-steps'),
   surface: ({ app, at }) => chooseAndBack(app, at('surface'), 'surface', 'resampled'),
@@ -301,18 +359,14 @@ const kOfTheCarving = {
     await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the engraving');
   },
   'show-before': async ({ app, at, page }) => {
-    const hide = (/** @type {string} */ opacity) =>
-      page.locator('.tools, .legend').evaluateAll((all, to) => {
-        for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
-      }, opacity); // they use the colours of depths, too
-    await hide('0');
+    await showOverlays(page, false); // they use the colours of depths, too
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
       await expect(at('show-before')).toHaveAttribute('aria-pressed', 'true');
       await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
     });
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
-    await hide('1');
+    await showOverlays(page, true);
   },
   'reader-view': async ({ page, press }) => {
     await press('reader-view');
@@ -323,6 +377,16 @@ const kOfTheCarving = {
     await expect.poll(() => new Inspector(page).state()).toBeDefined();
     await press('inspector');
     await expect.poll(() => new Inspector(page).state()).toBeUndefined();
+  },
+  slicer: async ({ app, at }) => {
+    await expect(at('slicer')).toBeHidden();
+    await at('format').selectOption('3MF, two colours');
+    await at('slicer').selectOption('PrusaSlicer');
+    const { name, bytes } = await app.download();
+    expect(name).toMatch(/-inlay\.3mf$/);
+    const files = [...unzip(bytes).keys()];
+    expect(files).toContain('Metadata/Slic3r_PE_model.config');
+    expect(files).not.toContain('Metadata/model_settings.config');
   },
   format: async ({ app, at }) => {
     await at('format').selectOption('PLY');
@@ -378,64 +442,6 @@ const kOfThePage = {
   language: async ({ at, page }) => {
     await at('language').selectOption('de');
     await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
-  },
-};
-
-/** @param {string} text @param {string} [name] */
-const listFile = (text, name = 'parts.csv') => ({ name, mimeType: 'text/csv', buffer: Buffer.from(text) });
-
-/** @type {Effects} */
-const kOfTheParts = {
-  'code-for-many': async ({ at, page }) => {
-    await at('code-for-many').check();
-    await expect(page.getByRole('group', { name: 'A code for every part' })).toBeVisible();
-    await expect(at('code-state')).toHaveText('Open, drop or paste a list');
-  },
-  'batch-list': async ({ at }) => {
-    await at('batch-list').fill('text\nA\nB\n');
-    await expect(at('code-state')).toHaveText(/^2 parts/);
-  },
-  'batch-open-file': async ({ at }) => {
-    await at('batch-open-file').setInputFiles(listFile('text\nA\nB\nC\n'));
-    await expect(at('code-state')).toHaveText(/^3 parts/);
-    await expect(at('batch-file-name')).toHaveText('parts.csv, 1 kB');
-  },
-  'batch-file-remove': async ({ at, press }) => {
-    await press('batch-file-remove');
-    await expect(at('batch-list')).toBeFocused();
-    await expect(at('code-state')).toHaveText('Open, drop or paste a list');
-  },
-  'batch-from': async ({ at }) => {
-    await at('batch-from').selectOption('count');
-    await expect(at('code-state')).toHaveText(/^100 parts, version 2/);
-  },
-  'batch-count': async ({ at }) => {
-    await at('batch-count').fill('7');
-    await expect(at('code-state')).toHaveText(/^7 parts/);
-  },
-  'batch-text': async ({ at }) => {
-    await at('batch-text').fill('{n}');
-    await expect(at('code-state')).toHaveText(/^7 parts, version 1,/);
-  },
-  'batch-files': async ({ at }) => {
-    await at('batch-files').selectOption('plates');
-    await expect(at('code-state')).toHaveText(/^7 parts on 1 plate, version 1,/);
-  },
-  'batch-per-plate': async ({ at }) => {
-    await at('batch-per-plate').fill('3');
-    await expect(at('code-state')).toHaveText(/^7 parts on 3 plates,/);
-    await at('batch-files').selectOption('each');
-  },
-  'batch-name': async ({ at, page }) => {
-    await at('batch-name').fill('a/{n}.stl');
-    await expect(page.getByRole('list', { name: 'Problems in the list' })).toContainText(
-      '“a/1.stl” is not a plain file name',
-    );
-  },
-  'code-for-one': async ({ at, app }) => {
-    await at('code-for-one').check();
-    await expect(app.text).toBeVisible();
-    await app.expectReady();
   },
 };
 

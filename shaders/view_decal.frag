@@ -15,6 +15,8 @@ precision highp float;
 uniform highp sampler2D u_colour;  // linear; alpha: luminance of the light on the surface
 uniform vec3 u_accent;             // outline
 uniform vec3 u_warn;               // parts of the square that miss the surface
+uniform vec3 u_paperColour;        // linear
+uniform vec3 u_inkColour;          // linear
 
 // A square picture over a QR plane, in view space, and the map of the surface that its eye sees.
 uniform vec3 u_centre, u_right, u_up, u_normal;
@@ -23,14 +25,12 @@ uniform float u_edge;         // of the picture on the plane, mm
 uniform float u_strength;     // 0 … 1
 uniform vec2 u_turn;          // cosine and sine: angle of the picture in the map
 uniform float u_window;       // edge of the map on the plane, mm; 0: no map, the eye sees everything
-uniform sampler2D u_ink;      // red: 1 = dark; row 0 = top
+uniform sampler2D u_ink;      // red: 1 = ink; row 0 = top
 uniform highp sampler2D u_reach;  // height over the plane, 1 = part of the surface about the centre, slope along right
                                   // and up
 
 layout(location = 0) out vec4 o_colour;
 
-const vec3 kPaper = vec3(0.78, 0.78, 0.77);
-const vec3 kInk = vec3(0.035, 0.04, 0.055);
 const float kMostHeight = 0.75;  // greatest height of a surface that takes a decal, in decal edges
 
 // Returns the position in the map, in texels, of a point on the plane.
@@ -101,7 +101,7 @@ vec4 onSurface(Sight sight, float light, int texels) {
   bool takesPrint = sight.isFront && abs(height) < kMostHeight * u_edge && dot(sight.normal, toReader) > 0.0 &&
                     (u_window == 0.0 || isSeen(at, texels, height));
   float held = u_window > 0.0 ? smoothstep(0.35, 0.65, reached(at, texels)) : 1.0;
-  vec3 code = mix(kPaper, kInk, inkAt(onPlane, dx, dy)) * light;
+  vec3 code = mix(u_paperColour, u_inkColour, inkAt(onPlane, dx, dy)) * light;
   float warned = (1.0 - held) * (0.35 + 0.45 * striped);
   vec4 inside = vec4(held * code + warned * u_warn * max(light, 0.4), held + warned);
   return takesPrint ? over(inside * square.x, mix(u_warn, u_accent, held), square.y) : vec4(0.0);

@@ -13,14 +13,16 @@ uniform float u_blurUnit;              // mm
 uniform float u_blurReach;             // neighbours within this difference of z count, mm
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
-uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0
+uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0; 3: the
+                                       // ink's colour where heat is above a half
+uniform vec3 u_material;               // linear
+uniform vec3 u_ink;                    // linear
 uniform vec4 u_hatch;                  // direction across a cut's stripes (view space), and the target's position along
                                        // it, mm
 uniform float u_hatchMm;               // distance between stripes
 
 layout(location = 0) out vec4 o_colour;
 
-const vec3 kMaterial = vec3(0.56, 0.55, 0.53);
 const vec3 kBackSide = vec3(0.50, 0.16, 0.11);
 const vec3 kCut = vec3(0.95, 0.40, 0.06);
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
@@ -72,12 +74,13 @@ void main() {
   bool isFront = isFrontSide(surface.xyz);
   float heat = length(surface.xyz) - 1.0;
   vec3 normal = normalize(surface.xyz);
-  vec3 albedo = isFront ? kMaterial : isCut(surface.xyz) ? cut : kBackSide;
+  vec3 albedo = isFront ? u_material : isCut(surface.xyz) ? cut : kBackSide;
   if (isFront && (u_heatShown == 1 || (u_heatShown == 2 && heat > 1e-3))) albedo = heatColour(heat);
+  if (isFront && u_heatShown == 3 && heat > 0.5) albedo = u_ink;
 
   // To the power of 2.5: the picture shows the shape and the code rather than the photometry.
   float open = skyVisibility(surface.w);
-  float light = open + interreflection(open, open, kMaterial.g);
+  float light = open + interreflection(open, open, u_material.g);
   float visibility = squareOf(light) * sqrt(light);
   vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
   // The key light fades in pockets, too, where a soft lamp would be hidden.

@@ -30,7 +30,6 @@ import { Undo } from './session/undo.js';
 import { Viewing } from './session/viewing.js';
 import { WorkStore } from './session/work_store.js';
 import { kNoWork } from './session/work.js';
-import { rememberFormat } from './export/format_choice.js';
 import { text } from './i18n/catalogue.js';
 import { messageWords } from './i18n/message_words.js';
 import { BatchPanel } from './ui/batch_panel.js';
@@ -174,7 +173,6 @@ export class App {
   /** @param {import('./ui/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
-    rememberFormat(byId('format', HTMLSelectElement));
     this.starting_ = connect(notices);
     this.help_ = new HelpSheet();
   }

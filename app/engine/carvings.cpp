@@ -18,6 +18,7 @@
 #include "verification/reading_variants.h"
 #include "viewer/depth_colours.h"
 #include "viewer/display_mesh.h"
+#include "viewer/inked_surface.h"
 
 namespace qrelief {
 namespace {
@@ -163,13 +164,15 @@ const std::shared_ptr<const GpuMesh>& Carvings::display(const Ground& ground) {
   if (current_.display || !current_.result || !ground.pass) return current_.display;
   const EngraveResult& result = *current_.result;
   const Placement& placement = result.placement;
-  DisplayMesh display = splitAtCreases(result.mesh);
+  const auto inked = current_.request.isInColour() ? std::optional(inkedSurface(result)) : std::nullopt;
+  DisplayMesh display = splitAtCreases(inked ? inked->mesh : result.mesh);
   const double edge = symbolDecal(result.symbol, placement.frame, placement.symbolMm, current_.request).edgeMm;
   const auto before = ground.pass->render(*ground.model.display, placement.frame, {edge, kNormalTexels});
   if (before)
     takeSmoothNormals(display, result.keptTriangles, placement.frame, before->window, before->framebuffer.readRgba(1));
+  const std::vector<float> values = inked ? splitAtInk(display, inked->isInk) : depthColours(result, display);
   GpuMesh carved(display.mesh, display.normals);
-  carved.setValues(depthColours(result, display));
+  carved.setValues(values);
   current_.display = std::make_shared<const GpuMesh>(std::move(carved));
   return current_.display;
 }
@@ -276,10 +279,11 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
   return aside.width > 0 ? readingVariants(aside, seen.pixelsPerModule) : std::vector<GreyImage>();
 }
 
-std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format) {
+std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer) {
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
-  const bool withInlay = format == "3mf-inlay" || current_.request.mark == Mark::Inlay;
+  const bool isPainted = current_.request.mark == Mark::Paint;
+  const bool withInlay = current_.request.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
   if (withInlay && !result.inlay) {
     const Status made = addInlay(*model.engravable, current_.request.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};
@@ -287,8 +291,8 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);
   if (!holdsColoursOf(current_.request, written)) return {};
   if (written == ModelFormat::ThreeMf) {
-    const auto file =
-        writeCarved3mf(model.engravable->prepared, result, model.partNames, withInlay, {.title = model.fileName});
+    const auto file = writeCarved3mf(model.engravable->prepared, result, model.partNames, withInlay,
+                                     {.title = model.fileName, .slicer = slicer});
     return file ? file->bytes : std::vector<std::uint8_t>();
   }
   const auto bytes =

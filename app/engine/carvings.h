@@ -9,6 +9,7 @@
 
 #include "engine/loaded_model.h"
 #include "gl/pass_timings.h"
+#include "io/write_model.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "verdict/engrave_plan.h"
@@ -93,7 +94,7 @@ class Carvings {
   /// Draws the next trial in every reading variant. Empty if it cannot be drawn.
   std::vector<GreyImage> viewTrialPictures(const Ground& ground);
   /// See Engine::exportModel. Not for "stl": that is printable()->stl.
-  std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format);
+  std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format, Slicer slicer);
 
   // For the inspector; all of it about the last engraving that was started.
   /// Measures the passes of every engraving that starts from now on.

@@ -143,10 +143,12 @@ class Engine {
   /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
   /// forgiving, pixelsPerModule, distanceMm}}.
   std::string noteViewTrial(bool read);
-  /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the
-  /// pockets), reads it back and compares. Empty before an engraving is done ("stl": before it is printable), for any
-  /// other format, if the file would differ from the model, and if no solid body can fill the pockets.
-  std::vector<std::uint8_t> exportModel(const std::string& format);
+  /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (in two colours: with the body
+  /// that fills the pockets, or painted), reads it back and compares. Empty before an engraving is done ("stl": before
+  /// it is printable), for any other format or slicer, if the file would differ from the model, if it cannot hold a
+  /// code in colour, and if no solid body can fill the pockets.
+  /// @param slicer  program that will open a 3MF file, a name of kSlicerNames
+  std::vector<std::uint8_t> exportModel(const std::string& format, const std::string& slicer = "any");
 
   /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0

@@ -7,6 +7,7 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "engine/printed_code.h"
+#include "io/slicer_names.h"
 #include "projection/flatness.h"
 #include "report/json_parts.h"
 #include "verdict/other_prints.h"
@@ -135,9 +136,10 @@ std::string Engine::noteViewTrial(bool read) {
       {{"ok", true}, {"done", trials->done()}, {"tried", trials->tried()}, {"all", trials->all()}, {"views", views}});
 }
 
-std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const std::string& slicer) {
   if (format == "stl") return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
-  return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
+  const auto wanted = slicerByName(slicer);
+  return carvings_.result() && wanted ? carvings_.exported(*model_, format, *wanted) : std::vector<std::uint8_t>();
 }
 
 std::string Engine::addToPlate(int place, const std::string& id, int copies) {

@@ -48,8 +48,13 @@ Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& c
 }  // namespace
 
 void Engine::updateView() {
-  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), preview_.code(),
-                 preview_.hovered(), wanted_.centreMm()});
+  const auto inkOf = [](const EngraveRequest* request) {
+    return request && request->marking.isInColour() ? std::optional(request->marking.ink) : std::nullopt;
+  };
+  const EngraveResult* const result = carvings_.result();
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(),
+                 preview_.code(), preview_.hovered(), wanted_.centreMm(), inkOf(&wanted_.settings()),
+                 inkOf(result ? &result->request : nullptr)});
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -133,7 +138,9 @@ Result<BackDistanceMap> Engine::backDistances() const {
 std::optional<Vec2> Engine::codePlaceAt(double x, double y) const {
   const EngraveResult* result = carvings_.result();
   if (!result) return {};
-  const Mesh& mesh = scene_.surface() == Scene::Surface::Carved ? result->mesh : model_->mesh();
+  // A code in colour lies in the surface of the model.
+  const bool isRelief = scene_.surface() == Scene::Surface::Carved && !result->request.isInColour();
+  const Mesh& mesh = isRelief ? result->mesh : model_->mesh();
   const Ray ray = scene_.camera().ray(x, y);
   const auto hit = firstHit(mesh, ray.origin, ray.direction);
   if (!hit) return {};

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/clock.h"
+#include "viewer/inked_surface.h"
 
 namespace qrelief {
 namespace {
@@ -62,7 +63,13 @@ void Scene::update(const SceneContents& contents) {
   const bool carved = surface_ == Surface::Carved && contents.carved;
   const bool sizes = surface_ == Surface::Sizes && contents.sizes;
   viewer_->setMesh(carved ? contents.carved : sizes ? contents.sizes : contents.model);
-  viewer_->showHeat(sizes ? HeatShown::All : carved && depthsShown_ ? HeatShown::AboveZero : HeatShown::None);
+  viewer_->showHeat(sizes                          ? HeatShown::All
+                    : carved && contents.carvedInk ? HeatShown::Ink
+                    : carved && depthsShown_       ? HeatShown::AboveZero
+                                                   : HeatShown::None);
+  const std::optional<Ink>& ink = carved ? contents.carvedInk : contents.ink;
+  colours_ = ink ? coloursOf(*ink) : SurfaceColours{};
+  viewer_->setColours(colours_);
   viewer_->setDecal(carved ? std::nullopt : decalOf(contents.code));
   viewer_->setGhost(carved ? std::nullopt : decalOf(contents.hovered));
   viewer_->setMarker(carved || contents.code ? std::nullopt : contents.centreMm);
@@ -145,6 +152,7 @@ ColourImage Scene::picture(const std::shared_ptr<const GpuMesh>& model, const De
   camera.finishGlide();
   pictureViewer_->resize(width, height);
   pictureViewer_->setTheme(dark_);
+  pictureViewer_->setColours(colours_);
   pictureViewer_->setMesh(model);
   pictureViewer_->setDecal(decal);
   const gl::Texture canvas(width, height, gl::Format::RGBA8);

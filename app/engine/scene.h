@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/code_on_surface.h"
+#include "verification/ink.h"
 #include "viewer/orbit_camera.h"
 #include "viewer/viewer.h"
 
@@ -25,6 +26,7 @@ struct SceneContents {
   const CodeOnSurface* code = nullptr;
   const CodeOnSurface* hovered = nullptr;
   std::optional<Vec3> centreMm;
+  std::optional<Ink> ink, carvedInk;  ///< materials of the code that is wanted, or carved; none: no code in colour
 };
 
 /// Chooses what is shown, from which camera and in which colours. Screen positions as in Engine.
@@ -75,6 +77,7 @@ class Scene {
 
   std::unique_ptr<Viewer> viewer_, pictureViewer_;
   OrbitCamera camera_;
+  SurfaceColours colours_;
   Surface surface_ = Surface::Model;
   bool depthsShown_ = false, sectionShown_ = false, dark_ = false;
   double sectionOffset_ = 0;

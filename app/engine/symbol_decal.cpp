@@ -2,14 +2,18 @@
 #include "engine/symbol_decal.h"
 
 #include "pipeline/default_patterns.h"
+#include "viewer/inked_surface.h"
 
 namespace qrelief {
 
 Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm, const EngraveRequest& request) {
   const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
-  const SubmoduleMask mask = submodulesToCarve(symbol, *carved.modulePattern, *carved.finderPattern);
+  const SubmoduleMask mask = request.isInColour()
+                                 ? submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None)
+                                 : submodulesToCarve(symbol, *carved.modulePattern, *carved.finderPattern);
   const int border = kSubmodulesPerModule * kQuietZoneModules;
   Decal decal;
+  if (request.isInColour()) decal.colours = coloursOf(request.ink);
   decal.frame = frame;
   decal.size = mask.size + 2 * border;
   decal.edgeMm = symbolMm * decal.size / mask.size;

@@ -101,6 +101,12 @@ void Viewer::showHeat(HeatShown shown) {
   changed_ = true;
 }
 
+void Viewer::setColours(const SurfaceColours& colours) {
+  if (colours_ == colours) return;
+  colours_ = colours;
+  changed_ = true;
+}
+
 void Viewer::setDecal(std::optional<Decal> decal) {
   decal_.decal = std::move(decal);
   decal_.isUploaded = false;
@@ -243,6 +249,8 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
   lighting_.set("u_heatShown", static_cast<int>(heatShown_));
+  lighting_.set("u_material", colours_.body);
+  lighting_.set("u_ink", colours_.ink);
   lighting_.set("u_hatch", glm::vec4(inView(camera, across), static_cast<float>(glm::dot(camera.target, across))));
   lighting_.set("u_hatchMm", static_cast<float>(kHatchShare / kRadiusShare * radiusMm()));
   if (sample.weight < 1) {
@@ -326,6 +334,8 @@ void Viewer::drawDecal(const Shown& shown, double strength, const CameraView& ca
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   setPicture(decalProgram_, camera);
   decalProgram_.set("u_warn", kWarn);
+  decalProgram_.set("u_paperColour", decal.colours.body);
+  decalProgram_.set("u_inkColour", decal.colours.ink);
   decalProgram_.setTexture("u_ink", 2, ink_);
   decalProgram_.setTexture("u_reach", 3, decal.reach ? shown.reach : nothing_);
   decalProgram_.set("u_strength", static_cast<float>(strength));

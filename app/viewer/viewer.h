@@ -14,12 +14,21 @@
 
 namespace qrelief {
 
+/// Linear colours of a surface: of the body's material, and of the ink on it.
+struct SurfaceColours {
+  Vec3f body{0.56f, 0.55f, 0.53f};
+  Vec3f ink{0.035f, 0.04f, 0.055f};
+
+  bool operator==(const SurfaceColours&) const = default;
+};
+
 /// A square picture that the viewer projects onto the surface, by a frame's central projection.
 struct Decal {
   ProjectionFrame frame;
   double edgeMm = 0;              ///< of the picture on the QR plane
   int size = 0;                   ///< texels along an edge
-  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
+  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = ink
+  SurfaceColours colours{{0.78f, 0.78f, 0.77f}, SurfaceColours{}.ink};
   /// Surface that takes the decal. Parts of the square that are not reached get a warning colour, hidden parts none.
   /// None: every surface that faces the eye takes the decal. Its centre and normal are the frame's.
   std::shared_ptr<const VisibilityMap> reach;
@@ -31,8 +40,8 @@ struct CuttingPlane {
   Vec3 normal{0, 0, 1};  ///< unit
 };
 
-/// The values of a mesh that are shown as colours.
-enum class HeatShown { None, All, AboveZero };
+/// The values of a mesh that are shown as colours. Ink: values above a half have the ink's colour.
+enum class HeatShown { None, All, AboveZero, Ink };
 
 /// Limits on the cost of a frame. The defaults suit a software renderer; `suitedTo` chooses better ones for a faster
 /// renderer.
@@ -68,6 +77,7 @@ class Viewer {
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
   /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
   void showHeat(HeatShown shown);
+  void setColours(const SurfaceColours& colours);
   void setDecal(std::optional<Decal> decal);
   /// Sets a second, fainter decal of the same symbol at another place.
   void setGhost(std::optional<Decal> ghost);
@@ -155,6 +165,7 @@ class Viewer {
   std::optional<CuttingPlane> cut_;
   bool dark_ = false;
   HeatShown heatShown_ = HeatShown::None;
+  SurfaceColours colours_;
   int width_ = 1, height_ = 1;
   CameraView lastCamera_;
   bool changed_ = true;

@@ -47,7 +47,7 @@ export class Engraver {
 
   /** Unfolds the settings of every step. */
   async openSettings() {
-    const folded = this.page.locator('.step > details:not([open]) > summary');
+    const folded = this.page.locator('.step > details:not([open], [hidden]) > summary');
     while ((await folded.count()) > 0) await folded.first().click();
   }
 

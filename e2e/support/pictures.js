@@ -107,6 +107,13 @@ const kStates = {
       await press(page, 'Phone view');
     },
   },
+  painted: {
+    walk: async (app, page) => {
+      await app.setting('Made by').selectOption('Second colour, painted');
+      await expect(app.status).toHaveText('Ready.');
+      await engraveAndPrint(app, page);
+    },
+  },
   printed: { walk: (app, page) => seePrint(app, page, {}) },
   'printed-standing': {
     query: kPlate,

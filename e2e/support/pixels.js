@@ -30,5 +30,8 @@ export async function shareOf(element, colour) {
 /** A section, or the part of a code that misses the surface. @type {Colour} */
 export const isOrange = (red, green, blue) => red > 1.35 * green && green > 1.1 * blue && red > 90;
 
+/** Ink in light or shade. Words over the view count, too. @type {Colour} */
+export const isDark = (red, green, blue) => Math.max(red, green, blue) < 75;
+
 /** The middle colour of the depth map. The page's own green, as in buttons over the view, counts too. @type {Colour} */
 export const isTeal = (red, green, blue) => green > 1.3 * red && blue > 1.1 * red && blue < 1.15 * green && green > 60;

@@ -72,6 +72,24 @@ export function bodiesOf(model) {
   return bodies;
 }
 
+/** Returns the text of all model parts of a file, the root last. @param {Map<string, string>} files */
+export const modelsOf = (files) =>
+  [...files]
+    .filter(([name]) => name.endsWith('.model'))
+    .sort(([a], [b]) => Number(a === '3D/3dmodel.model') - Number(b === '3D/3dmodel.model'))
+    .map(([, text]) => text)
+    .join('\n');
+
+/** Returns the colours of the colour groups. @param {string} models */
+export const coloursOf = (models) => new Set(elements(models, 'm:color').map(({ color }) => color));
+
+/** Counts the facets that are painted, by each slicer's attribute. @param {string} models */
+export function paintedIn(models) {
+  const triangles = elements(models, 'triangle');
+  const count = (/** @type {string} */ attribute) => triangles.filter((triangle) => attribute in triangle).length;
+  return { prusa: count('slic3rpe:mmu_segmentation'), bambu: count('paint_color') };
+}
+
 /**
  * Returns the ids of the bodies in each object on the plate.
  * @param {string} model

@@ -4,18 +4,17 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "io/slicer_names.h"
 #include "io/write_3mf.h"
 
 namespace qrelief {
 
 void FileFlags::add(CLI::App& command) {
-  static const std::map<std::string, Slicer> kSlicers = {{"any", Slicer::Any},
-                                                         {"prusa", Slicer::PrusaSlicer},
-                                                         {"orca", Slicer::OrcaSlicer},
-                                                         {"bambu", Slicer::BambuStudio}};
+  std::map<std::string, Slicer> slicers;
+  for (const std::string_view name : kSlicerNames) slicers.emplace(name, *slicerByName(name));
   command
       .add_option("--for", slicer_, "any, prusa, orca or bambu: the slicer that will open a two-colour 3MF file [any]")
-      ->transform(CLI::CheckedTransformer(kSlicers).description(""))
+      ->transform(CLI::CheckedTransformer(slicers).description(""))
       ->option_text("SLICER");
   command.add_flag("--palette", palette_,
                    "list the filaments' colours in a 3MF file for orca or bambu; the file then says that Bambu Studio "

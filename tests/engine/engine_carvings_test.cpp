@@ -197,5 +197,20 @@ TEST_F(EngineCarvingsTest, TheFrontalTrialPictureIsTheReadersView) {
   EXPECT_GT(moved, 3 * difference);
 }
 
+TEST_F(EngineCarvingsTest, ExportsCodesInColourForASlicerAndOnlyWhereBothColoursFit) {
+  for (const std::string mark : {"inlay", "paint"}) {
+    engine_->configure(R"({"text": "a", "size": 30, "mark": ")" + mark + R"("})");
+    ASSERT_GT(carveBy("{}"), 0);
+    const auto any = engine_->exportModel("3mf-inlay");
+    EXPECT_EQ(any, engine_->exportModel("3mf", "any")) << mark;
+    EXPECT_TRUE(readModel(any, "carved.3mf").has_value()) << mark;
+    const auto prusa = engine_->exportModel("3mf-inlay", "prusa");
+    EXPECT_TRUE(readModel(prusa, "carved.3mf").has_value()) << mark;
+    EXPECT_NE(prusa, any) << mark;
+    EXPECT_TRUE(engine_->exportModel("3mf-inlay", "cura").empty()) << mark;
+    EXPECT_TRUE(engine_->exportModel("ply").empty()) << mark;
+  }
+}
+
 }  // namespace
 }  // namespace qrelief

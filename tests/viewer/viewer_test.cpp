@@ -291,6 +291,41 @@ TEST_F(ViewerTest, ColoursOnlyValuesAboveZeroOnRequest) {
   EXPECT_NEAR(heat.brightness(front), plain.brightness(front), 0.01);
 }
 
+TEST_F(ViewerTest, InkAndBodyHaveTheirColours) {
+  const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
+  auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
+  std::vector<float> values(display.normals.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (display.normals[i].z > 0.5f) values[i] = 1;
+  mesh->setValues(values);
+  viewer_->setMesh(mesh);
+  camera_.setScene(mesh->box());
+  camera_.fitFromDefaultSide();
+  viewer_->showHeat(HeatShown::Ink);
+  viewer_->setColours({Vec3f(0.56f), Vec3f(0.03f)});
+  const Vec2 top = camera_.toScreen({0, 0, 20}), front = camera_.toScreen({0, -20, 0});
+  const Picture dark = refined();
+  EXPECT_LT(dark.brightness(top), dark.brightness(front) - 0.3);
+  viewer_->setColours({Vec3f(0.03f), Vec3f(0.56f)});
+  const Picture inverted = refined();
+  EXPECT_GT(inverted.brightness(top), inverted.brightness(front) + 0.3);
+}
+
+TEST_F(ViewerTest, ADecalHasItsOwnColours) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 40;
+  decal.size = 2;
+  decal.ink = {255, 0, 0, 0};
+  decal.colours = {Vec3f(0.03f), Vec3f(0.56f)};
+  viewer_->setDecal(decal);
+  const Picture picture = refined();
+  EXPECT_GT(picture.brightness(camera_.toScreen({-10, 10, 10})),
+            picture.brightness(camera_.toScreen({10, -10, 10})) + 0.3);
+}
+
 TEST_F(ViewerTest, TheRayThroughAPixelHitsTheSurfaceItShows) {
   const Mesh sphere = shapes::icosphere(30, 5);
   show(sphere);

@@ -275,7 +275,7 @@ export class EngineHost {
    */
   printJob(changed = {}) {
     const order = this.engine_.printOrder(changed);
-    return order && { order, stl: this.engine_.exportModel('stl') };
+    return order && { order, stl: this.engine_.exportModel('stl', 'any') };
   }
 
   /**
@@ -312,9 +312,13 @@ export class EngineHost {
     return { passed, report: this.engine_.report() };
   }
 
-  /** Returns the carved model as a file. @param {string} format  see Engine::exportModel() */
-  exportModel(format) {
-    return written(this.engine_.exportModel(format), format);
+  /**
+   * Returns the carved model as a file, see Engine::exportModel().
+   * @param {string} format
+   * @param {import('./types.js').Slicer} [slicer]
+   */
+  exportModel(format, slicer = 'any') {
+    return written(this.engine_.exportModel(format, slicer), format);
   }
 
   /** Returns the plate as 3MF and empties it. @param {string} title */

@@ -133,13 +133,24 @@
  * @typedef {{ done: boolean, tried: number, all: number, views: ViewTrials }} ViewTrialProgress
  */
 
+/** The way that the dark modules are made. @typedef {'shadow' | 'inlay' | 'paint'} Mark */
+/** The program that will open a 3MF file. @typedef {'any' | 'prusa' | 'orca' | 'bambu'} Slicer */
+/**
+ * Cost of the second colour. Waste is null where the printer changes no filaments.
+ * @typedef {{ layers: number, changes: number, secondG: number, firstWasteG: number | null, secondWasteG: number | null,
+ *   wasteMinutes: number | null }} ColourCost
+ */
+
 /**
  * The part of the report (core/report/report.h) that the page shows.
  * @typedef {object} Report
  * @property {string} text
+ * @property {Mark} mark
+ * @property {ColourCost} colour  all zero for a code of one colour
  * @property {{ version: number, ecc: string, modules: number }} symbol
  * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
+ *   of a code in colour only meanMm and maxMm
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
  * @property {{ decoded: boolean, text: string, verdict: Verdict, iso15415: Grades, iso29158: Grades }} verification
  * @property {{ eyeDistanceMm: number }} projection

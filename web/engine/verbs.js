@@ -142,7 +142,7 @@ export const kInnerVerbs = {
   otherPrints: { part: 'others' },
   /** @type {Verb<(changed: PrintChange, texts: string[], facingDeg: number) => Aspect>} */
   judgePrint: { part: 'prints' },
-  /** @type {Verb<(format: string) => Uint8Array<ArrayBuffer>>} */
+  /** @type {Verb<(format: string, slicer: import('./types.js').Slicer) => Uint8Array<ArrayBuffer>>} */
   exportModel: {},
   /** @type {Verb<(title: string) => Uint8Array<ArrayBuffer>>} */
   exportPlate: {},

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { settingsFromAddress } from './address_settings.js';
 
 /** @type {import('../generated/settings.js').SettingKey[]} */
-const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask'];
+const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask', 'mark', 'label'];
 const readAll = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 const read = (/** @type {string} */ query) => readAll(query).settings;
 
@@ -23,6 +23,7 @@ test('settings are read by name and kind', () => {
     },
   );
   assert.deepEqual(read('mask=shadiest&finderPattern=none'), { mask: 'shadiest' }, 'what has no control is left out');
+  assert.deepEqual(read('text=HELLO&mark=paint&label=No.%207'), { mark: 'paint', label: 'No. 7' });
   assert.deepEqual(read('sample=bunny'), {});
 });
 

@@ -109,7 +109,8 @@ function checkChoice(name, value, choices, refuse) {
 export function checkSetting(name, value, refuse = refuseFile) {
   const { kind, choices = [], min = 0, max = 0 } = kSettings[name];
   if (kind === 'text') {
-    if (typeof value !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(value) } }));
+    if (typeof value !== 'string')
+      refuse(message('settings-wrong-text', { name: { term: name }, value: { term: shown(value) } }));
   } else if (kind === 'switch') {
     if (typeof value !== 'boolean')
       refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));

@@ -455,11 +455,12 @@ export class Carving {
     }
   }
 
-  /** @param {string} format */
-  async download(format) {
+  /** @param {import('../ui/download_choice.js').Download} file */
+  async download({ format, slicer }) {
     const [extension, addition] = format.split('-');
-    const bytes = await this.client_.exportModel(format);
-    const name = this.nameOf_(await this.client_.report(), extension, addition);
+    const bytes = await this.client_.exportModel(format, slicer);
+    const report = await this.client_.report();
+    const name = this.nameOf_(report, extension, report.mark === 'paint' ? report.mark : addition);
     saveFile(new Blob([bytes], { type: `model/${extension}` }), name);
   }
 

@@ -10,14 +10,20 @@ class FakeElement {
 }
 const { document: realDocument, HTMLElement: realElement } = globalThis;
 const summary = new FakeElement();
+const parts = ['shadow', 'inlay', 'inlay paint'].map((marks) => ({ dataset: { marks }, hidden: false }));
 
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {any[][]} */ let shown;
 
-before(() => Object.assign(globalThis, { document: { getElementById: () => summary }, HTMLElement: FakeElement }));
+before(() =>
+  Object.assign(globalThis, {
+    document: { getElementById: () => summary, querySelectorAll: () => parts },
+    HTMLElement: FakeElement,
+  }),
+);
 after(() => Object.assign(globalThis, { document: realDocument, HTMLElement: realElement }));
 beforeEach(() => {
-  store = storeOf({ values: { preset: 'balanced', nozzle: '0.4' } });
+  store = storeOf({ values: { mark: 'shadow', preset: 'balanced', nozzle: '0.4' } });
   shown = [];
   const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void shown.push([panel, part]);
   showWork(store, {
@@ -50,6 +56,17 @@ test('Without a centre the fields keep their values', () => {
 
 test('One line sums up the carving from the start', () => {
   assert.match(summary.textContent, /^Balanced.*0\.4/);
-  store.update({ values: { preset: 'robust', nozzle: '' } });
+  store.update({ values: { mark: 'shadow', preset: 'robust', nozzle: '' } });
   assert.match(summary.textContent, /^Robust.*\?/);
+  store.update({ values: { mark: 'paint', preset: 'robust', nozzle: '0.4' } });
+  assert.match(summary.textContent, /^Second colour, painted.*0\.4/);
+});
+
+test('Settings without an effect on the mark are hidden', () => {
+  const hidden = () => parts.map((part) => part.hidden);
+  assert.deepEqual(hidden(), [false, true, true]);
+  store.update({ values: { mark: 'inlay' } });
+  assert.deepEqual(hidden(), [true, false, false]);
+  store.update({ values: { mark: 'paint' } });
+  assert.deepEqual(hidden(), [true, true, false]);
 });

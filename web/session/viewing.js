@@ -89,12 +89,12 @@ export class Viewing {
 
   /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} shown */
   noteCarved_(exists, shown) {
-    this.toolbar_.setCarved(exists, shown);
+    this.toolbar_.setCarved(exists, shown, this.carving_.carved?.report.mark === 'shadow');
     this.tools_.reader.show(shown ? this.carving_.carved?.report.verification.text : undefined);
     this.tools_.set({ carved: shown });
     this.notePrinted_();
-    if (!shown) this.legend_.hide('depths');
-    else if (this.toolbar_.depthsShown) void this.guard_(() => this.showDepths_(true));
+    if (!shown || !this.toolbar_.depthsShown) this.legend_.hide('depths');
+    else void this.guard_(() => this.showDepths_(true));
   }
 
   /** Updates the print in the view after a new carving or print. */

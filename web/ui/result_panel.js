@@ -3,6 +3,9 @@
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatSeconds } from '../i18n/format.js';
+import { showMarkCost } from './carve_panel.js';
+import { colourCost } from './colour_cost.js';
+import { DownloadChoice } from './download_choice.js';
 import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
 import { markStep, showStep } from './steps.js';
@@ -19,7 +22,7 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
 
 /**
  * @typedef {object} ResultListener
- * @property {(format: string) => void} onDownload
+ * @property {(file: import('./download_choice.js').Download) => void} onDownload
  * @property {() => void} onSaveReport
  * @property {(remedy: Remedy, label: string) => void} onRemedy
  * @property {(wanted: boolean) => void} onPrint  start or stop the simulation of the print
@@ -37,8 +40,10 @@ export class ResultPanel {
     this.grades_ = new GradesPanel(async (...report) => this.listener_?.onTryViews(...report));
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
-    const format = byId('format', HTMLSelectElement);
-    byId('download', HTMLButtonElement).addEventListener('click', () => this.listener_?.onDownload(format.value));
+    this.choice_ = new DownloadChoice();
+    byId('download', HTMLButtonElement).addEventListener('click', () =>
+      this.listener_?.onDownload(this.choice_.chosen),
+    );
     byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
     onLanguage(() => this.render_());
     this.render_();
@@ -54,6 +59,7 @@ export class ResultPanel {
     this.result_ = result;
     this.outdated_ = false;
     this.grades_.show(result.report);
+    this.choice_.offerFor(result.report.mark);
     this.render_();
   }
 
@@ -97,12 +103,13 @@ export class ResultPanel {
   render_() {
     this.region_.hidden = !this.result_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
+    showMarkCost(this.outdated_ ? undefined : this.result_?.report);
     if (!this.result_) {
       showStep('check', 'open', () => text('page.checkNone'));
       return;
     }
     const { report, elapsedMs, printed } = this.result_;
-    const { size, depth, symbol } = report;
+    const { size, symbol } = report;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else if (isUnderWay(printed) && isGoodButForPrinting(verdict))
@@ -122,7 +129,8 @@ export class ResultPanel {
         text('page.size'),
         text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) }),
       ),
-      ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
+      ...depthRow(report),
+      ...(report.mark === 'shadow' ? [] : row(text('page.secondColour'), colourCost(report.colour))),
       ...row(text('page.time'), formatSeconds(elapsedMs)),
       ...row(text('page.code'), text('page.codeValue', symbol)),
     );
@@ -147,6 +155,16 @@ function summaryOf({ reads, prints, solid }) {
   if (reads.level === 'barely') return 'check.stepBarely';
   if (prints.level !== 'good') return 'check.stepUnprintable';
   return solid.level === 'good' ? 'check.stepGood' : 'check.stepCrossing';
+}
+
+/** @param {Report} report */
+function depthRow({ mark, depth }) {
+  if (mark === 'paint') return [];
+  const max = formatMm(depth.maxMm);
+  return row(
+    text('page.depth'),
+    mark === 'inlay' ? max : text('page.depthValue', { mean: formatMm(depth.meanMm), max }),
+  );
 }
 
 /** @param {string} term @param {string} value */

@@ -171,6 +171,7 @@ const isSwitch = (key) => kSettings[/** @type {SettingKey} */ (key)].kind === 's
  */
 function settingOf(key, value, size) {
   if (typeof value === 'boolean') return value;
+  if (kSettings[key].kind === 'text') return value === '' ? undefined : value;
   if (isChoice(key)) return isWhole(value) ? Number(value) : value;
   if (kSettings[key].kind === 'lamps') return lampsOf(key, value);
   return numberOf(key, value, size);

@@ -142,6 +142,12 @@ test('An empty optional field is left out', () => {
   for (const key of ['contrast', 'version', 'light', 'ecc']) assert.equal(key in given, false, key);
 });
 
+test('A text is taken as typed; an empty one is left out', () => {
+  assert.equal('label' in settings({ label: '' }), false);
+  assert.equal(/** @type {any} */ (settings({ label: ' No. 007' })).label, ' No. 007');
+  assert.equal(held(/** @type {any} */ ({ label: 'No. 7' })).label, 'No. 7');
+});
+
 test('A missing, malformed or out-of-range number is refused with the range', () => {
   const range = { from: { number: 0 }, to: { number: 1000 } };
   const wall = { setting: { setting: 'minWallMm' }, ...range };

@@ -110,13 +110,17 @@ export class ViewToolbar {
     if (shown) this.listener_?.onFaceSection();
   }
 
-  /** @param {boolean} exists  whether there is a carved model @param {boolean} shown */
-  setCarved(exists, shown) {
+  /**
+   * @param {boolean} exists    whether there is a carved model
+   * @param {boolean} shown
+   * @param {boolean} isRelief  whether it has depths to show
+   */
+  setCarved(exists, shown, isRelief) {
     this.carved_.disabled = !exists;
     this.carved_.setAttribute('aria-pressed', String(shown));
     this.before_.disabled = !shown;
-    this.depths_.disabled = !exists;
-    if (!exists) this.depths_.setAttribute('aria-pressed', 'false');
+    this.depths_.disabled = !exists || !isRelief;
+    if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
   }
 
   /** @param {boolean} placed  whether a code is placed */

@@ -62,7 +62,7 @@ export const guide = {
     materialMatt:
       'Matt, opaque filament is best. Highlights on glossy or silky filament and the glow of translucent filament hide the shadows.',
     materialTwo:
-      'With two colours, download “3MF, two colours”: a second body fills the pockets, and the code reads like a printed one.',
+      'With two filaments, set “Made by” to a second colour: inlaid as a thin, flush body, or painted onto the surface. Such a code needs no shadow, and the 3MF file opens with both filaments. Lay the code facing up, which takes only a few filament changes; on a wall, every layer takes one.',
 
     light: 'Light and reading',
     lightEven:
@@ -172,7 +172,7 @@ export const guide = {
     materialMatt:
       'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
     materialTwo:
-      'Für zwei Farben „3MF, zweifarbig“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
+      'Mit zwei Filamenten „Gemacht durch“ auf eine zweite Farbe stellen: eingelegt als dünner, bündiger Körper oder auf die Oberfläche gemalt. Ein solcher Code braucht keinen Schatten, und die 3MF-Datei öffnet sich mit beiden Filamenten. Den Code nach oben legen, das kostet nur wenige Filamentwechsel; an einer Wand kostet jede Schicht einen.',
 
     light: 'Licht und Lesen',
     lightEven:

@@ -59,7 +59,7 @@ export const page = {
     noGoodSpot: 'None of these spots is certain to print readably. Each spot shows the reason.',
 
     carve: 'Engrave',
-    carveState: '{preset}, {nozzle} mm nozzle',
+    carveState: '{way}, {nozzle} mm nozzle',
     engrave: 'Engrave',
     cancel: 'Cancel',
 
@@ -70,6 +70,9 @@ export const page = {
     checkOutdated: 'Older than your last change',
     format: 'Format',
     twoColours: '3MF, two colours',
+    onlyTwoColours: 'Only 3MF holds both colours in one file.',
+    slicer: 'For',
+    anySlicer: 'Any slicer',
     download: 'Download',
     saveReport: 'Save report',
 
@@ -126,6 +129,10 @@ export const page = {
     sizeValue: '{width}, modules of {module}',
     depth: 'Depth',
     depthValue: '{mean} on average, {max} at most',
+    secondColour: 'Second colour',
+    changes: { one: '{count} filament change', other: '{count} filament changes' },
+    changesWaste: '{changes}, {grams} g and {minutes} min of waste',
+    markCost: 'This code: {cost}.',
     time: 'Time',
     codeValue: 'version {version}-{ecc}, {modules} × {modules} modules',
     outdated: 'Made before your last change. Engrave again to update it.',
@@ -187,7 +194,7 @@ export const page = {
     noGoodSpot: 'Keine dieser Stellen druckt sich sicher lesbar. Der Grund steht bei jeder Stelle.',
 
     carve: 'Gravur',
-    carveState: '{preset}, Düse {nozzle} mm',
+    carveState: '{way}, Düse {nozzle} mm',
     engrave: 'Gravieren',
     cancel: 'Abbrechen',
 
@@ -198,6 +205,9 @@ export const page = {
     checkOutdated: 'Älter als die letzte Änderung',
     format: 'Format',
     twoColours: '3MF, zweifarbig',
+    onlyTwoColours: 'Nur 3MF fasst beide Farben in einer Datei.',
+    slicer: 'Für',
+    anySlicer: 'Jeden Slicer',
     download: 'Herunterladen',
     saveReport: 'Bericht speichern',
 
@@ -254,6 +264,10 @@ export const page = {
     sizeValue: '{width}, Module von {module}',
     depth: 'Tiefe',
     depthValue: '{mean} im Mittel, höchstens {max}',
+    secondColour: 'Zweite Farbe',
+    changes: { one: '{count} Filamentwechsel', other: '{count} Filamentwechsel' },
+    changesWaste: '{changes}, {grams} g Abfall und {minutes} min mehr Zeit',
+    markCost: 'Dieser Code: {cost}.',
     time: 'Zeit',
     codeValue: 'Version {version}-{ecc}, {modules} × {modules} Module',
     outdated: 'Vor der letzten Änderung entstanden. Zum Auffrischen neu gravieren.',

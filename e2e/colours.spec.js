@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Codes in a second colour: chosen, shown, read and saved with both filaments.
+import { expect, test } from '@playwright/test';
+import { checkSolid, volume } from '../web/samples/solid.js';
+import { readStl } from '../web/samples/stl.js';
+import { decodePng } from './support/decode.js';
+import { Engraver } from './support/engraver.js';
+import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
+
+const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
+const kCost = /Second colour\s*\d+ filament changes?, [\d.]+ g and \d+ min of waste/;
+
+/** Opens the plate with a short code, made by `mark`. @param {import('@playwright/test').Page} page @param {string} mark */
+async function open(page, mark) {
+  const app = new Engraver(page);
+  await app.open('?sample=plate&text=A');
+  await app.expectReady();
+  const plate = readStl(new Uint8Array(await (await page.request.get('samples/plate.stl')).body()));
+  await app.setting('Made by').selectOption(mark);
+  await app.expectReady();
+  return { app, plate };
+}
+
+test('A painted code keeps the model’s shape and has the second filament', async ({ page }) => {
+  const { app, plate } = await open(page, 'Second colour, painted');
+  const choice = page.locator('#step-carve');
+  await expect(choice).toContainText('about one filament change per layer');
+  await expect(app.setting('How deep')).toBeHidden();
+  await app.engrave();
+
+  await test.step('The numbers say what the colour costs, and no depth', async () => {
+    await expect(app.result).toContainText('Reads as A');
+    await expect(app.result).toContainText(kCost);
+    await expect(app.result.locator('dl')).not.toContainText('Depth');
+    await expect(choice).toContainText(/This code: \d+ filament change/);
+    await expect(page.getByRole('button', { name: 'Depths', exact: true })).toBeDisabled();
+  });
+
+  await test.step('The view shows the code in its colours', async () => {
+    await page.getByRole('button', { name: 'Phone view' }).click();
+    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+  });
+
+  await test.step('Only 3MF is offered, and its facets have two filaments', async () => {
+    await expect(app.setting('Format').locator('option:not([disabled])')).toHaveText(['3MF, two colours']);
+    await expect(app.result).toContainText('Only 3MF holds both colours in one file.');
+    const { name, bytes } = await app.download();
+    expect(name).toMatch(/^plate-qr-a-\d+mm-paint\.3mf$/);
+    const files = unzip(bytes);
+    const models = modelsOf(files);
+    expect(coloursOf(models).size).toBe(2);
+    const [body, ...others] = [...bodiesOf(models).values()];
+    expect(others).toEqual([]);
+    expect(checkSolid(body.mesh)).toMatchObject(kSolid);
+    expect(volume(body.mesh) / volume(plate)).toBeCloseTo(1, 9);
+    const { prusa, bambu } = paintedIn(models);
+    expect(prusa).toBeGreaterThan(100);
+    expect(bambu).toBe(prusa);
+  });
+
+  await test.step('For PrusaSlicer, the file has its attribute alone', async () => {
+    await app.setting('For').selectOption('PrusaSlicer');
+    const { prusa, bambu } = paintedIn(modelsOf(unzip((await app.download()).bytes)));
+    expect(prusa).toBeGreaterThan(100);
+    expect(bambu).toBe(0);
+  });
+
+  await test.step('A code of one colour has all formats again', async () => {
+    await app.setting('Made by').selectOption('Shadow');
+    await app.expectReady();
+    await expect(app.setting('How deep')).toBeVisible();
+    await app.engrave();
+    await expect(app.setting('Format')).toHaveValue('stl');
+    await expect(app.setting('For')).toBeHidden();
+    await expect(app.setting('Format').locator('option:not([disabled])')).toHaveCount(5);
+    await expect(app.result).toContainText(/Depth\s*[\d.]+ mm on average/);
+  });
+});
+
+test('An inlaid code and its model are two solids that fill the model exactly', async ({ page }) => {
+  const { app, plate } = await open(page, 'Second colour, inlaid');
+  await app.engrave();
+  await expect(app.result).toContainText(/Depth\s*[\d.]+ mm/);
+  await expect(app.result).toContainText(kCost);
+  const { name, bytes } = await app.download();
+  expect(name).toMatch(/^plate-qr-a-\d+mm-inlay\.3mf$/);
+  const files = unzip(bytes);
+  const bodies = bodiesOf(modelsOf(files));
+  const [bodyId, inlayId] = [...bodies.keys()];
+  expect(bodies.size).toBe(2);
+  const [body, inlay] = [...bodies.values()];
+  for (const { mesh } of [body, inlay]) expect(checkSolid(mesh)).toMatchObject(kSolid);
+  expect((volume(body.mesh) + volume(inlay.mesh)) / volume(plate)).toBeCloseTo(1, 6);
+  expect(inlay.colour).not.toBe(body.colour);
+  const extruders = { [bodyId]: '1', [inlayId]: '2' };
+  expect(extrudersOf(files)).toEqual({ bambu: extruders, prusa: extruders });
+
+  await test.step('The view shows the inlay in its colour', async () => {
+    await page.getByRole('button', { name: 'Phone view' }).click();
+    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+  });
+});

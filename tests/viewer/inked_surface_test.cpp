@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/inked_surface.h"
+
+#include <algorithm>
+
+#include "mesh/prepare.h"
+#include "settings/settings.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+#include "support/solid_oracle.h"
+
+namespace qrelief {
+namespace {
+
+class InkedSurfaceTest : public GlTest {
+ protected:
+  /// Engraves the top of a box of 60 × 60 × 20 mm.
+  static EngraveResult engraved(Mark mark) {
+    EngraveRequest request = defaultRequest();
+    request.text = "A";
+    request.mark = mark;
+    request.placement.centreMm = {0, 0, 10};
+    request.placement.sizeMode = SizeMode::Fixed;
+    request.placement.sizeMm = 30;
+    const auto model = EngravableModel::upload(*prepareModel(shapes::soupOf(shapes::box({60, 60, 20})), {}));
+    auto result = engrave(model, request);
+    EXPECT_TRUE(result.has_value());
+    return result ? std::move(*result) : EngraveResult{};
+  }
+  static double inkMm2(const InkedSurface& surface) {
+    double area = 0;
+    for (std::size_t t = 0; t < surface.isInk.size(); ++t)
+      if (surface.isInk[t])
+        area += glm::length(glm::cross(surface.mesh.corner(t, 1) - surface.mesh.corner(t, 0),
+                                       surface.mesh.corner(t, 2) - surface.mesh.corner(t, 0))) /
+                2;
+    return area;
+  }
+  static double darkMm2(const EngraveResult& result) {
+    const double moduleMm = result.placement.moduleMm;
+    return static_cast<double>(std::count(result.symbol.dark.begin(), result.symbol.dark.end(), 1)) * moduleMm *
+           moduleMm;
+  }
+};
+
+TEST_F(InkedSurfaceTest, PaintIsTheModelsSurfaceWithThePaintedTriangles) {
+  const EngraveResult result = engraved(Mark::Paint);
+  const InkedSurface surface = inkedSurface(result);
+  EXPECT_EQ(surface.mesh.triangles, result.mesh.triangles);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(surface.isInk.begin(), surface.isInk.end(), true)),
+            result.painted.size());
+  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 1e-3 * darkMm2(result));
+}
+
+TEST_F(InkedSurfaceTest, AnInlayAndItsModelHaveTheOutsideOfTheModel) {
+  const EngraveResult result = engraved(Mark::Inlay);
+  const InkedSurface surface = inkedSurface(result);
+  EXPECT_EQ(surfaceProblems(surface.mesh), "");
+  EXPECT_NEAR(signedVolume(surface.mesh), 60.0 * 60 * 20, 1e-2);
+  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 1e-3 * darkMm2(result));
+  EXPECT_TRUE(std::equal(result.mesh.triangles.begin(),
+                         result.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(result.keptTriangles),
+                         surface.mesh.triangles.begin()));
+}
+
+TEST(SplitAtInk, NoVertexIsOfBothMaterials) {
+  DisplayMesh display = splitAtCreases(shapes::box({2, 2, 2}));
+  const DisplayMesh before = display;
+  std::vector<bool> isInk(display.mesh.triangles.size(), false);
+  isInk[0] = isInk[5] = true;
+  const std::vector<float> values = splitAtInk(display, isInk);
+  ASSERT_EQ(values.size(), display.mesh.positions.size());
+  ASSERT_EQ(values.size(), display.normals.size());
+  for (std::size_t t = 0; t < isInk.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t now = display.mesh.triangles[t][k], then = before.mesh.triangles[t][k];
+      EXPECT_EQ(values[now], isInk[t] ? 1.0f : 0.0f);
+      EXPECT_EQ(display.mesh.positions[now], before.mesh.positions[then]);
+      EXPECT_EQ(display.normals[now], before.normals[then]);
+    }
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words for the price of a second colour.
+import { text } from '../i18n/catalogue.js';
+import { formatPlain } from '../i18n/format.js';
+
+/** Says the filament changes of a code, and their waste where it is known. @param {import('../engine/types.js').Report['colour']} cost */
+export function colourCost({ changes, firstWasteG, secondWasteG, wasteMinutes }) {
+  const count = text('page.changes', { count: changes });
+  if (firstWasteG === null || secondWasteG === null || wasteMinutes === null) return count;
+  const grams = firstWasteG + secondWasteG;
+  return text('page.changesWaste', {
+    changes: count,
+    grams: formatPlain(grams, grams < 10 ? 1 : 0),
+    minutes: formatPlain(wasteMinutes, 0),
+  });
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { colourCost } from './colour_cost.js';
+
+const kCost = { layers: 2, changes: 2, secondG: 0.1, firstWasteG: 0.18, secondWasteG: 0.12, wasteMinutes: 4.4 };
+
+test('The cost says changes, grams and minutes', () => {
+  assert.equal(colourCost(kCost), '2 filament changes, 0.3 g and 4 min of waste');
+  assert.match(colourCost({ ...kCost, changes: 1 }), /^1 filament change,/);
+  assert.match(colourCost({ ...kCost, firstWasteG: 14.6, secondWasteG: 10 }), / 25 g and/);
+});
+
+test('On a printer without filament changes only their number is known', () => {
+  const unpriced = { ...kCost, firstWasteG: null, secondWasteG: null, wasteMinutes: null };
+  assert.equal(colourCost(unpriced), '2 filament changes');
+});
