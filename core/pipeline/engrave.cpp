@@ -9,7 +9,6 @@
 
 #include "base/clock.h"
 #include "carving/embed.h"
-#include "depth/submodule_luminances.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "math/tolerance.h"
@@ -20,7 +19,6 @@
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
-#include "pipeline/depth_solver_of.h"
 #include "pipeline/printed_view.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
@@ -30,9 +28,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kN = kSubmodulesPerModule;
-constexpr double kReachPerDepth = 8;  // at eight times its height away a wall hides 0.4 % of the sky
-constexpr double kLeastReachModules = 3;
+constexpr double kViewReachPerDepth = 4;  // at four times its height away a wall hides 1.5 % of the sky
 /// Size of the picture for the decoder, in pixels: at most along its edge, for large symbols, and at least along a
 /// module's edge.
 constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
@@ -80,7 +76,6 @@ struct EngraveJob::State {
 
   Symbol symbol;
   SubmoduleMask mask;
-  std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
   std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
@@ -88,9 +83,7 @@ struct EngraveJob::State {
   LightBy lightBy = LightBy::Renderer;
   CarvingTarget target;
   MakeSearch makeOwnSearch;  // empty: the request decides
-  std::unique_ptr<DepthSolver> search;
-  const FastSearch* searchBeforePrint = nullptr;  // `search`, until the print has been taken into account
-  std::vector<float> means;                       // mean luminance of every cell of the map
+  std::unique_ptr<PlaceSearch> search;
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
   bool isPrinted = false;  // true once the print has been taken into account
@@ -101,16 +94,13 @@ struct EngraveJob::State {
   void decidePatterns(bool areWallsThin);
   std::vector<double> limitsOfMask() const;
   Status map();
-  void startSearch();
   Status searchOnce();
   Status embed();
   Status print();
   Status write();
   Status check();
   void view();
-  void measure();
   void startRecord(std::span<const double> limitMm);
-  void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
   Progress progress();
 };
 
@@ -189,45 +179,14 @@ Status EngraveJob::State::map() {
     decidePatterns(true);
     limits = limitsOfMask();
   }
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
-    if (mask.carved[i]) allCarved.push_back(i);
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
-  startSearch();
+  auto started = PlaceSearch::create(request, target, {layout, placement.moduleMm, &measured->light()}, makeOwnSearch);
+  if (!started) return tl::unexpected(started.error());
+  search = std::move(*started);
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
-}
-
-void EngraveJob::State::startSearch() {
-  if (makeOwnSearch) {
-    search = makeOwnSearch(target);
-  } else if (request.isForPrint()) {
-    auto rough = makeSearchBeforePrint(request, target);
-    searchBeforePrint = rough.get();
-    search = std::move(rough);
-  } else {
-    search = makeDepthSolver(request, target);
-  }
-}
-
-/// Measures the luminance of the submodules that the search requests, at its depths.
-void EngraveJob::State::measure() {
-  const std::span<const std::uint32_t> due = search->due().empty() ? allCarved : search->due();
-  std::vector<std::uint32_t> cells;
-  for (const std::uint32_t i : due)
-    cells.push_back(layout.ofSymbol(static_cast<int>(i) / mask.size, static_cast<int>(i) % mask.size));
-  std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
-  double deepest = 0;
-  for (int row = 0; row < mask.size; ++row) {
-    for (int column = 0; column < mask.size; ++column) {
-      const double depth = search->depths().depth(row, column);
-      depths[layout.ofSymbol(row, column)] = static_cast<float>(depth);
-      deepest = std::max(deepest, depth);
-    }
-  }
-  means = measured->light().luminance(
-      cells, depths, std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest));
 }
 
 void EngraveJob::State::startRecord(std::span<const double> limitMm) {
@@ -238,41 +197,16 @@ void EngraveJob::State::startRecord(std::span<const double> limitMm) {
   }
 }
 
-void EngraveJob::State::recordPass(const DepthField& tried, std::span<const double> luminance, double ms) {
-  const SubmoduleLuminances seen(luminance, symbol.size);
-  SearchRecord::Pass made;
-  made.ms = ms;
-  for (const std::uint32_t i : result.search.carved) {
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
-    made.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
-    made.luminance.push_back(static_cast<float>(seen.of(row, column)));
-  }
-  result.search.passes.push_back(std::move(made));
-  result.search.luminance.assign(luminance.begin(), luminance.end());
-}
-
 Status EngraveJob::State::searchOnce() {
   const auto start = Clock::now();
-  measure();
-  const int edge = kN * (symbol.size + 2 * kQuietZoneModules);
-  std::vector<double> luminance(static_cast<std::size_t>(edge * edge));
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column)
-      luminance[static_cast<std::size_t>(row * edge + column)] = means[layout.ofQuietZone(row, column)];
-  const DepthField tried = request.recordSearch ? search->depths() : DepthField{};
-  search->update(luminance);
-  const double ms = millisecondsSince(start);
-  result.timingsMs.depthSearch += ms;
-  if (request.recordSearch) recordPass(tried, luminance, ms);
+  search->step(request.recordSearch ? &result.search : nullptr);
+  result.timingsMs.depthSearch += millisecondsSince(start);
   if (!search->finished()) return {};
   result.depths = search->depths();
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
-  result.luminance = std::move(luminance);
-  const std::vector<Received> received = measured->light().received();
-  result.received.clear();
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
+  result.luminance = search->luminance();
+  result.received = search->received();
   if (summarise(result.depths).maxMm == 0)
     return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
   stage = Stage::Embedding;
@@ -307,10 +241,8 @@ Status EngraveJob::State::print() {
   const auto progress = printing->advance();
   if (!progress) return tl::unexpected(progress.error());
   if (progress->done) {
-    search = makeSearchAfterPrint(
-        request, target,
-        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()),
-        *std::exchange(searchBeforePrint, nullptr));
+    search->restart(
+        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()));
     printing.reset();
     embedded = {};
     isPrinted = true;
@@ -366,7 +298,7 @@ void EngraveJob::State::view() {
   options.extentMm = result.placement.moduleMm * modulesAcross;
   options.texels = pixels * modulesAcross;
   options.reliefMm = static_cast<float>(summarise(result.depths).maxMm);
-  options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
+  options.radiusMm = static_cast<float>(kViewReachPerDepth) * options.reliefMm;
   options.albedo = request.albedo;
   options.lights = request.lamps();
   result.readerView = photographed(meshLuminance(result.mesh, result.placement.frame,

@@ -14,6 +14,7 @@
 #include "depth/search_record.h"
 #include "pipeline/engravable_model.h"
 #include "pipeline/measured_place.h"
+#include "pipeline/place_search.h"
 #include "pipeline/placement.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
@@ -78,9 +79,6 @@ struct InspectorMaps {
   const Symbol* symbol = nullptr;
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
-
-/// Function that makes a depth search.
-using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
 
 /// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the model's GL
 /// context.
