@@ -14,6 +14,7 @@
 precision highp float;
 
 #include "distance_map.glsl"
+#include "moved.glsl"
 #include "pi.glsl"
 #include "visible_arc.glsl"
 
@@ -29,6 +30,7 @@ uniform int u_stride;              // distance between computed texels, texels
 uniform float u_cellsPerPixel;     // 1 / u_computedTexels
 uniform sampler2D u_list;          // columns and rows of the listed cells
 uniform int u_listed;              // how many there are; 0: all
+uniform int u_onlyDue;             // 1: of these, only floors that are due; u_depth then holds floors (floors.glsl)
 
 uniform int u_lampCount;
 uniform vec4 u_lamps[2];           // unit vector to the lamp, strength
@@ -152,6 +154,7 @@ ivec2 blockOf(vec2 pixel) {
 void main() {
   ivec2 block = blockOf(gl_FragCoord.xy);
   if (block.x < 0) discard;
+  if (u_onlyDue == 1 && !isDue(u_depth, ivec2((vec2(block) + 0.5) * u_cellsPerPixel))) discard;
   vec2 texel = vec2(texelOf(block)) + 0.5;
   vec4 surface = texelFetch(u_surface, ivec2(texel), 0);
   if (!isModel(surface)) {

@@ -52,8 +52,8 @@ void Engine::updateView() {
     return request && request->marking.isInColour() ? std::optional(request->marking.ink) : std::nullopt;
   };
   const EngraveResult* const result = carvings_.result();
-  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(),
-                 preview_.code(), preview_.hovered(), wanted_.centreMm(), inkOf(&wanted_.settings()),
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), preview_.code(),
+                 preview_.hovered(), wanted_.centreMm(), inkOf(&wanted_.settings()),
                  inkOf(result ? &result->request : nullptr)});
 }
 

@@ -6,22 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "depth/search_aim.h"
 #include "depth/submodule_luminances.h"
 
 namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr double kFirstDepthModules = 0.25;
-// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
-constexpr double kAimFraction = 0.003;
-constexpr double kMaxAimFraction = 0.2;
-constexpr double kChangeFraction = 0.4;  // of a floor's last change of difference: extra darkness to aim at
-constexpr double kMaxChange = 0.3;       // limit on the change that counts
-constexpr int kSweepsPerPass = 3;
-constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
-constexpr double kMaxAlbedo = 0.95;
-
 /// log((1 − V)/V)
 double darkness(double fraction) {
   const double v = std::clamp(fraction, 1e-3, 1 - 1e-3);
@@ -50,7 +41,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
   }
   const std::size_t count = sky_->carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
-  difference_.assign(count, std::log(1 - std::min(options_.albedo, kMaxAlbedo)));
+  difference_.assign(count, firstDifference(options_.albedo));
   differenceChange_.assign(count, 0);
   seenFraction_.assign(count, 1);
   states_.assign(count, State::TooBright);
@@ -65,16 +56,14 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
 }
 
 void FastSearch::solve() {
-  // The few floors that stay too bright are those that the plane predicts badly, so aim darker for them.
-  const double lastAim =
-      std::min(kAimFraction * std::pow(3.0, std::max(0, iterations_ - freePasses_ + 1)), kMaxAimFraction);
+  const double lastAim = aimForTooBright(iterations_, freePasses_);
   std::vector<double> fractions;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimFraction;
     const double allowance = kChangeFraction * std::min(differenceChange_[k], kMaxChange);
     fractions.push_back(fractionOfDarkness(darkness(fractionAsked_[k] * (1 - margin)) + allowance - difference_[k]));
   }
-  sky_->solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
+  sky_->solve(fractions, limitMm_, solvedMm_, isDue_, options_.sweepsPerPass);
   const PocketSky::Depths solved(*sky_, solvedMm_);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_->carved()[k]];

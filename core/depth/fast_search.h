@@ -18,6 +18,7 @@ struct FastSearchOptions {
   double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
   double albedo = 0.7;    ///< albedo of the material, 0 … 1: first estimate of interreflection
   int maxIterations = 24;
+  int sweepsPerPass = 3;  ///< of the solver on the plane; more come closer to its solution
 };
 
 /// Reaches the same target as the paper's search (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less

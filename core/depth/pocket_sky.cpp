@@ -18,6 +18,22 @@ constexpr double kPlaces[2] = {0.2113, 0.7887};
 
 }  // namespace
 
+std::array<std::vector<PathStep>, kFloorDirections> floorPaths(int size, double submoduleMm) {
+  std::array<std::vector<PathStep>, kFloorDirections> paths;
+  for (std::size_t k = 0; k < kFloorDirections; ++k) {
+    // Between the axes and the diagonals.
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kFloorDirections;
+    const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
+    GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
+    for (;;) {
+      const double distanceMm = march.step() * submoduleMm;
+      if (std::max(std::abs(march.cell().x), std::abs(march.cell().y)) > size) break;
+      paths[k].push_back({march.cell(), static_cast<float>(1 / distanceMm)});
+    }
+  }
+  return paths;
+}
+
 PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
   const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // offset of the farthest step
   floorOf_.assign(static_cast<std::size_t>(stride * stride + 2 * beyond), kLight);
@@ -28,21 +44,16 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
     floorOf_[cell_.back()] = static_cast<std::uint32_t>(carved_.size());
     carved_.push_back(i);
   }
+  const std::array<std::vector<PathStep>, kFloorDirections> paths = floorPaths(mask.size, submoduleMm);
   for (std::size_t k = 0; k < kFloorDirections; ++k) {
-    // Between the axes and the diagonals.
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kFloorDirections;
-    const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
-    GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
-    for (std::size_t i = k;; i += kFloorDirections) {  // path through the whole mask
-      const double distanceMm = march.step() * submoduleMm;
-      const glm::ivec2 cell = march.cell();
-      if (std::max(std::abs(cell.x), std::abs(cell.y)) > mask.size) break;
+    for (std::size_t step = 0; step < paths[k].size(); ++step) {
+      const std::size_t i = step * kFloorDirections + k;
       if (i >= steps_.offset.size()) {
-        steps_.offset.resize(steps_.offset.size() + kFloorDirections, 0);
+        steps_.offset.resize((step + 1) * kFloorDirections, 0);
         steps_.perMm.resize(steps_.offset.size(), 0);
       }
-      steps_.offset[i] = cell.y * stride + cell.x;
-      steps_.perMm[i] = static_cast<float>(1 / distanceMm);
+      steps_.offset[i] = paths[k][step].cell.y * stride + paths[k][step].cell.x;
+      steps_.perMm[i] = paths[k][step].perMm;
     }
   }
 }

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "depth/floor_horizons.h"
+#include "math/vec.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {
+
+/// A cell on a path from a floor outwards.
+struct PathStep {
+  glm::ivec2 cell;  ///< column and row, from the floor's own
+  float perMm = 0;  ///< 1 / distance of the border where the cell begins
+};
+
+/// Returns the paths in which a floor looks for its horizon, through a mask of `size` submodules along its edge.
+std::array<std::vector<PathStep>, kFloorDirections> floorPaths(int size, double submoduleMm);
 
 /// The fraction of a uniform sky that the floors of a carved symbol see if the surface is plane. It predicts without
 /// rendering how a submodule's depth affects the submodule and its neighbours.

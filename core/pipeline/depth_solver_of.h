@@ -10,18 +10,20 @@
 
 namespace qrelief {
 
-/// Makes the depth search for a request's objective and solver.
+/// Makes the depth search for a request's objective and solver, on the CPU.
 /// @param request  checked (checkSettings)
 std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target);
 
-/// Makes the first of two searches for a request that is carved for its print (EngraveRequest::isForPrint). It stops
-/// after a few passes. Its depths are good enough for the rough print.
-std::unique_ptr<FastSearch> makeSearchBeforePrint(const EngraveRequest& request, CarvingTarget target);
+/// Returns true if the request's objective and solver are those of FastSearch (and of ShaderSearch, on a GPU).
+bool usesFastSearch(const EngraveRequest& request);
 
-/// Makes the second one.
+/// Returns the options of the search of such a request. If the request is carved for its print
+/// (EngraveRequest::isForPrint), this is the first of two searches. It stops after a few passes. Its depths are good
+/// enough for the rough print.
+FastSearchOptions fastSearchOptions(const EngraveRequest& request);
+
+/// Returns the options of the second search. It starts from the result of the first.
 /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
-/// @param before            the search whose depths were printed; its result is the start
-std::unique_ptr<FastSearch> makeSearchAfterPrint(const EngraveRequest& request, CarvingTarget target,
-                                                 std::vector<double> contrastOfModule, const FastSearch& before);
+FastSearchOptions fastSearchOptionsAfterPrint(const EngraveRequest& request, std::vector<double> contrastOfModule);
 
 }  // namespace qrelief

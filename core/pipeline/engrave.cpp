@@ -11,7 +11,6 @@
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
-#include "pipeline/depth_solver_of.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/verify.h"
@@ -120,11 +119,12 @@ Status EngraveJob::State::map() {
     decidePatterns(true);
     limits = limitsOfMask();
   }
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
-    if (mask.carved[i]) allCarved.push_back(i);
   if (request.depth.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
-  startSearch();
+  auto started =
+      DepthSearchRun::create(request, target, {layout, placement.moduleMm, &measured->light()}, makeOwnSearch);
+  if (!started) return tl::unexpected(started.error());
+  search = std::move(*started);
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
@@ -140,7 +140,7 @@ Status EngraveJob::State::embed() {
   EmbedOptions options;
   options.inlay = request.marking.mark == Mark::Inlay;
   options.paint = request.marking.mark == Mark::Paint;
-  if (!request.marking.isInColour()) options.depth.surface = request.depth.surface;
+  if (!request.marking.isInColour()) options.surface = request.depth.surface;
   options.label = result.label;
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
                               request.marking.isInColour() ? marked : result.depths, options);
@@ -168,10 +168,8 @@ Status EngraveJob::State::print() {
   const auto progress = printing->advance();
   if (!progress) return tl::unexpected(progress.error());
   if (progress->done) {
-    search = makeSearchAfterPrint(
-        request, target,
-        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.depth.contrastAsked()),
-        *std::exchange(searchBeforePrint, nullptr));
+    search->restart(
+        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.depth.contrastAsked()));
     printing.reset();
     embedded = {};
     isPrinted = true;

@@ -13,6 +13,7 @@
 #include "depth/depth_search.h"
 #include "depth/fast_search.h"
 #include "depth/search_record.h"
+#include "pipeline/depth_search_run.h"
 #include "pipeline/engravable_model.h"
 #include "pipeline/placement.h"
 #include "pipeline/placement_measurement.h"
@@ -87,9 +88,6 @@ struct InspectorMaps {
   const Symbol* symbol = nullptr;
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
-
-/// Function that makes a depth search.
-using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
 
 /// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the
 /// model's GL context, if it has one.

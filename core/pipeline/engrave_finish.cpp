@@ -20,7 +20,8 @@ namespace {
 /// Size of the picture for the decoder, in pixels: at most along its edge, for large symbols, and at least along a
 /// module's edge.
 constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
-constexpr double kFlatReliefMm = 0.1;  // where nothing is lowered; shaders divide by it
+constexpr double kViewReachPerDepth = 4;  // at four times its height away a wall hides 1.5 % of the sky
+constexpr double kFlatReliefMm = 0.1;     // where nothing is lowered; shaders divide by it
 
 /// Refuses defects that carving has added. Crossings count only if the model had none, because facets that crossed
 /// before may have been cut.
@@ -83,7 +84,7 @@ void EngraveJob::State::view() {
   options.extentMm = placement.moduleMm * modulesAcross;
   options.texels = pixels * modulesAcross;
   options.reliefMm = static_cast<float>(request.marking.isInColour() ? kFlatReliefMm : summarise(result.depths).maxMm);
-  options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
+  options.radiusMm = static_cast<float>(kViewReachPerDepth) * options.reliefMm;
   options.albedo = request.surfaceAlbedo();
   options.lights = request.lamps();
   // A body with its inlay has the surface of the model.

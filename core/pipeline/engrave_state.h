@@ -7,15 +7,11 @@
 #include <vector>
 
 #include "carving/embed.h"
-#include "depth/fast_search.h"
 #include "pipeline/cell_layout.h"
 #include "pipeline/engrave.h"
 #include "pipeline/printed_view.h"
 
 namespace qrelief {
-
-/// Reach of light, in depths: at eight times its height away a wall hides 0.4 % of the sky.
-inline constexpr double kReachPerDepth = 8;
 
 /// The job's state. Stages are listed in order; each advance() does one step of the current stage.
 struct EngraveJob::State {
@@ -30,7 +26,6 @@ struct EngraveJob::State {
 
   Symbol symbol;
   SubmoduleMask mask;
-  std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
   std::shared_ptr<PlacementMeasurement> measured;  // before its stage: an earlier measurement, perhaps of this place
@@ -39,9 +34,7 @@ struct EngraveJob::State {
   Device device = Device::Faster;
   CarvingTarget target;
   MakeSearch makeOwnSearch;  // empty: the request decides
-  std::unique_ptr<DepthSolver> search;
-  const FastSearch* searchBeforePrint = nullptr;  // `search`, until the print has been taken into account
-  std::vector<float> means;                       // mean luminance of every cell of the map
+  std::unique_ptr<DepthSearchRun> search;
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
   bool isPrinted = false;  // true once the print has been taken into account
@@ -55,16 +48,13 @@ struct EngraveJob::State {
   Status map();
   Status mapMark();
   Status chooseInlay();
-  void startSearch();
   Status searchOnce();
   Status embed();
   Status print();
   Status write();
   Status check();
   void view();
-  void measure();
   void startRecord(std::span<const double> limitMm);
-  void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
   Progress progress();
 };
 

@@ -17,9 +17,18 @@ constexpr LuminanceSampling kUncarvedSampling{1, 4};  // the surface is smooth b
 constexpr LightSampling kUncarvedPoints{1, 12}, kPoints{2, 12};
 constexpr double kEveryCell = 12;  // up to this distance a horizon checks every cell
 
+std::vector<float> luminancesOf(std::span<const Received> received, const PlacementLightOptions& options) {
+  const auto open = static_cast<float>(openIrradiance(options.lamps));
+  std::vector<float> luminance;
+  luminance.reserve(received.size());
+  for (const Received& cell : received) luminance.push_back(luminanceOf(cell, options.albedo, open));
+  return luminance;
+}
+
 class LightByShaders final : public PlacementLight {
  public:
-  explicit LightByShaders(LuminancePass pass) : pass_(std::move(pass)) {}
+  LightByShaders(LuminancePass pass, PlacementLightOptions options)
+      : pass_(std::move(pass)), options_(std::move(options)) {}
 
   /// Lights the surroundings, once: pockets lie below the light modules and hide no sky from them.
   void lightUncarved(double moduleMm) {
@@ -39,12 +48,15 @@ class LightByShaders final : public PlacementLight {
     return pass_.readLuminance();
   }
   std::vector<Received> received() const override { return pass_.readReceived(); }
+  std::vector<float> uncarvedLuminance() const override { return luminancesOf(uncarved_, options_); }
+  LuminancePass* shaders() override { return &pass_; }
   void uncarve() override { pass_.setReceived(uncarved_); }
   const gl::Texture& luminanceTexture() const override { return pass_.luminance(); }
   const gl::Texture& depthTexture() const override { return pass_.depths(); }
 
  private:
   LuminancePass pass_;
+  PlacementLightOptions options_;
   std::vector<Received> uncarved_;
 };
 
@@ -52,7 +64,6 @@ class LightByProcessor final : public PlacementLight {
  public:
   LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options)
       : options_(options),
-        openIrradiance_(static_cast<float>(openIrradiance(options.lamps))),
         light_(map, farHorizonOf(map, &around, options.moduleMm, options.modules)),
         size_(map.size),
         luminance_(map.height.size(), 0.0f),
@@ -73,12 +84,12 @@ class LightByProcessor final : public PlacementLight {
                     .everyPatchMm = kEveryCell * options_.moduleMm / kN,
                     .lamps = options_.lamps},
                    wanted, received_);
-    for (std::size_t cell = 0; cell < received_.size(); ++cell)
-      luminance_[cell] = luminanceOf(received_[cell], options_.albedo, openIrradiance_);
+    luminance_ = luminancesOf(received_, options_);
     depthsMm_.assign(depthsMm.begin(), depthsMm.end());
     return luminance_;
   }
   std::vector<Received> received() const override { return received_; }
+  std::vector<float> uncarvedLuminance() const override { return luminancesOf(uncarved_, options_); }
   void uncarve() override { received_ = uncarved_; }
   const gl::Texture& luminanceTexture() const override { return luminanceTexture_ = textureOf(luminance_); }
   const gl::Texture& depthTexture() const override { return depthTexture_ = textureOf(depthsMm_); }
@@ -89,7 +100,6 @@ class LightByProcessor final : public PlacementLight {
   }
 
   PlacementLightOptions options_;
-  float openIrradiance_;
   HeightLight light_;
   std::vector<Received> uncarved_, received_;
   int size_;  // of the map, in cells
@@ -111,7 +121,7 @@ Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, 
   wanted.radiusMm = static_cast<float>(kFirstReachModules * options.moduleMm);
   auto made = LuminancePass::create(maps, &around, eyeDistance, wanted, std::move(programs));
   if (!made) return tl::unexpected(made.error());
-  auto light = std::make_unique<LightByShaders>(std::move(*made));
+  auto light = std::make_unique<LightByShaders>(std::move(*made), options);
   light->lightUncarved(options.moduleMm);
   return light;
 }

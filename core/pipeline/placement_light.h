@@ -28,6 +28,11 @@ class PlacementLight {
                                        double reachMm) = 0;
   /// Returns the light of all cells, as last measured.
   virtual std::vector<Received> received() const = 0;
+  /// Returns the luminance of all cells before carving.
+  virtual std::vector<float> uncarvedLuminance() const = 0;
+  /// Returns the pass that computes the light on a GPU, for a search that needs no luminances on the CPU; null if the
+  /// CPU computes it.
+  virtual LuminancePass* shaders() { return nullptr; }
   /// Resets all depths to zero.
   virtual void uncarve() = 0;
   /// Return textures for the inspector; R32F, one texel a cell. Need a current GL context.

@@ -42,7 +42,12 @@ Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
        {makeProgram(programs->horizon, "horizon", shaders::fullscreen_vert, shaders::horizon_frag),
         makeProgram(programs->occlusion, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
         makeProgram(programs->reduction, "reduction", shaders::cells_vert, shaders::reduction_frag),
-        makeProgram(programs->lighting, "lighting", shaders::fullscreen_vert, shaders::lighting_frag)})
+        makeProgram(programs->lighting, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
+        makeProgram(programs->floorDifference, "floor-difference", shaders::fullscreen_vert,
+                    shaders::floor_difference_frag),
+        makeProgram(programs->floorSolution, "floor-solution", shaders::fullscreen_vert, shaders::floor_solution_frag),
+        makeProgram(programs->floorDepth, "floor-depth", shaders::fullscreen_vert, shaders::floor_depth_frag),
+        makeProgram(programs->floorRecord, "floor-record", shaders::fullscreen_vert, shaders::floor_record_frag)})
     if (!made) return tl::unexpected(made.error());
   return std::shared_ptr<const LuminancePrograms>(std::move(programs));
 }
@@ -111,10 +116,10 @@ void LuminancePass::selectCells(std::span<const std::uint32_t> cells) {
   list_ = gl::Texture(cells_, listRows(), gl::Format::RGBA32F, places.data());
 }
 
-void LuminancePass::setMap(const gl::Program& program) const {
+void LuminancePass::setMap(const gl::Program& program, const gl::Texture& depths) const {
   program.use();
   program.setTexture("u_surface", 0, maps_->surface);
-  program.setTexture("u_depth", 1, depths_);
+  program.setTexture("u_depth", 1, depths);
   program.set("u_eyeDistance", static_cast<float>(eyeDistance_));
   program.set("u_texelMm", static_cast<float>(maps_->window.texelMm()));
   program.set("u_mapTexels", static_cast<float>(maps_->window.texels));
@@ -133,7 +138,7 @@ Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  setMap(program);
+  setMap(program, depths_);
   program.setTexture("u_surroundings", 2, surroundings ? surroundings->surface : maps_->surface);
   program.set("u_surroundingsTexels", surroundings ? static_cast<float>(surroundings->window.texels) : 0.0f);
   program.set("u_surroundingsTexelMm", surroundings ? static_cast<float>(surroundings->window.texelMm()) : 1.0f);
@@ -142,7 +147,7 @@ Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   return {};
 }
 
-void LuminancePass::run() {
+void LuminancePass::run(const gl::Texture& depths, bool onlyDue) {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -151,8 +156,9 @@ void LuminancePass::run() {
   std::optional<gl::TimedPass> timed(std::in_place, "occlusion");
   receivedTarget_.bind();
   glViewport(0, 0, cells_ * texels, listRows() * texels);
-  const auto& [horizon, occlusion, reduction, lighting] = *programs_;
-  setMap(occlusion);
+  const gl::Program &occlusion = programs_->occlusion, &reduction = programs_->reduction,
+                    &lighting = programs_->lighting;
+  setMap(occlusion, depths);
   occlusion.setTexture("u_horizon", 2, horizon_);
   occlusion.set("u_slices", options_.sampling.slices);
   occlusion.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
@@ -163,6 +169,7 @@ void LuminancePass::run() {
   occlusion.set("u_stride", options_.cellTexels / texels);
   occlusion.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
   occlusion.set("u_listed", listed());
+  occlusion.set("u_onlyDue", onlyDue ? 1 : 0);
   occlusion.setTexture("u_list", 3, listed() ? list_ : horizon_);
   std::array<glm::vec4, kMaxLights> lamps{};
   for (std::size_t i = 0; i < options_.lights.size(); ++i)

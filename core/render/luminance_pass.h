@@ -33,10 +33,11 @@ struct LuminanceOptions {
   std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
 };
 
-/// Programs that every LuminancePass of a GL context can share. Software renderers compile each program to machine code
-/// anew.
+/// Programs that every LuminancePass and every FloorPasses of a GL context can share. Software renderers compile each
+/// program to machine code anew.
 struct LuminancePrograms {
   gl::Program horizon, occlusion, reduction, lighting;
+  gl::Program floorDifference, floorSolution, floorDepth, floorRecord;  // render/floor_passes.h
 
   static Result<std::shared_ptr<const LuminancePrograms>> create();
 };
@@ -67,7 +68,10 @@ class LuminancePass {
   /// @param cells  indices, row-major from the lower left; at least one
   void selectCells(std::span<const std::uint32_t> cells);
 
-  void run();
+  void run() { run(depths_, false); }
+  /// Runs with the depths of floors that a shader carves (FloorPasses::floors).
+  /// @param onlyDue  compute only floors that moved last time or touch one that did; the others keep their luminance
+  void runOnFloors(const gl::Texture& floors, bool onlyDue) { run(floors, onlyDue); }
   std::vector<float> readLuminance() const;    ///< mean of each cell, row-major from the lower left
   std::vector<Received> readReceived() const;  ///< mean of each cell, in the same order
   /// Restores the light that cells have received, as returned by readReceived(). The next run() updates the selected
@@ -75,10 +79,12 @@ class LuminancePass {
   void setReceived(std::span<const Received> received);
   const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
   const gl::Texture& depths() const { return depths_; }
+  const std::shared_ptr<const LuminancePrograms>& programs() const { return programs_; }
 
  private:
   Status findHorizon(const SurfaceMaps* surroundings);
-  void setMap(const gl::Program& program) const;
+  void run(const gl::Texture& depths, bool onlyDue);
+  void setMap(const gl::Program& program, const gl::Texture& depths) const;
   int computedTexels() const;  // along a cell's edge
   int listed() const { return selected_ == cells_ * cells_ ? 0 : selected_; }
   int listRows() const { return (selected_ + cells_ - 1) / cells_; }

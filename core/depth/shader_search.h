@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "depth/depth_solver.h"
+#include "depth/fast_search.h"
+#include "depth/search_record.h"
+#include "render/floor_passes.h"
+
+namespace qrelief {
+
+/// Returns the paths in which floors look for their horizon (floorPaths), for FloorPasses::Setup::steps.
+std::vector<glm::vec4> floorSteps(int size, double submoduleMm);
+
+/// FastSearch on the GPU. Depths stay in textures: a batch of passes measures and moves the floors, and then one
+/// read-back tells whether it was enough.
+///
+/// It differs from FastSearch in three points. The plane's solver moves all floors at once, with more sweeps. Between
+/// the passes that measure all floors, a pass measures only floors that moved or touch one that did. It measures all
+/// floors at the end of a batch, and ends only there.
+class ShaderSearch {
+ public:
+  /// The place whose floors are carved.
+  struct Place {
+    /// Computes the light; kept by reference. Its selected cells and its reach are the search's from now on.
+    LuminancePass* light = nullptr;
+    std::vector<std::uint32_t> cells;  ///< of the carved submodules, in the order of the mask
+    std::vector<double> luminance;     ///< before carving, of symbol and quiet zone; see DepthSolver::update
+  };
+
+  /// @param options  sweepsPerPass does not apply
+  /// @returns Internal if the GL implementation cannot make the textures
+  static Result<std::unique_ptr<ShaderSearch>> create(CarvingTarget target, const FastSearchOptions& options,
+                                                      Place place);
+
+  /// Starts another search for the same target with other contrasts, from the result so far.
+  void restart(const FastSearchOptions& options);
+
+  static constexpr int kSweepsPerPass = 6;  ///< of the solver on the plane
+  /// Returns true if a pass measures all floors, by its number from 0. The last pass of a search always does.
+  static bool measuresAll(int pass, int freePasses);
+
+  /// Runs a batch of passes and reads back. Do not call it once finished().
+  /// @returns what each pass measured, without times
+  std::vector<SearchRecord::Pass> advance();
+
+  bool finished() const { return finished_; }
+  int iterations() const { return iterations_; }  ///< since the last restart()
+  int readBacks() const { return readBacks_; }    ///< since the last restart()
+  double doneFraction() const { return doneFraction_; }
+  const DepthField& depths() const { return depths_; }
+  /// Returns the luminances at depths(), of symbol and quiet zone; see DepthSolver::update.
+  const std::vector<double>& luminance() const { return place_.luminance; }
+  std::size_t limitedCount() const { return limited_; }
+
+ private:
+  ShaderSearch(CarvingTarget target, Place place);
+  void runPass(int record, bool isLast);
+  void take(const SearchRecord::Pass& last);
+
+  CarvingTarget target_;
+  FastSearchOptions options_;
+  Place place_;
+  std::vector<std::uint32_t> carved_;  // indices in the mask
+  std::vector<double> around_;         // light of each carved submodule's surroundings
+  std::vector<FloorTarget> targets_;
+  FloorPasses passes_;
+  DepthField depths_;
+  int iterations_ = 0, freePasses_ = 0, readBacks_ = 0;
+  std::size_t limited_ = 0;
+  double doneFraction_ = 0;
+  bool finished_ = false;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/depth_search_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/clock.h"
+#include "depth/fast_search.h"
+#include "depth/submodule_luminances.h"
+#include "pipeline/depth_solver_of.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kReachPerDepth = 8;  // at eight times its height away a wall hides 0.4 % of the sky
+constexpr double kLeastReachModules = 3;
+
+}  // namespace
+
+DepthSearchRun::DepthSearchRun(const EngraveRequest& request, CarvingTarget target, Place place)
+    : request_(request), target_(std::move(target)), place_(place) {
+  for (std::uint32_t i = 0; i < target_.mask->carved.size(); ++i)
+    if (target_.mask->carved[i]) carved_.push_back(i);
+}
+
+Result<std::unique_ptr<DepthSearchRun>> DepthSearchRun::create(const EngraveRequest& request, CarvingTarget target,
+                                                               Place place, const MakeSearch& makeOwnSearch) {
+  std::unique_ptr<DepthSearchRun> search(new DepthSearchRun(request, std::move(target), place));
+  if (makeOwnSearch) {
+    search->solver_ = makeOwnSearch(search->target_);
+  } else if (LuminancePass* const shaders = place.light->shaders(); shaders && usesFastSearch(request)) {
+    if (const Status started = search->startOnGpu(*shaders); !started) return tl::unexpected(started.error());
+  } else {
+    search->solver_ = makeDepthSolver(request, search->target_);
+  }
+  return search;
+}
+
+Status DepthSearchRun::startOnGpu(LuminancePass& light) {
+  ShaderSearch::Place place;
+  place.light = &light;
+  for (const std::uint32_t i : carved_) place.cells.push_back(cellOf(i));
+  place.luminance = ofQuietZone<double>(place_.light->uncarvedLuminance());
+  light.setRadius(static_cast<float>(reachMm(*std::max_element(target_.limitMm.begin(), target_.limitMm.end()))));
+  auto made = ShaderSearch::create(target_, fastSearchOptions(request_), std::move(place));
+  if (!made) return tl::unexpected(made.error());
+  onGpu_ = std::move(*made);
+  return {};
+}
+
+void DepthSearchRun::restart(std::vector<double> contrastOfModule) {
+  const FastSearchOptions options = fastSearchOptionsAfterPrint(request_, std::move(contrastOfModule));
+  if (onGpu_)
+    onGpu_->restart(options);
+  else
+    solver_ = std::make_unique<FastSearch>(target_, options, static_cast<const FastSearch*>(solver_.get()));
+}
+
+std::uint32_t DepthSearchRun::cellOf(std::uint32_t submodule) const {
+  const int size = target_.mask->size;
+  return place_.layout.ofSymbol(static_cast<int>(submodule) / size, static_cast<int>(submodule) % size);
+}
+
+template <class Value, class Cells>
+std::vector<Value> DepthSearchRun::ofQuietZone(const Cells& cells) const {
+  const int edge = CellLayout::kN * (place_.layout.modules + 2 * kQuietZoneModules);
+  std::vector<Value> picked;
+  picked.reserve(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column)
+      picked.push_back(static_cast<Value>(cells[place_.layout.ofQuietZone(row, column)]));
+  return picked;
+}
+
+/// Returns the distance beyond which only the uncarved surface's horizon counts.
+double DepthSearchRun::reachMm(double deepestMm) const {
+  return std::max(kLeastReachModules * place_.moduleMm, kReachPerDepth * deepestMm);
+}
+
+std::vector<float> DepthSearchRun::depthsOfCells() const {
+  std::vector<float> cells(
+      static_cast<std::size_t>(place_.layout.cells()) * static_cast<std::size_t>(place_.layout.cells()), 0.0f);
+  for (const std::uint32_t i : carved_) cells[cellOf(i)] = static_cast<float>(depths().depthMm[i]);
+  return cells;
+}
+
+/// Measures the luminance of the submodules that the solver requests, at its depths.
+std::vector<float> DepthSearchRun::measured() {
+  const std::span<const std::uint32_t> due = solver_->due().empty() ? carved_ : solver_->due();
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t i : due) cells.push_back(cellOf(i));
+  const std::vector<double>& depths = solver_->depths().depthMm;
+  return place_.light->luminance(cells, depthsOfCells(), reachMm(*std::max_element(depths.begin(), depths.end())));
+}
+
+void DepthSearchRun::step(SearchRecord* record) {
+  if (onGpu_) {
+    stepOnGpu(record);
+    return;
+  }
+  const auto start = Clock::now();
+  luminance_ = ofQuietZone<double>(measured());
+  const DepthField tried = record ? solver_->depths() : DepthField{};
+  solver_->update(luminance_);
+  if (!record) return;
+  const SubmoduleLuminances seen(luminance_, target_.symbol->size);
+  SearchRecord::Pass made;
+  made.ms = millisecondsSince(start);
+  for (const std::uint32_t i : carved_) {
+    const int row = static_cast<int>(i) / tried.size, column = static_cast<int>(i) % tried.size;
+    made.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
+    made.luminance.push_back(static_cast<float>(seen.of(row, column)));
+  }
+  record->passes.push_back(std::move(made));
+  record->luminance.assign(luminance_.begin(), luminance_.end());
+}
+
+void DepthSearchRun::stepOnGpu(SearchRecord* record) {
+  const auto start = Clock::now();
+  std::vector<SearchRecord::Pass> passes = onGpu_->advance();
+  luminance_ = onGpu_->luminance();
+  if (finished()) place_.light->shaders()->setDepths(depthsOfCells());  // for the inspector
+  if (!record) return;
+  const double ms = millisecondsSince(start) / static_cast<double>(passes.size());
+  for (SearchRecord::Pass& pass : passes) {
+    pass.ms = ms;
+    record->passes.push_back(std::move(pass));
+  }
+  record->luminance.assign(luminance_.begin(), luminance_.end());
+}
+
+std::vector<Received> DepthSearchRun::received() const { return ofQuietZone<Received>(place_.light->received()); }
+
+}  // namespace qrelief

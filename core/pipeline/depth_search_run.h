@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "depth/depth_solver.h"
+#include "depth/search_record.h"
+#include "depth/shader_search.h"
+#include "pipeline/cell_layout.h"
+#include "pipeline/placement_light.h"
+#include "settings/engrave_request.h"
+
+namespace qrelief {
+
+/// Function that makes a depth search.
+using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
+
+/// The depth search of an engraving at a measured place. Where shaders compute the light, the default search runs on
+/// the GPU (ShaderSearch). Otherwise a solver on the CPU and the light take turns, pass by pass.
+class DepthSearchRun {
+ public:
+  struct Place {
+    CellLayout layout;
+    double moduleMm = 0;              ///< on the QR plane
+    PlacementLight* light = nullptr;  ///< uncarved; kept by reference
+  };
+
+  /// @param request        checked (checkSettings); kept by reference
+  /// @param makeOwnSearch  replaces the request's objective and solver; may be empty
+  /// @returns Internal if the GL implementation cannot make the textures
+  static Result<std::unique_ptr<DepthSearchRun>> create(const EngraveRequest& request, CarvingTarget target,
+                                                        Place place, const MakeSearch& makeOwnSearch);
+
+  /// Starts the second search of a request that is carved for its print, from the result of the first.
+  /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
+  void restart(std::vector<double> contrastOfModule);
+
+  /// Runs a pass, or on a GPU a batch of passes. Do not call it once finished().
+  /// @param record  where to record the passes; may be null
+  void step(SearchRecord* record);
+
+  bool finished() const { return onGpu_ ? onGpu_->finished() : solver_->finished(); }
+  double doneFraction() const { return onGpu_ ? onGpu_->doneFraction() : solver_->doneFraction(); }
+  const DepthField& depths() const { return onGpu_ ? onGpu_->depths() : solver_->depths(); }
+  int iterations() const { return onGpu_ ? onGpu_->iterations() : solver_->iterations(); }  ///< since restart()
+  std::size_t limitedCount() const { return onGpu_ ? onGpu_->limitedCount() : solver_->limitedCount(); }
+  /// Returns the luminances of the last pass, of symbol and quiet zone; see DepthSolver::update.
+  const std::vector<double>& luminance() const { return luminance_; }
+  /// Returns the light that makes this luminance, in the same order.
+  std::vector<Received> received() const;
+
+ private:
+  DepthSearchRun(const EngraveRequest& request, CarvingTarget target, Place place);
+  Status startOnGpu(LuminancePass& light);
+  void stepOnGpu(SearchRecord* record);
+  std::vector<float> depthsOfCells() const;
+  std::vector<float> measured();
+  double reachMm(double deepestMm) const;
+  std::uint32_t cellOf(std::uint32_t submodule) const;
+  /// Picks the cells of symbol and quiet zone, row by row from the top left.
+  template <class Value, class Cells>
+  std::vector<Value> ofQuietZone(const Cells& cells) const;
+
+  const EngraveRequest& request_;
+  CarvingTarget target_;
+  Place place_;
+  std::vector<std::uint32_t> carved_;    // indices in the mask
+  std::unique_ptr<DepthSolver> solver_;  // null: the GPU searches
+  std::unique_ptr<ShaderSearch> onGpu_;
+  std::vector<double> luminance_;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,53 @@
+#version 300 es
+// Solves for the depth at which each floor sees the wanted fraction of the sky while its neighbours keep theirs. A few
+// passes come close to the solution for all, as all floors move at once. The steps are those of depth/pocket_sky.cpp.
+precision highp float;
+
+#include "floors.glsl"
+
+uniform sampler2D u_solved;     // depths so far, mm
+uniform sampler2D u_luminance;
+uniform float u_aim;            // margin by which to aim darker, as a fraction of the threshold
+uniform float u_lastAim;        // the same for floors that are too bright
+uniform float u_changeFraction; // of the last change of difference, by which to aim darker still
+uniform float u_maxChange;      // limit on the change that counts
+
+layout(location = 0) out vec4 o_depth;
+
+const int kNewtonSteps = 2;
+const float kSettledMm = 2e-3;
+const float kShortStepMm = 1e-2;
+
+void main() {
+  ivec2 cell = ivec2(gl_FragCoord.xy);
+  vec4 target = texelFetch(u_targets, cell, 0);
+  o_depth = vec4(0.0);
+  if (target.a == 0.0 || target.b == 0.0) return;
+  vec4 found = texelFetch(u_floors, cell, 0);
+  bool isTooBright = texelFetch(u_luminance, cell, 0).r > target.g * target.r;
+  float wanted = darkness(target.g * (1.0 - (isTooBright ? u_lastAim : u_aim))) +
+                 u_changeFraction * min(found.b, u_maxChange) - found.g;
+  float low = 0.0;
+  float high = target.b;
+  float depth = clamp(texelFetch(u_solved, cell, 0).r, min(kSettledMm, high), high);
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    vec2 seen = skySeen(u_solved, cell, depth);
+    float v = clamp(seen.x, 1e-6, 1.0 - 1e-6);
+    float now = log((1.0 - v) / v);
+    if (now < wanted) {
+      if (depth >= target.b) break;
+      low = depth;
+    } else {
+      high = depth;
+    }
+    float perLogDepth = -seen.y * depth / (v * (1.0 - v));
+    float next = perLogDepth > 0.0 ? depth * exp(clamp((wanted - now) / perLogDepth, -20.0, 20.0)) : high;
+    if (next > high && high >= target.b && low == depth) next = target.b;
+    bool isStep = (next > low && next < high) || next == target.b;
+    if (!isStep) next = 0.5 * (low + high);
+    bool isShort = isStep && abs(next - depth) < kShortStepMm;
+    depth = next;
+    if (isShort) break;
+  }
+  o_depth = vec4(depth, 0.0, 0.0, 1.0);
+}
