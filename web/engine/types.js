@@ -22,6 +22,7 @@
 /**
  * @typedef {object} Settings
  * @property {string} text
+ * @property {'auto' | 'shadow' | 'inlay' | 'paint'} [mark]
  * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            default: the highest level that needs no larger version than M
  * @property {'shallow' | 'balanced' | 'robust'} preset   target darkness of the code
  * @property {ModulePattern} pattern

@@ -54,6 +54,7 @@ export class Carving {
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;
+    /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
     panel.listen({
