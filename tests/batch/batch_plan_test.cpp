@@ -73,8 +73,7 @@ TEST(BatchPlan, AppliesColumnsOfSettings) {
 }
 
 TEST(BatchPlan, RefusesASecondFileWithTheNameOfAnotherRowsFile) {
-  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x.stl,on\n2,b,X-2.stl,off\n")),
-              ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x.stl,on\n2,b,X-2.stl,off\n")), ElementsAre("3 name-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x-2.stl,\n2,b,x.stl,\n")), IsEmpty());
   const BatchPlan plan = planOf("id,text,file,inlay\n1,a,x.obj,on\n2,b,y.3mf,on\n");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
