@@ -285,8 +285,8 @@ Project openInBambuStudio(std::span<const std::uint8_t> file) {
     project.objects.push_back(bambuObject(id, resources.at({kRootPath, id}).pid, placed, config, groups));
   }
   if (const auto palette = files.find("Metadata/project_settings.config"); palette != files.end())
-    for (const auto& colour : nlohmann::json::parse(palette->second).at("filament_colour"))
-      project.filamentColours.push_back(colour.get<std::string>());
+    project.filamentColours =
+        nlohmann::json::parse(palette->second).at("filament_colour").get<std::vector<std::string>>();
   return project;
 }
 
