@@ -135,6 +135,7 @@ struct SpotSearchJob::State {
   void drawViews();
   void propose(double leastSizeMm);
   bool facesDown(const ProjectionFrame& frame) const;
+  int colourLayers(const Placement& placement) const;
   double lightOn(const ProjectionFrame& frame, double symbolMm) const;
   bool isDoubtful(const SpotCandidate& spot) const;
   bool screen();
@@ -188,6 +189,15 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
                                               [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
   likely = static_cast<std::size_t>(unlikely - candidates.begin());
+}
+
+/// Returns the number of layers that the square of a symbol passes through, on its plane.
+int SpotSearchJob::State::colourLayers(const Placement& placement) const {
+  if (!request.buildUp || !request.colourLayerMm) return 0;
+  const Vec3 up = glm::normalize(request.buildUp->resolve(placement.frame));
+  const double heightMm =
+      placement.symbolMm * (std::abs(glm::dot(up, placement.frame.right)) + std::abs(glm::dot(up, placement.frame.up)));
+  return static_cast<int>(std::ceil(heightMm / *request.colourLayerMm)) + static_cast<int>(kInlayLayers);
 }
 
 bool SpotSearchJob::State::facesDown(const ProjectionFrame& frame) const {
@@ -252,6 +262,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.facesDown = facesDown(placement.frame);
+  offered.colourLayers = colourLayers(placement);
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
@@ -309,7 +320,8 @@ Status SpotSearchJob::State::finishTests() {
   };
   // Doubts in order of importance.
   const auto doubts = [](const Spot& spot) {
-    return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), spot.needsDirection);
+    const int doublings = spot.colourLayers > 0 ? std::ilogb(spot.colourLayers) : 0;  // twice the layers count
+    return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), doublings, spot.needsDirection);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const Spot& a, const Spot& b) {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
@@ -410,6 +422,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
   if (request.marking.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
   if (request.print.process) search.buildUp = request.print.buildUp;
+  if (request.print.process && request.marking.isInColour()) search.colourLayerMm = request.print.printer.layerMm;
   search.nozzleMm = request.print.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);
   return search;

@@ -12,6 +12,7 @@ constexpr int kBestRank = 2;
 
 /// Returns 2 for a code that decodes and prints well as a solid, 1 if an aspect is barely good, and else 0.
 int rankOf(const Verdict& verdict) {
+  if (!verdict.failed().empty()) return 0;
   const Level worst = std::max({verdict.reads.level, verdict.prints.level, verdict.solid.level});
   return kBestRank - static_cast<int>(worst);
 }

@@ -89,6 +89,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"needsDirection", spot.needsDirection},
                              {"facesDown", spot.facesDown},
                              {"unevenLight", spot.unevenLight},
+                             {"colourLayers", spot.colourLayers > 0 ? Json(spot.colourLayers) : Json(nullptr)},
                              {"symbolMm", spot.symbolMm},
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},
@@ -110,6 +111,7 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
         spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
         std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
         std::floor(spot.aimToleranceDeg));
+    if (spot.colourLayers > 0) fmt::print("   about {} layers with both colours\n", spot.colourLayers);
     for (const Message& concern : spot.concerns) fmt::print("   {}\n", sentenceAndHint(concern));
   }
 }

@@ -42,6 +42,25 @@ TEST_F(SpotSearchTest, RanksSpotsThatFaceDownLast) {
   }
 }
 
+TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
+  // A side of the box takes larger codes than its top.
+  SpotSearchRequest wanted = request(0);
+  wanted.placement.sizeMode = SizeMode::Oriented;
+  wanted.count = 5;
+  wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+  const auto model = upload(shapes::box({30, 60, 60}));
+  const auto one = findSpots(model, wanted);
+  wanted.colourLayerMm = 0.2;
+  const auto two = findSpots(model, wanted);
+  ASSERT_TRUE(one.has_value() && two.has_value());
+  EXPECT_LT(std::abs(one->spots.front().direction.z), 0.1);
+  EXPECT_EQ(one->spots.front().colourLayers, 0);
+  EXPECT_GT(two->spots.front().direction.z, 0.9);
+  EXPECT_EQ(two->spots.front().colourLayers, 2);
+  const Spot& onASide = two->spots.back();
+  EXPECT_NEAR(onASide.colourLayers, onASide.symbolMm / 0.2 + 2, 2);
+}
+
 TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
   // The larger half of the plate has a ridge in its middle.
   const Mesh model = shapes::plate(Vec2(130, 60), 10, 130, 4, [](double x, double) {

@@ -157,5 +157,93 @@ TEST_F(EngravePlanTest, LooksAtNoPrintIfToldSoOrWithoutAProcess) {
   expectDelivery(0, "shallow");
 }
 
+/// Plans with an open mark: a shadow first, then an inlay, then paint.
+class OpenMarkTest : public EngravePlanTest {
+ protected:
+  OpenMarkTest() {
+    request_.marking.isOpen = true;
+    request_.depth.keepPreset = true;
+  }
+
+  void expectCarving(Mark mark) const {
+    EXPECT_EQ(plan_->step(), Step::Carve);
+    EXPECT_EQ(plan_->request().marking.mark, mark);
+  }
+  void expectMark(Mark mark) const {
+    EXPECT_EQ(plan_->step(), Step::Deliver);
+    EXPECT_EQ(plan_->request().marking.mark, mark);
+  }
+};
+
+TEST_F(OpenMarkTest, StaysWithAShadowThatPrintsWell) {
+  begin();
+  expectCarving(Mark::Shadow);
+  carve(true);
+  printWith(40);
+  expectMark(Mark::Shadow);
+}
+
+TEST_F(OpenMarkTest, InlaysACodeWhoseShadowPrintsBadly) {
+  begin();
+  carve(true);
+  printWith(20);
+  expectCarving(Mark::Inlay);
+  EXPECT_EQ(plan_->change(), (SettingChange{"mark", "inlay"}));
+  EXPECT_TRUE(plan_->expectsPrint());
+  carve(true);
+  printWith(60);
+  expectMark(Mark::Inlay);
+}
+
+TEST_F(OpenMarkTest, PaintsWhereAnInlayIsNoBetter) {
+  begin();
+  carve(true);
+  printWith(20);
+  plan_->notCarved();
+  expectCarving(Mark::Paint);
+  carve(true);
+  printWith(60);
+  expectMark(Mark::Paint);
+}
+
+TEST_F(OpenMarkTest, KeepsTheShadowIfNoColourIsBetter) {
+  begin();
+  carve(true);
+  printWith(20);
+  carve(true);
+  printWith(20);
+  carve(true);
+  printWith(20);
+  expectMark(Mark::Shadow);
+  EXPECT_EQ(plan_->attempt(), 0);
+}
+
+TEST_F(OpenMarkTest, GoesOnWhereNoShadowCanBeCarved) {
+  begin();
+  EXPECT_TRUE(plan_->mayFail());
+  plan_->notCarved();
+  expectCarving(Mark::Inlay);
+  carve(true);
+  printWith(60);
+  expectMark(Mark::Inlay);
+}
+
+TEST_F(OpenMarkTest, DeliversNothingIfNoMarkCanBeCarved) {
+  begin();
+  plan_->notCarved();
+  plan_->notCarved();
+  plan_->notCarved();
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+  EXPECT_EQ(plan_->attempt(), 0);
+}
+
+TEST_F(OpenMarkTest, TriesColoursByTheirDesignsIfNoPrintIsLookedAt) {
+  begin({.looksAtPrint = false});
+  carve(false);
+  expectCarving(Mark::Inlay);
+  carve(true);
+  expectMark(Mark::Inlay);
+}
+
 }  // namespace
 }  // namespace qrelief
