@@ -63,9 +63,9 @@ ManifestEntry recorded(const BatchRow& row, const std::string& input) {
   ManifestEntry entry;
   entry.number = row.number;
   entry.id = row.id;
-  entry.text = row.request.text;
+  entry.text = row.request.code.text;
   entry.file = row.file;
-  entry.sha256 = {input, sha256(settingsToHash(row, {})), sha256(row.request.text), {}};
+  entry.sha256 = {input, sha256(settingsToHash(row, {})), sha256(row.request.code.text), {}};
   entry.status = RowStatus::Done;
   entry.details = kRecorded;
   return entry;

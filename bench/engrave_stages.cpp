@@ -80,8 +80,8 @@ int measure(const Case& wanted) {
     triangles = model->prepared.mesh.triangles.size();
 
     EngraveRequest request;
-    request.text = "https://qrelief.example/bench-000000001";
-    request.symbol.version = 3;
+    request.code.text = "https://qrelief.example/bench-000000001";
+    request.code.symbol.version = 3;
     request.placement.centreMm = wanted.centre;
     request.placement.sizeMode = wanted.sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
     request.placement.sizeMm = wanted.sizeMm;

@@ -52,16 +52,16 @@ bool isByReading(int number) { return number % 4 < 2; }
 
 EngraveRequest requestFor(const bench::Centre& centre, int number) {
   EngraveRequest request;
-  request.text = "https://example.com/qrelief";
-  request.symbol.version = 3;
+  request.code.text = "https://example.com/qrelief";
+  request.code.symbol.version = 3;
   request.placement.centreMm = centre.positionMm;
   request.placement.sizeMode = SizeMode::Fixed;
   request.placement.sizeMm = centre.widthWithQuietZoneMm.value_or(35) * 29 / 37;
-  request.modulePattern = static_cast<ModulePattern>(number % 5);
-  request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
-  if (isByReading(number)) request.contrast = study::ReadingOptions().dataContrast;
-  request.minWallMm = 0.4;
-  request.albedo = static_cast<float>(kAlbedo);
+  request.code.modulePattern = static_cast<ModulePattern>(number % 5);
+  request.code.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
+  if (isByReading(number)) request.depth.contrast = study::ReadingOptions().dataContrast;
+  request.depth.minWallMm = 0.4;
+  request.depth.albedo = static_cast<float>(kAlbedo);
   return request;
 }
 
@@ -243,7 +243,7 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
     if (!engraved) return tl::unexpected(engraved.error());
     std::vector<Cell> cells = drawCells(*engraved, cellCount, centre.modelNumber);
     trace(*engraved, paths, cells);
-    printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(*request.modulePattern)]),
+    printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(*request.code.modulePattern)]),
              cells);
     all.insert(all.end(), cells.begin(), cells.end());
     return {};

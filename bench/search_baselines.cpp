@@ -69,7 +69,7 @@ Result<Mesh> carved(const Spot& spot, const DepthField& depths) {
 
 Result<Row> runOnMap(const Spot& spot, ContrastSolver solver, const char* name) {
   EngraveRequest request = spot.request;
-  request.solver = solver;
+  request.depth.solver = solver;
   const auto result = engrave(spot.model, request);
   if (!result) return tl::unexpected(result.error());
   return Row{name, result->searchIterations, summarise(result->depths).meanMm, result->timingsMs.depthSearch};
@@ -83,7 +83,7 @@ Result<Row> runRedrawing(const Spot& spot) {
             border = kN * kOcclusionMarginModules;
   const MapWindow window{spot.placement.moduleMm * cells / kN, cellTexels * cells};
   DepthSearchOptions options;
-  options.contrast = spot.request.contrastAsked();
+  options.contrast = spot.request.depth.contrastAsked();
   const auto start = Clock::now();
   DepthSearch search(spot.target(), options);
   while (!search.finished()) {
@@ -95,7 +95,7 @@ Result<Row> runRedrawing(const Spot& spot) {
     LuminanceOptions light;
     light.cellTexels = cellTexels;
     light.sampling = {4, 2};
-    light.albedo = spot.request.albedo;
+    light.albedo = spot.request.depth.albedo;
     light.radiusMm = static_cast<float>(3 * spot.placement.moduleMm);
     light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);
     light.horizonSamples = 1;
@@ -134,12 +134,12 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     if (!mesh) return tl::unexpected(mesh.error());
     const RayTree tree(*mesh);
     const auto light = traceCells(tree, spot.placement.frame, cells,
-                                  {.paths = rays, .albedo = static_cast<double>(spot.request.albedo)});
+                                  {.paths = rays, .albedo = static_cast<double>(spot.request.depth.albedo)});
     deepened = false;
     noise = 0;
     for (const CellLight& cell : light) noise += cell.luminance.standardError / static_cast<double>(light.size());
     for (std::size_t k = 0; k < dark.size(); ++k) {
-      if (light[k].luminance.mean <= 1 - spot.request.contrastAsked()) continue;
+      if (light[k].luminance.mean <= 1 - spot.request.depth.contrastAsked()) continue;
       double& depth = depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + kLayerMm, spot.limitMm[dark[k]]);
       deepened = deepened || deeper > depth;
@@ -159,8 +159,8 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
   Spot spot;
   spot.model = EngravableModel::upload(std::move(*prepared));
   EngraveRequest& request = spot.request;
-  request.text = "https://qrelief.example/bench-000000001";
-  request.symbol.version = 3;
+  request.code.text = "https://qrelief.example/bench-000000001";
+  request.code.symbol.version = 3;
   request.placement.centreMm = centre;
   request.placement.sizeMode = sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
   request.placement.sizeMm = sizeMm;
@@ -169,9 +169,9 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
   request = std::move(result->request);  // with the settings that it left open
   spot.placement = std::move(result->placement);
   spot.symbol = std::move(result->symbol);
-  spot.mask = submodulesToCarve(spot.symbol, *request.modulePattern, *request.finderPattern);
+  spot.mask = submodulesToCarve(spot.symbol, *request.code.modulePattern, *request.code.finderPattern);
   spot.limitMm = wallLimits(spot.model->prepared.mesh, spot.placement.patch, spot.placement.frame, spot.mask,
-                            {spot.placement.symbolMm, *request.maxDepthMm, request.minWallMm});
+                            {spot.placement.symbolMm, *request.depth.maxDepthMm, request.depth.minWallMm});
   return spot;
 }
 
@@ -202,7 +202,7 @@ int run(int argc, char** argv) {
   const auto spot = placedSpot(bytes, name, scale, centre, sizeMm);
   if (!spot) return failed(spot.error());
   fmt::print("{}, {:.4g} mm, {} dark submodules, contrast {:g}\n", name, spot->placement.symbolMm,
-             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.contrastAsked());
+             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.depth.contrastAsked());
 
   double fastMs = 0;
   const std::function<Result<Row>()> schemes[] = {

@@ -73,12 +73,12 @@ std::size_t dueBetween(const SearchRecord& record, std::size_t pass, int size) {
 
 Result<Counts> count(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request, bool onGpu) {
   Counts counts;
-  request.recordSearch = true;
+  request.depth.recordSearch = true;
   EngraveJob::Known known;
   known.device = Device::Gpu;
   if (!onGpu)
     known.makeSearch = [&](CarvingTarget target) {
-      return std::make_unique<Counted>(std::move(target), FastSearchOptions{.contrast = request.contrastAsked()},
+      return std::make_unique<Counted>(std::move(target), FastSearchOptions{.contrast = request.depth.contrastAsked()},
                                        counts.measured);
     };
   auto job = EngraveJob::create(model, request, known);
@@ -125,8 +125,8 @@ int run() {
     if (!prepared) return 1;
     const auto model = EngravableModel::upload(std::move(*prepared));
     EngraveRequest request;
-    request.text = "https://example.org/p/0123456789";
-    request.symbol.version = wanted.version;
+    request.code.text = "https://example.org/p/0123456789";
+    request.code.symbol.version = wanted.version;
     request.placement.centreMm = Vec3(0, 0, wanted.plateMm / 16);
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = wanted.sizeMm;

@@ -39,10 +39,10 @@ int run(const bench::TableArguments& arguments) {
         for (std::size_t k = 0; k < cases.size(); ++k) {
           const Case& c = cases[k];
           EngraveRequest request;
-          request.text = "HELLO";
-          request.preset = c.preset;
-          request.modulePattern = c.pattern;
-          request.finderPattern = c.finder;
+          request.code.text = "HELLO";
+          request.depth.preset = c.preset;
+          request.code.modulePattern = c.pattern;
+          request.code.finderPattern = c.finder;
           request.placement.centreMm = centre.positionMm;
           request.placement.quietZone = !c.free;
           if (!c.free) request.placement.maxSizeMm = 20 + 5 * (number % 5);

@@ -43,7 +43,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
 }
 
 Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
-  const auto symbol = encodeSymbol(request.text, request.symbol);
+  const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   tell({message("finding-direction-and-size"), 0});
   if (const Status good = checkEngraving(*model_, request, *symbol); !good) return tl::unexpected(good.error());

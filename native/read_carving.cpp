@@ -7,7 +7,7 @@
 namespace qrelief {
 
 ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& result) {
-  return evidenceOf(readFrontal(result.readerView), request.text);
+  return evidenceOf(readFrontal(result.readerView), request.code.text);
 }
 
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,

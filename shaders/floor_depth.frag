@@ -2,6 +2,8 @@
 // Moves each floor to its solution. Once depths may only grow, a floor moves if it is too bright, or if deeper
 // neighbours are expected to make it so.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "floors.glsl"
 

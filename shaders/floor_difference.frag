@@ -1,6 +1,8 @@
 #version 300 es
 // Compares the measured light of each floor with the light that a plane would give it.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "floors.glsl"
 #include "moved.glsl"

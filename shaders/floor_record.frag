@@ -1,6 +1,8 @@
 #version 300 es
 // Records depth and luminance of the listed floors, packed next to each other.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 uniform sampler2D u_floors;
 uniform sampler2D u_luminance;

@@ -2,6 +2,8 @@
 // Solves for the depth at which each floor sees the wanted fraction of the sky while its neighbours keep theirs. A few
 // passes come close to the solution for all, as all floors move at once. The steps are those of depth/pocket_sky.cpp.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "floors.glsl"
 

@@ -1,6 +1,8 @@
 #version 300 es
 // Surface of the model as seen from the reader's eye, texel by texel.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 in vec3 v_position;  // mm, relative to the code's centre
 in vec3 v_normal;

@@ -4,6 +4,8 @@
 //
 // Output: cotangents of the angle between the line of sight and the horizon in four directions, turning anticlockwise.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "distance_map.glsl"
 #include "pi.glsl"

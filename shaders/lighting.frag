@@ -3,6 +3,8 @@
 // surface in the QR plane. A lamp brings as much light into a pocket as the surface around it receives; the pocket
 // reflects it like the sky's.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "interreflection.glsl"
 

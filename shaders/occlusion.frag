@@ -12,6 +12,8 @@
 // Output: fraction of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same if only
 // the walls of pockets occluded; irradiance by the lamps, 1 = the whole sky's; the same before anything was carved.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "distance_map.glsl"
 #include "moved.glsl"

@@ -1,6 +1,8 @@
 #version 300 es
 // Mean over the computed texels of each cell: one output texel a cell.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 flat in ivec2 v_entry;
 

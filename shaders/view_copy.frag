@@ -1,6 +1,8 @@
 #version 300 es
 // Copies a finished picture.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 uniform sampler2D u_picture;
 

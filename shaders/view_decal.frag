@@ -7,6 +7,8 @@
 //
 // Software renderers run both sides of every `if` for every pixel, so no `if` here could save time.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "view_sight.glsl"

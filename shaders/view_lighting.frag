@@ -3,6 +3,8 @@
 //
 // Output: linear colour; luminance of the light, for prints drawn on the surface later.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "interreflection.glsl"

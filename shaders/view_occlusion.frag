@@ -5,6 +5,8 @@
 //
 // Output: visibility of the sky (1 = all), z in units of u_radius (which fits half floats) for the blur that follows.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "pi.glsl"

@@ -2,6 +2,8 @@
 // Draws the finished picture on the canvas, with the marker; then applies sRGB's transfer curve, and noise of half a
 // grey level against bands in the background. Does not draw prints (view_decal.frag).
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "view_sight.glsl"

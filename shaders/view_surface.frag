@@ -3,6 +3,8 @@
 // remove everything in front of it. If the first remaining surface is an inside, the line of sight entered the solid
 // through the cut. The pass then writes the cut, which caps a closed solid's section.
 precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
 
 in vec3 v_position;
 in vec3 v_normal;

@@ -27,7 +27,7 @@ Result<int> readsUnder(const StudyPlacement& spot, const CarvedCode& code,
   auto view = renderReaderView(*spot.pass, carved, spot.placement.frame, options);
   if (!view) return tl::unexpected(view.error());
   view->pixelsPerModule = kPixelsPerModule;
-  return evidenceOf(readFrontal(*view), spot.request.text).count.reads;
+  return evidenceOf(readFrontal(*view), spot.request.code.text).count.reads;
 }
 
 }  // namespace qrelief::study

@@ -8,12 +8,12 @@ namespace qrelief::study {
 
 std::vector<double> StudyPlacement::limitsMm(const SubmoduleMask& mask, double maxDepthMm) const {
   return wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask,
-                    {placement.symbolMm, maxDepthMm, request.minWallMm});
+                    {placement.symbolMm, maxDepthMm, request.depth.minWallMm});
 }
 
 Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const EngravableModel> model,
                                 const EngraveRequest& request) {
-  auto symbol = encodeSymbol(request.text, request.symbol);
+  auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());

@@ -81,13 +81,13 @@ Result<EngraveRequest> StudyContext::usualRequest(const std::string& modelName) 
   const auto centre = centreOf(modelName);
   if (!centre) return tl::unexpected(centre.error());
   EngraveRequest request;
-  request.text = kText;
-  request.symbol.version = kVersion;
+  request.code.text = kText;
+  request.code.symbol.version = kVersion;
   request.placement.centreMm = *centre;
   request.placement.sizeMode = SizeMode::Fixed;
   request.placement.sizeMm = kUsualModuleMm * (17 + 4 * kVersion);
-  request.keepPreset = true;
-  request.buildUp.pose = BuildPose::CodeUp;
+  request.depth.keepPreset = true;
+  request.print.buildUp.pose = BuildPose::CodeUp;
   return request;
 }
 

@@ -49,7 +49,7 @@ Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, cons
 
 bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
   if (timerQueries_) return true;
-  request.recordSearch = true;
+  request.depth.recordSearch = true;
   if (prepared_ && !(placed && prepared_->request == request)) prepared_.reset();
   if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return true;
   const auto start = Clock::now();
@@ -73,7 +73,7 @@ void Carvings::follow(EngravePlan plan) {
 }
 
 Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
-  request.recordSearch = true;  // so that the inspector can show it whenever it is opened
+  request.depth.recordSearch = true;  // so that the inspector can show it whenever it is opened
   current_.request = std::move(request);
   current_.ms = placed ? placed->directionMs() + placed->sizeMs() : 0;
   std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
@@ -164,7 +164,7 @@ const std::shared_ptr<const GpuMesh>& Carvings::display(const Ground& ground) {
   if (current_.display || !current_.result || !ground.pass) return current_.display;
   const EngraveResult& result = *current_.result;
   const Placement& placement = result.placement;
-  const auto inked = current_.request.isInColour() ? std::optional(inkedSurface(result)) : std::nullopt;
+  const auto inked = current_.request.marking.isInColour() ? std::optional(inkedSurface(result)) : std::nullopt;
   DisplayMesh display = splitAtCreases(inked ? inked->mesh : result.mesh);
   const double edge = symbolDecal(result.symbol, placement.frame, placement.symbolMm, current_.request).edgeMm;
   const auto before = ground.pass->render(*ground.model.display, placement.frame, {edge, kNormalTexels});
@@ -197,7 +197,7 @@ GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double
   if (!ground.pass || !compilePrograms()) return {};
   const EngraveResult& result = *current_.result;
   const ProjectionFrame frame = tilted(result.placement.frame, tiltDeg, azimuthDeg);
-  const bool isInColour = current_.request.isInColour();
+  const bool isInColour = current_.request.marking.isInColour();
   // A code in colour lies in the surface of the model.
   auto seen = renderReaderView(*ground.pass, isInColour ? *ground.model.display : *display(ground), frame,
                                result.readerOptions, programs_);
@@ -208,7 +208,7 @@ GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double
 }
 
 Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
-  current_.reading = evidenceOf(texts, current_.request.text);
+  current_.reading = evidenceOf(texts, current_.request.code.text);
   current_.reader = reader;
   Verdict judged = verdict();
   if (plan_ && plan_->step() == EngravePlan::Step::Carve) {
@@ -241,13 +241,13 @@ Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vecto
                                     double facingDeg) const {
   const auto request = printedAs(changed);
   if (!request) return tl::unexpected(request.error());
-  const PrintedEvidence printed{evidenceOf(texts, request->text, true), {}, facingDeg};
+  const PrintedEvidence printed{evidenceOf(texts, request->code.text, true), {}, facingDeg};
   return judge(*request, *current_.result, current_.reading, &printed).prints;
 }
 
 Verdict Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
-  current_.printed = {evidenceOf(texts, current_.request.text, true),
-                      std::string(namedPrinters()[*current_.request.process].name), facingDeg};
+  current_.printed = {evidenceOf(texts, current_.request.code.text, true),
+                      std::string(namedPrinters()[*current_.request.print.process].name), facingDeg};
   Verdict judged = verdict();
   if (plan_ && plan_->step() == EngravePlan::Step::Print) {
     const int attempt = plan_->attempt();
@@ -282,10 +282,10 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer) {
   if (!current_.result) return {};
   EngraveResult& result = *current_.result;
-  const bool isPainted = current_.request.mark == Mark::Paint;
-  const bool withInlay = current_.request.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
+  const bool isPainted = current_.request.marking.mark == Mark::Paint;
+  const bool withInlay = current_.request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
   if (withInlay && !result.inlay) {
-    const Status made = addInlay(*model.engravable, current_.request.surface, result);
+    const Status made = addInlay(*model.engravable, current_.request.depth.surface, result);
     if (!made || !result.inlaySolidity.solid()) return {};
   }
   const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);

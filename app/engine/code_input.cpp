@@ -5,11 +5,11 @@
 
 namespace qrelief {
 
-CodeInput::CodeInput() : symbol_(encodeSymbol(settings_.text, settings_.symbol)) {}
+CodeInput::CodeInput() : symbol_(encodeSymbol(settings_.code.text, settings_.code.symbol)) {}
 
 void CodeInput::configure(EngraveRequest settings) {
   settings_ = std::move(settings);
-  symbol_ = encodeSymbol(settings_.text, settings_.symbol);
+  symbol_ = encodeSymbol(settings_.code.text, settings_.code.symbol);
 }
 
 void CodeInput::choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction) {
@@ -21,7 +21,7 @@ EngraveRequest CodeInput::request(Vec3 upHint) const {
   EngraveRequest request = settings_;
   request.placement = placementAt(*centreMm_, upHint);
   if (direction_) request.placement.direction = direction_;
-  BuildDirection& build = request.buildUp;
+  BuildDirection& build = request.print.buildUp;
   const bool isFilesUp = upHint == Vec3(0, 0, 1);
   if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;  // as the user sees it
   return request;

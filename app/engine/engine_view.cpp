@@ -139,7 +139,7 @@ std::optional<Vec2> Engine::codePlaceAt(double x, double y) const {
   const EngraveResult* result = carvings_.result();
   if (!result) return {};
   // A code in colour lies in the surface of the model.
-  const bool isRelief = scene_.surface() == Scene::Surface::Carved && !result->request.isInColour();
+  const bool isRelief = scene_.surface() == Scene::Surface::Carved && !result->request.marking.isInColour();
   const Mesh& mesh = isRelief ? result->mesh : model_->mesh();
   const Ray ray = scene_.camera().ray(x, y);
   const auto hit = firstHit(mesh, ray.origin, ray.direction);

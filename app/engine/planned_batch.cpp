@@ -16,7 +16,7 @@ const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
 
 /// Returns the columns of a row that the manifest and the page's table share.
 Json nameOf(const BatchRow& row, const std::string& file) {
-  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.text}, {"file", file}};
+  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.code.text}, {"file", file}};
 }
 
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
@@ -41,7 +41,7 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
   const Json& asked = *parsed;
   auto request = requestFromJson(asked["settings"].dump());
   if (!request) return answer(request.error());
-  request->text = asked["text"].get<std::string>();
+  request->code.text = asked["text"].get<std::string>();
   all_ = *request;
   perPlate_ = asked["perPlate"].get<std::size_t>();
   auto list = listOf(bytes, asked["count"].get<std::size_t>());
@@ -57,7 +57,7 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
                {"unused", plan.unusedColumns()},
                {"warnings", std::move(warnings)}};
   if (problems.empty()) {
-    const int version = *plan.row(0).request.symbol.version;
+    const int version = *plan.row(0).request.code.symbol.version;
     told["version"] = version;
     told["modules"] = 17 + 4 * version;
     plan_ = std::move(plan);

@@ -18,7 +18,7 @@ void Plate::add(const LoadedModel& model, const EngraveResult& result, const Eng
                 const std::string& id) {
   if (place >= offsets_.size()) return;
   for (ModelObject& object :
-       copyOnPlate(carvedObjects(result, model.partNames, request.hasInlay()), id, request.text, offsets_[place]))
+       copyOnPlate(carvedObjects(result, model.partNames, request.marking.hasInlay()), id, request.code.text, offsets_[place]))
     objects_.push_back(std::move(object));
 }
 

@@ -8,12 +8,12 @@ namespace qrelief {
 
 Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm, const EngraveRequest& request) {
   const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
-  const SubmoduleMask mask = request.isInColour()
+  const SubmoduleMask mask = request.marking.isInColour()
                                  ? submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None)
-                                 : submodulesToCarve(symbol, *carved.modulePattern, *carved.finderPattern);
+                                 : submodulesToCarve(symbol, *carved.code.modulePattern, *carved.code.finderPattern);
   const int border = kSubmodulesPerModule * kQuietZoneModules;
   Decal decal;
-  if (request.isInColour()) decal.colours = coloursOf(request.ink);
+  if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink);
   decal.frame = frame;
   decal.size = mask.size + 2 * border;
   decal.edgeMm = symbolMm * decal.size / mask.size;

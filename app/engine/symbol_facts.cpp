@@ -45,9 +45,9 @@ bool isSize(double mm) { return mm > 0 && mm < 1000; }
 }  // namespace
 
 std::string describeSymbol(const EngraveRequest& request) {
-  const Result<Symbol> symbol = encodeSymbol(request.text, request.symbol);
+  const Result<Symbol> symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return answer(symbol.error());
-  const bool isPrinter = isSize(request.printer.nozzleMm) && isSize(request.printer.layerMm);
+  const bool isPrinter = isSize(request.print.printer.nozzleMm) && isSize(request.print.printer.layerMm);
   return textOf({{"ok", true},
                  {"symbol",
                   {{"version", symbol->version},
@@ -55,8 +55,8 @@ std::string describeSymbol(const EngraveRequest& request) {
                    {"mask", symbol->mask},
                    {"size", symbol->size},
                    {"rows", rowsOf(*symbol)},
-                   {"bytes", request.text.size()},
-                   {"room", roomIn(symbol->version, request.symbol.errorCorrection, request.text)},
+                   {"bytes", request.code.text.size()},
+                   {"room", roomIn(symbol->version, request.code.symbol.errorCorrection, request.code.text)},
                    {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request)) : Json()}}}});
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 InspectorModel::Solver solverOf(const EngraveRequest& request) {
   if (request.isForOneLight()) return InspectorModel::Solver::OneLight;
-  return request.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast : InspectorModel::Solver::PaperSteps;
+  return request.depth.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast : InspectorModel::Solver::PaperSteps;
 }
 
 constexpr std::array<const char*, InspectorModel::kSolvers> kSolverNames = {"fast", "paper's steps", "one light"};
@@ -35,7 +35,7 @@ void InspectorModel::follow(const Engine& engine) {
   if (!isOther && passes == known && isDone == done_) return;
   if (isOther) pass_.reset();
   ++version_;
-  search_.emplace(*engine.carvings().symbol(), *record, engine.carvings().request().contrastAsked());
+  search_.emplace(*engine.carvings().symbol(), *record, engine.carvings().request().depth.contrastAsked());
   engraving_ = engine.carvings().started();
   carving_ = engine.carving();
   done_ = isDone;
@@ -45,7 +45,7 @@ void InspectorModel::follow(const Engine& engine) {
 void InspectorModel::rememberRun(const Engine& engine) {
   const EngraveRequest& request = engine.carvings().request();
   const auto solver = static_cast<std::size_t>(solverOf(request));
-  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.contrastAsked(),
+  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.depth.contrastAsked(),
                                   engine.carvings().result()->placement.symbolMm),
                       search_->summaries()};
 }

@@ -10,7 +10,7 @@ void addInkSeen(std::vector<float>& luminance, const ProjectionFrame& camera, do
   const MapWindow window{extentMm, static_cast<int>(std::lround(std::sqrt(static_cast<double>(luminance.size()))))};
   const std::vector<float> drawn = surface.draw(camera, window);
   const ProjectionFrame& code = result.placement.frame;
-  const InkMap ink(markedSymbol(result), result.placement.symbolMm, result.request.ink);
+  const InkMap ink(markedSymbol(result), result.placement.symbolMm, result.request.marking.ink);
   const double eye = camera.eyeDistance;
   for (std::size_t i = 0; i < luminance.size(); ++i) {
     if (drawn[4 * i] == 0 && drawn[4 * i + 1] == 0 && drawn[4 * i + 2] == 0) continue;  // off the model

@@ -56,10 +56,10 @@ void EngravePlan::settle() {
 /// Carves the next mark in colour, if the mark is open and one is left.
 bool EngravePlan::tryColour() {
   if (!isMarkOpen_ || current_.request.marking.mark == Mark::Paint) return false;
-  const Mark next = phase_ == Phase::Colour ? Mark::Paint : Mark::Inlay;
+  const Mark next = phase_ == Phase::OtherMark ? Mark::Paint : Mark::Inlay;
   const auto change = allowed(SettingChange{"mark", std::string(markName(next))});
   if (!change) return false;
-  phase_ = Phase::Colour;
+  phase_ = Phase::OtherMark;
   carveNext(*change);
   return true;
 }
@@ -81,7 +81,7 @@ void EngravePlan::carved(const Verdict& verdict) {
   if (phase_ != Phase::Design) {
     if (reads && looksAtPrint_)
       step_ = Step::Print;
-    else if (phase_ == Phase::Colour)
+    else if (phase_ == Phase::OtherMark)
       settleColour(verdict);
     else
       settle();
@@ -101,7 +101,7 @@ void EngravePlan::notCarved() {
 
 void EngravePlan::printed(const Verdict& verdict, const PrintedEvidence& evidence) {
   assert(step_ == Step::Print);
-  if (phase_ == Phase::Colour) {
+  if (phase_ == Phase::OtherMark) {
     settleColour(verdict);
     return;
   }

@@ -53,7 +53,7 @@ class EngravePlan {
   void printed(const Verdict& verdict, const PrintedEvidence& evidence);
 
  private:
-  enum class Phase { Design, Print, Colour };  // what the changes are to mend
+  enum class Phase { Design, Print, OtherMark };  // what the changes are to mend
   struct Attempt {
     int number = 0;
     EngraveRequest request;

@@ -190,7 +190,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     if (row)
       for (const std::string& file : row->files())
         if (same == known.end()) same = known.find(file);
-    if (same != known.end() && (same->second.text != row->request.text || same->second.file != row->file))
+    if (same != known.end() && (same->second.text != row->request.code.text || same->second.file != row->file))
       row = badInput(message("name-taken", with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
     if (!row) {
       ManifestEntry refused;
@@ -208,7 +208,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     if (same != known.end())
       row->number = same->second.number;
     else
-      for (const std::string& file : row->files()) known[file] = {next, row->request.text, row->file};
+      for (const std::string& file : row->files()) known[file] = {next, row->request.code.text, row->file};
     if (same == known.end()) ++next;
     const auto made = run.make({*row}, *placed);
     if (!made) return printError(made.error());

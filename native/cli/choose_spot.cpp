@@ -10,7 +10,7 @@ namespace qrelief {
 
 Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet,
                   std::FILE* to) {
-  const auto symbol = encodeSymbol(request.text, request.symbol);
+  const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   SpotSearchRequest search = spotSearchFor(request, *symbol);
   search.count = 3;

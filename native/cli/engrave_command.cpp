@@ -52,10 +52,10 @@ Status completeRequest(EngraveOptions& options) {
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
-  if (options.request.isInColour() && !isHeld)
+  if (options.request.marking.isInColour() && !isHeld)
     return fail(ErrorKind::BadUsage,
                 message("colour-has-no-place", with::setting<"setting">("mark"),
-                        with::term<"mark">(markName(options.request.mark)), with::term<"output">(options.output)));
+                        with::term<"mark">(markName(options.request.marking.mark)), with::term<"output">(options.output)));
   if (!isHeld) return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
   return {};
 }
@@ -63,7 +63,7 @@ Status completeRequest(EngraveOptions& options) {
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto encoded = encodeCarved(model.prepared, result, partNames, options.output, options.request.hasInlay(),
+  const auto encoded = encodeCarved(model.prepared, result, partNames, options.output, options.request.marking.hasInlay(),
                                     options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
   if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
@@ -81,8 +81,8 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
 }
 
 std::string depthInWords(const EngraveResult& result) {
-  if (result.request.mark == Mark::Paint) return "painted";
-  if (result.request.mark == Mark::Inlay) return fmt::format("an inlay {:.2g} mm deep", result.markDepthMm);
+  if (result.request.marking.mark == Mark::Paint) return "painted";
+  if (result.request.marking.mark == Mark::Inlay) return fmt::format("an inlay {:.2g} mm deep", result.markDepthMm);
   const DepthSummary depth = summarise(result.depths);
   return fmt::format("{:.2g} mm deep on average, {:.2g} mm at most", depth.meanMm, depth.maxMm);
 }
@@ -106,9 +106,9 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 
 /// Prints what was carved instead, if the code did not decode as requested.
 void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
-  if (carved.preset != asked.preset)
+  if (carved.depth.preset != asked.depth.preset)
     fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
-               presetName(carved.preset), presetName(asked.preset));
+               presetName(carved.depth.preset), presetName(asked.depth.preset));
   else if (carved != asked)
     fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
 }
@@ -167,7 +167,7 @@ int engraveModel(EngraveOptions& options) {
   context.printed = carved->printed;
   context.reading = carved->reading;
   context.verdict = carved->verdict;
-  context.askedPreset = asked.preset;
+  context.askedPreset = asked.depth.preset;
   context.wording = commandWording();
   context.reader = zxingName();
 

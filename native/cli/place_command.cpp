@@ -43,10 +43,10 @@ Status completeRequest(PlaceOptions& options) {
   if (!engraving) return tl::unexpected(engraving.error());
   SpotSearchRequest& request = options.request;
   const std::string shortest = "1";  // if only the version is known
-  if (engraving->text.empty() && !engraving->symbol.version) engraving->symbol.version = 1;
-  const auto symbol = encodeSymbol(engraving->text.empty() ? shortest : engraving->text, engraving->symbol);
+  if (engraving->code.text.empty() && !engraving->code.symbol.version) engraving->code.symbol.version = 1;
+  const auto symbol = encodeSymbol(engraving->code.text.empty() ? shortest : engraving->code.text, engraving->code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  if (const auto process = processOf(engraving->printer); !process) return tl::unexpected(process.error());
+  if (const auto process = processOf(engraving->print.printer); !process) return tl::unexpected(process.error());
   SpotSearchRequest search = spotSearchFor(*engraving, *symbol);
   search.count = request.count;
   search.views = request.views;

@@ -29,20 +29,20 @@ struct VerifyOptions {
 /// Returns place, size and text from the command line.
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
-  if (settings.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
+  if (settings.code.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
     return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
   VerifyRequest request;
-  request.text = settings.text;
+  request.text = settings.code.text;
   request.symbolMm = place.sizeMm;
-  auto encoded = encodeSymbol(settings.text, settings.symbol);
+  auto encoded = encodeSymbol(settings.code.text, settings.code.symbol);
   if (!encoded) return tl::unexpected(encoded.error());
   request.symbol = std::move(*encoded);
   const Vec3 centre(options.at[0], options.at[1], options.at[2]);
   request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
-  request.mark = settings.mark;
-  request.markDepthMm = settings.markDepthMm.value_or(0);
-  request.ink = settings.ink;
-  if (settings.isInColour()) request.albedo = settings.ink.light;
+  request.mark = settings.marking.mark;
+  request.markDepthMm = settings.marking.markDepthMm.value_or(0);
+  request.ink = settings.marking.ink;
+  if (settings.marking.isInColour()) request.albedo = settings.marking.ink.light;
   return request;
 }
 
@@ -57,14 +57,14 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   if (!settings) return tl::unexpected(settings.error());
   auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
   if (!request) return request;
-  request->printer = settings->printer;
-  request->process = settings->process;
-  request->buildUp = settings->buildUp.resolve(request->frame);
-  request->minWallMm = settings->minWallMm;
-  if (settings->lights.size() > 1)
+  request->printer = settings->print.printer;
+  request->process = settings->print.process;
+  request->buildUp = settings->print.buildUp.resolve(request->frame);
+  request->minWallMm = settings->depth.minWallMm;
+  if (settings->depth.lights.size() > 1)
     return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting<"setting">("light"),
-                                             with::count<"count">(settings->lights.size()), with::count<"max">(1)));
-  if (!settings->lights.empty()) request->oneLight = settings->lights.front();
+                                             with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
+  if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
   return request;
 }
 

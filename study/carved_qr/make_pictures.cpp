@@ -56,22 +56,22 @@ std::string drawnText(Random& random) {
 Result<EngraveRequest> drawnRequest(Random& random, StudyContext& context, const std::string& model) {
   auto request = context.usualRequest(model);
   if (!request) return request;
-  request->text = drawnText(random);
-  request->symbol = {};
-  request->symbol.errorCorrection =
+  request->code.text = drawnText(random);
+  request->code.symbol = {};
+  request->code.symbol.errorCorrection =
       drawn(random, std::array{ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H});
   if (random.below(2) == 0) {  // otherwise the defaults stay
-    request->modulePattern = static_cast<ModulePattern>(random.below(5));
-    request->finderPattern = static_cast<FinderPattern>(random.below(5));
+    request->code.modulePattern = static_cast<ModulePattern>(random.below(5));
+    request->code.finderPattern = static_cast<FinderPattern>(random.below(5));
   }
-  request->contrast = random.uniform(0.15, 0.75);
-  request->carveFor = random.below(2) == 0 ? CarveFor::Design : CarveFor::Print;
-  request->process = random.below(namedPrinters().size());
-  request->printer = namedPrinters()[*request->process].printer;
-  request->buildUp.pose = random.below(2) == 0 ? BuildPose::CodeUp : BuildPose::CodeUpright;
-  request->albedo = static_cast<float>(random.uniform(0.3, 0.85));
+  request->depth.contrast = random.uniform(0.15, 0.75);
+  request->depth.carveFor = random.below(2) == 0 ? CarveFor::Design : CarveFor::Print;
+  request->print.process = random.below(namedPrinters().size());
+  request->print.printer = namedPrinters()[*request->print.process].printer;
+  request->print.buildUp.pose = random.below(2) == 0 ? BuildPose::CodeUp : BuildPose::CodeUpright;
+  request->depth.albedo = static_cast<float>(random.uniform(0.3, 0.85));
   request->placement.rotateDeg = random.uniform(-180, 180);
-  const auto symbol = encodeSymbol(request->text, request->symbol);
+  const auto symbol = encodeSymbol(request->code.text, request->code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   request->placement.sizeMode = SizeMode::Oriented;
   request->placement.maxSizeMm = random.uniform(0.5, 1.6) * symbol->size;
@@ -173,15 +173,15 @@ Result<Carving> carve(Random& random, StudyContext& context) {
       modules += carving.code.symbol.isDark(row, column) ? '1' : '0';
     matrix.push_back(std::move(modules));
   }
-  carving.truth = {{"text", request->text},
+  carving.truth = {{"text", request->code.text},
                    {"version", carving.code.symbol.version},
                    {"errorCorrection", errorCorrectionName(carving.code.symbol.errorCorrection)},
                    {"mask", carving.code.symbol.mask},
                    {"matrix", matrix},
                    {"model", name},
                    {"moduleMm", rounded(carving.spot.placement.moduleMm)},
-                   {"modules", modulePatternName(*request->modulePattern)},
-                   {"finders", finderPatternName(*request->finderPattern)},
+                   {"modules", modulePatternName(*request->code.modulePattern)},
+                   {"finders", finderPatternName(*request->code.finderPattern)},
                    {"meanDepthMm", rounded(summarise(carving.code.depths).meanMm)},
                    {"surface", "designed"},
                    {"process", nullptr},
@@ -197,7 +197,7 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
                    {.texelMm = placement.moduleMm / kBakedPixels,
                     .texels = kBakedPixels * edgeModules(carving.code.symbol.size),
                     .paths = kPaths,
-                    .albedo = static_cast<double>(carving.spot.request.albedo),
+                    .albedo = static_cast<double>(carving.spot.request.depth.albedo),
                     .lamp = carving.lamp});
   while (!light.bakeRows(16)) continue;
   light.smooth();
@@ -226,17 +226,17 @@ Result<std::string> makeCarving(std::uint64_t seed, const std::string& name, Stu
     return tl::unexpected(done.error());
   const EngraveRequest& request = carving->spot.request;
   const Placement& placement = carving->spot.placement;
-  const auto process = processOf(request.printer);
+  const auto process = processOf(request.print.printer);
   if (!process) return tl::unexpected(process.error());
   const double edge = placement.moduleMm * edgeModules(carving->code.symbol.size);
   auto printed = printSurface(surface->mesh(), {.process = *process,
                                                 .frame = placement.frame,
                                                 .extentMm = edge,
-                                                .buildUp = request.buildUp.resolve(placement.frame)});
+                                                .buildUp = request.print.buildUp.resolve(placement.frame)});
   if (!printed) return tl::unexpected(printed.error());
   carving->truth["surface"] = "printed";
-  carving->truth["process"] = namedPrinters()[*request.process].name;
-  carving->truth["pose"] = buildPoseName(request.buildUp.pose);
+  carving->truth["process"] = namedPrinters()[*request.print.process].name;
+  carving->truth["pose"] = buildPoseName(request.print.buildUp.pose);
   if (const Status done = picture(random, *carving, PrintedRays(*printed), folder, name + "-printed", lines); !done)
     return tl::unexpected(done.error());
   std::string text;

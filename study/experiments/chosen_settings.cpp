@@ -19,12 +19,12 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   if (!place) return tl::unexpected(place.error());
   StudyPlacement spot = **place;
   EngraveRequest& request = spot.request;
-  request.buildUp = buildDirection(key[2], spot.placement.frame);
-  request.carveFor = CarveFor::Print;
-  request.modulePattern = byName<ModulePattern>(key[3], modulePatternName);
-  request.finderPattern = byName<FinderPattern>(key[4], finderPatternName);
-  request.contrast = std::stod(key[5]);
-  request.maxDepthMm = std::stod(key[6]) * moduleMm;
+  request.print.buildUp = buildDirection(key[2], spot.placement.frame);
+  request.depth.carveFor = CarveFor::Print;
+  request.code.modulePattern = byName<ModulePattern>(key[3], modulePatternName);
+  request.code.finderPattern = byName<FinderPattern>(key[4], finderPatternName);
+  request.depth.contrast = std::stod(key[5]);
+  request.depth.maxDepthMm = std::stod(key[6]) * moduleMm;
   auto symbol = symbolAtLevel(spot, *errorCorrectionByName(key[8]));
   if (!symbol) return tl::unexpected(symbol.error());
   if (key[7] == "yes") breakUpDarkAreas(*symbol);

@@ -14,7 +14,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const auto modules = byName<ModulePattern>(key[1], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
-  request.contrast = std::stod(key[2]);
+  request.depth.contrast = std::stod(key[2]);
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   const auto judged = context.judge(**spot, *code);

@@ -10,8 +10,8 @@ namespace {
 
 Result<Row> measure(const Row& key, StudyContext&) {
   const EngraveRequest chosen = withDefaultPatterns({}, std::stod(key[0]));
-  return Row{std::string(modulePatternName(*chosen.modulePattern)),
-             std::string(finderPatternName(*chosen.finderPattern)), shown(*chosen.contrast, 2)};
+  return Row{std::string(modulePatternName(*chosen.code.modulePattern)),
+             std::string(finderPatternName(*chosen.code.finderPattern)), shown(*chosen.depth.contrast, 2)};
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr int kCorrections = 3;
 /// Returns the same place with another text of the same version.
 Result<StudyPlacement> spotFor(const StudyPlacement& usual, const std::string& text) {
   StudyPlacement spot = usual;
-  spot.request.text = text;
-  auto symbol = encodeSymbol(text, spot.request.symbol);
+  spot.request.code.text = text;
+  auto symbol = encodeSymbol(text, spot.request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   spot.symbol = std::move(*symbol);
   return spot;

@@ -18,20 +18,20 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const auto plate = context.model("plate");
   if (!plate) return tl::unexpected(plate.error());
   EngraveRequest request;
-  request.carveFor = CarveFor::Print;
-  request.text = "https://example.org/p/2026";
-  request.symbol.version = kVersion;
+  request.depth.carveFor = CarveFor::Print;
+  request.code.text = "https://example.org/p/2026";
+  request.code.symbol.version = kVersion;
   request.placement.upHint = {0, 1, 0};
   request.placement.sizeMode = SizeMode::Fixed;
   for (std::size_t i = 0; i < namedPrinters().size(); ++i)
-    if (namedPrinters()[i].name == key[0]) request.process = i, request.printer = namedPrinters()[i].printer;
-  request.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
-  request.finderPattern = byName<FinderPattern>(key[2], finderPatternName);
-  request.buildUp.pose = byName<BuildPose>(key[3], buildPoseName);
+    if (namedPrinters()[i].name == key[0]) request.print.process = i, request.print.printer = namedPrinters()[i].printer;
+  request.code.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
+  request.code.finderPattern = byName<FinderPattern>(key[2], finderPatternName);
+  request.print.buildUp.pose = byName<BuildPose>(key[3], buildPoseName);
 
   double leastMm = 0, depthMm = 0;
   int failures = 0;
-  const double nozzle = request.printer.nozzleMm;
+  const double nozzle = request.print.printer.nozzleMm;
   for (double module = kLargestNozzles * nozzle; module > kSmallestNozzles * nozzle && failures < 2; module *= kStep) {
     request.placement.sizeMm = module * kModules;
     const auto carved = engrave(*plate, request);

@@ -24,7 +24,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
-  request.lights = lampAt(key[1]);
+  request.depth.lights = lampAt(key[1]);
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   const auto reads = readsUnder(**spot, *code, lampAt(key[2]));

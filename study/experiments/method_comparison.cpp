@@ -30,7 +30,7 @@ Result<LightError> lightError(const StudyPlacement& spot, const CarvedCode& code
     const double h = code.depths.submoduleMm();
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }
-  PathTraceOptions options{.paths = kPaths, .albedo = static_cast<double>(spot.request.albedo), .seed = 1};
+  PathTraceOptions options{.paths = kPaths, .albedo = static_cast<double>(spot.request.depth.albedo), .seed = 1};
   if (code.readUnder) options.lights = {*code.readUnder};
   const std::vector<CellLight> traced = traceCells(surface->tree(), spot.placement.frame, cells, options);
   LightError error;

@@ -23,8 +23,8 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   EngraveRequest request = publishedRequest(**spot, modules, finders);
   if (key[1] == "ours") {
     request = (*spot)->request;
-    request.modulePattern = modules;
-    request.finderPattern = finders;
+    request.code.modulePattern = modules;
+    request.code.finderPattern = finders;
   }
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());

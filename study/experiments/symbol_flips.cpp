@@ -14,15 +14,15 @@ namespace {
 
 Result<CarvedCode> carve(const StudyPlacement& spot, const std::string& flips, const std::string& search) {
   EngraveRequest request = spot.request;
-  request.symbol.errorCorrection = ErrorCorrection::H;
-  auto symbol = encodeSymbol(request.text, request.symbol);
+  request.code.symbol.errorCorrection = ErrorCorrection::H;
+  auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (flips == "peng-2019") flipModules2019(*symbol);
   if (flips == "ours") breakUpDarkAreas(*symbol);
   const SubmoduleMask mask = submodulesToCarve(*symbol, ModulePattern::None, FinderPattern::None);
   if (search == "self-shadow-2019") return carveSelfShadow2019(spot, *symbol, mask, {});
-  request.modulePattern = ModulePattern::None;
-  request.finderPattern = FinderPattern::None;
+  request.code.modulePattern = ModulePattern::None;
+  request.code.finderPattern = FinderPattern::None;
   return carveByEngine(spot, request, &*symbol);
 }
 

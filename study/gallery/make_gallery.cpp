@@ -32,19 +32,19 @@ struct Exhibit {
 std::vector<Exhibit> exhibits(const EngraveRequest& usual, bool withPatterns) {
   std::vector<Exhibit> all{{"default", Json::object(), usual}};
   EngraveRequest forLamp = usual;
-  forLamp.lights = {kLamp};
+  forLamp.depth.lights = {kLamp};
   all.push_back({"lamp",
                  {{"light", fmt::format("{:g},{:g},{:g}", kLamp.azimuthDeg, kLamp.elevationDeg, kLamp.strength)}},
                  forLamp});
   for (int modules = 0; withPatterns && modules < 5; ++modules)
     for (int finders = 0; finders < 5; ++finders) {
       EngraveRequest request = usual;
-      request.modulePattern = static_cast<ModulePattern>(modules);
-      request.finderPattern = static_cast<FinderPattern>(finders);
-      request.keepPreset = true;
+      request.code.modulePattern = static_cast<ModulePattern>(modules);
+      request.code.finderPattern = static_cast<FinderPattern>(finders);
+      request.depth.keepPreset = true;
       all.push_back({"pattern",
-                     {{"pattern", modulePatternName(*request.modulePattern)},
-                      {"finderPattern", finderPatternName(*request.finderPattern)}},
+                     {{"pattern", modulePatternName(*request.code.modulePattern)},
+                      {"finderPattern", finderPatternName(*request.code.finderPattern)}},
                      request});
     }
   return all;
@@ -109,9 +109,9 @@ Status make(const std::string& sample, const std::string& samples, const std::st
   if (!model) return tl::unexpected(model.error());
   auto usual = context.usualRequest(sample);
   if (!usual) return tl::unexpected(usual.error());
-  usual->symbol.version.reset();
-  usual->keepPreset = false;
-  usual->buildUp = {};
+  usual->code.symbol.version.reset();
+  usual->depth.keepPreset = false;
+  usual->print.buildUp = {};
   usual->placement.sizeMode = SizeMode::Best;
   usual->placement.maxSizeMm = kMaxSizeMm;
   const auto engraver = Engraver::create(*model);

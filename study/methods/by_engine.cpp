@@ -7,10 +7,10 @@ namespace qrelief::study {
 
 EngraveRequest publishedRequest(const StudyPlacement& spot, ModulePattern modules, FinderPattern finders) {
   EngraveRequest request = spot.request;
-  request.solver = ContrastSolver::PaperSteps;
-  request.modulePattern = modules;
-  request.finderPattern = finders;
-  request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
+  request.depth.solver = ContrastSolver::PaperSteps;
+  request.code.modulePattern = modules;
+  request.code.finderPattern = finders;
+  request.depth.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
   return request;
 }
 
@@ -24,14 +24,14 @@ Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveReques
   if (!result) return tl::unexpected(result.error());
   spot.measured = (*job)->placementMeasurement();
   CarvedCode code;
-  code.mask = submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
+  code.mask = submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
   code.symbol = std::move(result->symbol);
   const SubmoduleLuminances luminance(result->luminance, code.symbol.size);
   for (const std::uint32_t i : carvedOf(code.mask))
     code.ownEstimate.push_back(
         luminance.of(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
   code.depths = std::move(result->depths);
-  if (request.objective == DepthObjective::OneLight) code.readUnder = request.lamps().front();
+  if (request.depth.objective == DepthObjective::OneLight) code.readUnder = request.lamps().front();
   code.passes = result->searchIterations;
   code.limited = result->limitedSubmodules;
   code.milliseconds = result->timingsMs.surface + result->timingsMs.depthSearch + result->timingsMs.forPrint;

@@ -50,9 +50,9 @@ Result<CarvedCode> oneLight2020(const StudyPlacement& spot, double contrast) {
 /// Returns the spot's request with the given patterns and contrast.
 EngraveRequest patterned(const StudyPlacement& spot, ModulePattern modules, FinderPattern finders, double contrast) {
   EngraveRequest request = spot.request;
-  request.modulePattern = modules;
-  request.finderPattern = finders;
-  request.contrast = contrast;
+  request.code.modulePattern = modules;
+  request.code.finderPattern = finders;
+  request.depth.contrast = contrast;
   return request;
 }
 
@@ -60,7 +60,7 @@ EngraveRequest patterned(const StudyPlacement& spot, ModulePattern modules, Find
 auto paper2022(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = publishedRequest(spot, modules, finders);
-    request.contrast = contrast;
+    request.depth.contrast = contrast;
     return carveByEngine(spot, request);
   };
 }
@@ -69,7 +69,7 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
 Result<CarvedCode> evenDepth(const StudyPlacement& spot, double depthMm) {
   EngraveRequest request = patterned(spot, kOurModules, kOurFinders, 0.95);  // contrast never reached, so every depth
                                                                              // reaches its limit
-  request.maxDepthMm = depthMm;
+  request.depth.maxDepthMm = depthMm;
   return carveByEngine(spot, request);
 }
 
@@ -85,7 +85,7 @@ Result<CarvedCode> oursReading(const StudyPlacement& spot, double contrast) {
 auto floors2021(FloorShape shape) {
   return [shape](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
-    request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
+    request.depth.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
     const ShapedFloorOptions options{.shape = shape, .contrast = contrast};
     return carveByEngine(spot, request, nullptr, [options](CarvingTarget target) {
       return std::make_unique<ShapedFloorSearch>(std::move(target), options);
@@ -95,15 +95,15 @@ auto floors2021(FloorShape shape) {
 
 Result<CarvedCode> oursOneLight(const StudyPlacement& spot, double contrast) {
   EngraveRequest request = spot.request;
-  request.objective = DepthObjective::OneLight;
-  request.contrast = contrast;
+  request.depth.objective = DepthObjective::OneLight;
+  request.depth.contrast = contrast;
   return carveByEngine(spot, request);
 }
 
 auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
   return [modules, finders, carveFor](const StudyPlacement& spot, double contrast) {
     EngraveRequest request = patterned(spot, modules, finders, contrast);
-    request.carveFor = carveFor;
+    request.depth.carveFor = carveFor;
     return carveByEngine(spot, request);
   };
 }
@@ -111,8 +111,8 @@ auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
 /// Carves as the app does: pipeline/default_patterns.h decides everything but the contrast.
 Result<CarvedCode> oursByDefault(const StudyPlacement& spot, double contrast) {
   EngraveRequest request = spot.request;
-  request.carveFor = CarveFor::Print;
-  request.contrast = contrast;
+  request.depth.carveFor = CarveFor::Print;
+  request.depth.contrast = contrast;
   return carveByEngine(spot, request);
 }
 
@@ -123,16 +123,16 @@ std::string versionOfMethod(const std::vector<std::string>& key) {
 }
 
 Result<Symbol> symbolAtLevel(const StudyPlacement& spot, ErrorCorrection level) {
-  SymbolOptions options = spot.request.symbol;
+  SymbolOptions options = spot.request.code.symbol;
   options.errorCorrection = level;
   options.raiseErrorCorrection = false;
-  return encodeSymbol(spot.request.text, options);
+  return encodeSymbol(spot.request.code.text, options);
 }
 
 const std::vector<Method>& methods() {
   static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.7};
-  static const double usual = EngraveRequest{}.contrastAsked();
-  static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).contrastAsked();
+  static const double usual = EngraveRequest{}.depth.contrastAsked();
+  static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).depth.contrastAsked();
   static const std::vector<Method> kAll = {
       {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018, {"groove-2018", 1}},
       {"self-shadow-2019",

@@ -274,16 +274,16 @@ EngraveCase makeEngraveCase(Choices& choices) {
   made.mesh = moved(shape.make(choices), choices);
   EngraveRequest& request = made.request;
   request.placement = chosenPlacement(made.mesh, choices);
-  request.text = chosenText(choices);
-  request.symbol.errorCorrection = choices.of(kLevels);
-  if (choices.oneIn(6)) request.symbol.version = choices.between(1, 5);
-  request.modulePattern = choices.of(kModulePatterns);
-  request.finderPattern = choices.of(kFinderPatterns);
+  request.code.text = chosenText(choices);
+  request.code.symbol.errorCorrection = choices.of(kLevels);
+  if (choices.oneIn(6)) request.code.symbol.version = choices.between(1, 5);
+  request.code.modulePattern = choices.of(kModulePatterns);
+  request.code.finderPattern = choices.of(kFinderPatterns);
   // The contrast is mostly below the default, because each step of the depth search costs more than all the rest.
-  request.contrast = choices.oneIn(6) ? choices.between(0.2, 0.5) : choices.between(0.02, 0.15);
-  if (choices.oneIn(3)) request.maxDepthMm = choices.between(0.1, 3.0);
-  if (choices.oneIn(2)) request.minWallMm = choices.between(0.0, 3.0);
-  request.surface = choices.of(kSurfaceModes);
+  request.depth.contrast = choices.oneIn(6) ? choices.between(0.2, 0.5) : choices.between(0.02, 0.15);
+  if (choices.oneIn(3)) request.depth.maxDepthMm = choices.between(0.1, 3.0);
+  if (choices.oneIn(2)) request.depth.minWallMm = choices.between(0.0, 3.0);
+  request.depth.surface = choices.of(kSurfaceModes);
   return made;
 }
 
@@ -291,8 +291,8 @@ std::string EngraveCase::describe() const {
   const PlacementRequest& place = request.placement;
   return fmt::format(
       "{} of {} triangles, {}, {} size {:.4g} (at most {:.4g}) at ({:.6g}, {:.6g}, {:.6g}), {} bytes of text", shape,
-      mesh.triangles.size(), surfaceModeName(request.surface), sizeModeName(place.sizeMode), place.sizeMm,
-      place.maxSizeMm, place.centreMm.x, place.centreMm.y, place.centreMm.z, request.text.size());
+      mesh.triangles.size(), surfaceModeName(request.depth.surface), sizeModeName(place.sizeMode), place.sizeMm,
+      place.maxSizeMm, place.centreMm.x, place.centreMm.y, place.centreMm.z, request.code.text.size());
 }
 
 }  // namespace qrelief

@@ -201,9 +201,9 @@ std::string wallFault(const PlaneCaster& after, const EngraveCase& made, const E
     const Vec2 p = pointOf(field, row, column, k);
     const Vec3 floor = frame.eye() + frame.rayDirection(p) * after.distance(p);
     const double wall = distanceTo(mesh, walls, floor);
-    if (wall < made.request.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
+    if (wall < made.request.depth.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
       return fmt::format("behind submodule ({}, {}) {:.4g} mm of wall are left, not {:.4g}", row, column, wall,
-                         made.request.minWallMm);
+                         made.request.depth.minWallMm);
   }
   return {};
 }
@@ -224,7 +224,7 @@ OracleVerdict judgeSolid(const EngraveCase& made, const EngravableModel& model, 
   if (fault.empty()) fault = untouchedFault(model, result, carved);
   if (fault.empty()) fault = seenFault(made, model, result);
   // A resampled surface differs from the model's, so depths cannot be measured from the model.
-  const bool isPreserved = made.request.surface == SurfaceMode::Preserved;
+  const bool isPreserved = made.request.depth.surface == SurfaceMode::Preserved;
   if (fault.empty() && isPreserved) fault = depthFault(before, after, result);
   if (fault.empty() && isPreserved) fault = volumeFault(before, model, result, carved);
   if (fault.empty()) fault = wallFault(after, made, model, result);
@@ -285,7 +285,7 @@ std::string fitFault(const EngraveCase& made, const EngravableModel& model, cons
 std::string thinFault(const EngraveCase& made, const EngravableModel& model, const Search& search,
                       const Symbol& symbol) {
   const Placement& placement = search.placement;
-  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.modulePattern, *made.request.finderPattern);
+  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
   const DepthField field{mask.size, placement.symbolMm, {}};
   const PlaneCaster before(model.prepared.mesh, placement.frame, placement.symbolMm / 2);
   const std::vector<std::uint32_t> walls = wallFacets(model.prepared.mesh, placement);
@@ -296,7 +296,7 @@ std::string thinFault(const EngraveCase& made, const EngravableModel& model, con
     if (!mask.isCarved(row, column)) continue;
     const Vec2 p = field.corner(row, column) + Vec2(0.5, -0.5) * field.submoduleMm();
     const Vec3 top = placement.frame.eye() + placement.frame.rayDirection(p) * before.distance(p);
-    const double spare = distanceTo(model.prepared.mesh, walls, top) - made.request.minWallMm;
+    const double spare = distanceTo(model.prepared.mesh, walls, top) - made.request.depth.minWallMm;
     if (spare > 0.05 + field.submoduleMm())
       return fmt::format("submodule ({}, {}) has {:.4g} mm to spare", row, column, spare);
   }
@@ -367,7 +367,7 @@ std::string smallFault(const EngraveCase& made, const EngravableModel& model, in
 
 OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
   const auto says = [&](auto... codes) { return ((error.message.code == codes) || ...); };
-  const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
+  const auto symbol = encodeSymbol(made.request.code.text, made.request.code.symbol);
   if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + sentence(error.message)};
   if (error.message.code == "model-too-small") return {"model too small", smallFault(made, model, symbol->size)};
   const Search search = repeatSearch(made, model, symbol->size);
@@ -398,10 +398,10 @@ OracleVerdict judgeBadInput(const EngraveCase& made, const EngravableModel& mode
     const bool torn = !surfaceProblems(made.mesh).empty();
     return {"no solid", torn ? "" : "the model is a solid, but: " + sentence(error.message)};
   }
-  const std::optional<int> version = made.request.symbol.version;
-  const auto level = static_cast<std::size_t>(made.request.symbol.errorCorrection);
+  const std::optional<int> version = made.request.code.symbol.version;
+  const auto level = static_cast<std::size_t>(made.request.code.symbol.errorCorrection);
   if (!version) return {"bad input", "a reason that nobody checks: " + sentence(error.message)};
-  const bool tooLong = made.request.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
+  const bool tooLong = made.request.code.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
   return {"text too long", tooLong ? "" : "the text fits: " + sentence(error.message)};
 }
 
@@ -431,16 +431,16 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
                             const Symbol& symbol, Choices& choices) {
   const Mesh& mesh = model.prepared.mesh;
   EngraveResult result;
-  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.modulePattern, *made.request.finderPattern);
+  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
   result.depths = {mask.size, placement.symbolMm, {}};
   const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
-                                                {placement.symbolMm, kDeepestMm, made.request.minWallMm});
+                                                {placement.symbolMm, kDeepestMm, made.request.depth.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorKind::NoSolution,
-                message("nothing-can-be-carved", with::lengthMm<"wall">(made.request.minWallMm)));
+                message("nothing-can-be-carved", with::lengthMm<"wall">(made.request.depth.minWallMm)));
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
-                                        {.surface = made.request.surface});
+                                        {.surface = made.request.depth.surface});
   if (!embedded) return tl::unexpected(embedded.error());
   result.stl = writeStl(embedded->mesh);
   result.keptTriangles = embedded->keptTriangles;
@@ -479,7 +479,7 @@ OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
   const EngravableModel& model = *shared;
   if (const Status engravable = model.prepared.engravable(); !engravable)
     return judge(made, model, tl::unexpected(engravable.error()));
-  const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
+  const auto symbol = encodeSymbol(made.request.code.text, made.request.code.symbol);
   if (!symbol) return judge(made, model, tl::unexpected(symbol.error()));
 
   EngraveCase directed = made;
@@ -487,7 +487,7 @@ OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
     const auto nearest = closestPoint(model.prepared.mesh, made.request.placement.centreMm);
     directed.request.placement.direction = triangleNormal(model.prepared.mesh, nearest->triangle);
   }
-  directed.request.placement.beyondMm = made.request.minWallMm + kDeepestMm;
+  directed.request.placement.beyondMm = made.request.depth.minWallMm + kDeepestMm;
   PlacementSearch search(model.prepared, *model.renderer, symbol->size, directed.request.placement);
   if (const Result<bool> placed = search.step(); !placed) return judge(directed, model, tl::unexpected(placed.error()));
   return judge(directed, model, carve(directed, model, search.placement(), *symbol, choices));
