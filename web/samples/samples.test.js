@@ -29,6 +29,21 @@ function distanceToTriangle(/** @type {Point} */ p, /** @type {Point[]} */ [a, b
   );
 }
 
+test('A sample’s file has zero normals, which compress, and the corners of its facets', () => {
+  const bytes = writeStl(
+    {
+      positions: [
+        [1, 2, 3],
+        [4, 5, 6],
+        [7, 8, 10],
+      ],
+      triangles: [[0, 1, 2]],
+    },
+    'test',
+  );
+  assert.deepEqual([...new Float32Array(bytes.slice(84, 132).buffer)], [0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 10]);
+});
+
 for (const { id, mesh, centreMm, credit } of samples) {
   test(`The sample ${id} is a closed, outward oriented 2-manifold after a round trip through its file`, () => {
     const check = checkSolid(readStl(writeStl(mesh, 'test')));

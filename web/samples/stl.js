@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binary STL: an 80-byte header, the count, then 50 bytes per triangle, little-endian.
-import { cross, dot, subtract } from './solid.js';
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
 /** @typedef {import('./solid.js').Point} Point */
@@ -10,6 +9,7 @@ const kHeaderBytes = 84;
 const kTriangleBytes = 50;
 
 /**
+ * Leaves the normals zero, which tells readers to compute them from the corners. Zeros compress; normals hardly do.
  * @param {Mesh} mesh
  * @param {string} title  at most 80 ASCII characters; must not begin with "solid"
  * @returns {Uint8Array}
@@ -20,12 +20,9 @@ export function writeStl(mesh, title) {
   const view = new DataView(bytes.buffer);
   view.setUint32(80, mesh.triangles.length, true);
   mesh.triangles.forEach((corners, index) => {
-    const [a, b, c] = corners.map((corner) => mesh.positions[corner]);
-    const normal = cross(subtract(b, a), subtract(c, a));
-    const length = Math.sqrt(dot(normal, normal)) || 1;
-    const unit = /** @type {Point} */ (normal.map((x) => x / length));
-    [unit, a, b, c].forEach((point, row) => {
-      point.forEach((x, axis) => view.setFloat32(kHeaderBytes + index * kTriangleBytes + row * 12 + axis * 4, x, true));
+    corners.forEach((corner, row) => {
+      const at = kHeaderBytes + index * kTriangleBytes + 12 + row * 12;
+      mesh.positions[corner].forEach((x, axis) => view.setFloat32(at + axis * 4, x, true));
     });
   });
   return bytes;
