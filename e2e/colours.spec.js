@@ -45,7 +45,7 @@ test('A painted code keeps the model’s shape and has the second filament', asy
     await expect(app.setting('Format').locator('option:not([disabled])')).toHaveText(['3MF, two colours']);
     await expect(app.result).toContainText('Only 3MF holds both colours in one file.');
     const { name, bytes } = await app.download();
-    expect(name).toMatch(/^plate-qr-a-\d+mm-paint\.3mf$/);
+    expect(name).toMatch(/^plate-qr-A-\d+mm-paint\.3mf$/);
     const files = unzip(bytes);
     const models = modelsOf(files);
     expect(coloursOf(models).size).toBe(2);
@@ -83,7 +83,7 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
   await expect(app.result).toContainText(/Depth\s*[\d.]+ mm/);
   await expect(app.result).toContainText(kCost);
   const { name, bytes } = await app.download();
-  expect(name).toMatch(/^plate-qr-a-\d+mm-inlay\.3mf$/);
+  expect(name).toMatch(/^plate-qr-A-\d+mm-inlay\.3mf$/);
   const files = unzip(bytes);
   const bodies = bodiesOf(modelsOf(files));
   const [bodyId, inlayId] = [...bodies.keys()];

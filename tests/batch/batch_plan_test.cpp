@@ -15,7 +15,7 @@ using testing::IsEmpty;
 BatchPlan planOf(const std::string& list, const std::string& text = "", const std::string& name = "") {
   BatchRequest request;
   request.all = defaultRequest();
-  request.all.text = text;
+  request.all.code.text = text;
   request.name = name;
   auto rows = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(list.data()), list.size()));
   return BatchPlan::make(rows ? std::move(*rows) : BatchList(), request);
@@ -42,13 +42,13 @@ TEST(BatchPlan, TakesIdTextAndFileFromTheirColumns) {
   EXPECT_EQ(row.line, 3u);
   EXPECT_EQ(row.id, "8");
   EXPECT_EQ(row.file, "b.3mf");
-  EXPECT_EQ(row.request.text, "world");
+  EXPECT_EQ(row.request.code.text, "world");
 }
 
 TEST(BatchPlan, FillsTemplatesFromColumnsAndNumbers) {
   const BatchPlan plan = planOf("id,lot\nx,A\ny,B\n", "https://example.org/{lot}/{n:03}", "{lot}-{id}.ply");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_EQ(plan.row(1).request.text, "https://example.org/B/002");
+  EXPECT_EQ(plan.row(1).request.code.text, "https://example.org/B/002");
   EXPECT_EQ(plan.row(1).file, "B-y.ply");
   EXPECT_THAT(plan.unusedColumns(), IsEmpty());
 }
@@ -56,15 +56,15 @@ TEST(BatchPlan, FillsTemplatesFromColumnsAndNumbers) {
 TEST(BatchPlan, FillsTheLabelFromItsTemplateOrItsColumn) {
   BatchRequest request;
   request.all = defaultRequest();
-  request.all.text = "https://example.org/{id}";
-  request.all.label.text = "No. {n:04} {id}";
+  request.all.code.text = "https://example.org/{id}";
+  request.all.code.label.text = "No. {n:04} {id}";
   const BatchPlan plan = BatchPlan::make(countedBatchList(12), request);
   ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_EQ(plan.row(11).request.label.text, "No. 0012 12");
+  EXPECT_EQ(plan.row(11).request.code.label.text, "No. 0012 12");
   const BatchPlan named = planOf("id,text,label\n7,hello,Seven\n8,world,\n");
   ASSERT_THAT(problemsOf(named), IsEmpty());
-  EXPECT_EQ(named.row(0).request.label.text, "Seven");
-  EXPECT_EQ(named.row(1).request.label.text, "");
+  EXPECT_EQ(named.row(0).request.code.label.text, "Seven");
+  EXPECT_EQ(named.row(1).request.code.label.text, "");
 }
 
 TEST(BatchPlan, ReportsTheLineOfALabelThatTheFontLacks) {
@@ -74,21 +74,21 @@ TEST(BatchPlan, ReportsTheLineOfALabelThatTheFontLacks) {
 
 TEST(BatchPlan, NumbersTheRowsWithoutAList) {
   BatchRequest request;
-  request.all.text = "part {n:04}";
+  request.all.code.text = "part {n:04}";
   request.firstNumber = 500;
   const BatchPlan plan = BatchPlan::make(countedBatchList(3), request);
   ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_EQ(plan.row(2).request.text, "part 0502");
+  EXPECT_EQ(plan.row(2).request.code.text, "part 0502");
   EXPECT_EQ(plan.row(2).file, "502.stl");
 }
 
 TEST(BatchPlan, AppliesColumnsOfSettings) {
   const BatchPlan plan = planOf("id,text,minWallMm,preset\n1,a,1.5,robust\n2,b,,\n");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_EQ(plan.row(0).request.minWallMm, 1.5);
-  EXPECT_EQ(plan.row(0).request.preset, Preset::Robust);
-  EXPECT_EQ(plan.row(1).request.minWallMm, defaultRequest().minWallMm);
-  EXPECT_EQ(plan.row(1).request.preset, defaultRequest().preset);
+  EXPECT_EQ(plan.row(0).request.depth.minWallMm, 1.5);
+  EXPECT_EQ(plan.row(0).request.depth.preset, Preset::Robust);
+  EXPECT_EQ(plan.row(1).request.depth.minWallMm, defaultRequest().depth.minWallMm);
+  EXPECT_EQ(plan.row(1).request.depth.preset, defaultRequest().depth.preset);
 }
 
 TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
@@ -97,8 +97,8 @@ TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
   EXPECT_THAT(problemsOf(planOf("text,mark,file\na,inlay,a.ply\nb,inlay,b.stl\nc,paint,c.obj\n")),
               ElementsAre("2 colour-has-no-file"));
   BatchRequest request;
-  request.all.text = "part {n}";
-  request.all.mark = Mark::Inlay;
+  request.all.code.text = "part {n}";
+  request.all.marking.mark = Mark::Inlay;
   const BatchPlan plan = BatchPlan::make(countedBatchList(1), request);
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_EQ(plan.row(0).file, "1.3mf");
@@ -119,9 +119,9 @@ TEST(BatchPlan, UsesTheVersionOfTheLongestTextForAllRows) {
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   const auto symbol = encodeSymbol(longest);
   ASSERT_TRUE(symbol);
-  EXPECT_EQ(plan.row(0).request.symbol.version, symbol->version);
-  EXPECT_EQ(plan.row(1).request.symbol.version, symbol->version);
-  EXPECT_EQ(plan.row(2).request.symbol.version, 7);
+  EXPECT_EQ(plan.row(0).request.code.symbol.version, symbol->version);
+  EXPECT_EQ(plan.row(1).request.code.symbol.version, symbol->version);
+  EXPECT_EQ(plan.row(2).request.code.symbol.version, 7);
 }
 
 TEST(BatchPlan, ReportsUnusedColumns) {
@@ -135,15 +135,15 @@ TEST(BatchPlan, IgnoresRemovedSettingsWithAWarning) {
   ASSERT_EQ(plan.warnings().size(), 2u);
   EXPECT_EQ(sentence(plan.warnings()[0]), "The setting floor is ignored: version 0.2.0 has removed it");
   EXPECT_EQ(sentence(plan.warnings()[1]), "The setting objective reading is ignored: version 0.2.0 has removed it");
-  EXPECT_EQ(plan.row(0).request.objective, DepthObjective::OneLight);
-  EXPECT_EQ(plan.row(1).request.objective, DepthObjective::Contrast);
+  EXPECT_EQ(plan.row(0).request.depth.objective, DepthObjective::OneLight);
+  EXPECT_EQ(plan.row(1).request.depth.objective, DepthObjective::Contrast);
 }
 
 TEST(BatchPlan, AColumnInATemplateMayHaveTheNameOfARemovedSetting) {
   const BatchPlan plan = planOf("id,floor\n1,ground\n", "room {id}, {floor} floor");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_THAT(plan.warnings(), IsEmpty());
-  EXPECT_EQ(plan.row(0).request.text, "room 1, ground floor");
+  EXPECT_EQ(plan.row(0).request.code.text, "room 1, ground floor");
 }
 
 TEST(BatchPlan, RefusesTemplatesThatTheColumnsCannotFill) {
@@ -152,7 +152,7 @@ TEST(BatchPlan, RefusesTemplatesThatTheColumnsCannotFill) {
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "", "{lot}.stl")), ElementsAre("list-without-column"));
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "{text")), ElementsAre("template-brace"));
   BatchRequest request;
-  request.all.text = "{id} {lot}";
+  request.all.code.text = "{id} {lot}";
   EXPECT_THAT(problemsOf(BatchPlan::make(countedBatchList(2), request)), ElementsAre("template-without-list"));
 }
 

@@ -18,7 +18,7 @@ BatchUnit unitOf(std::size_t rows, const std::string& plate = {}, bool hasOwnFil
     row.number = i + 1;
     row.id = std::string(1, static_cast<char>('a' + i));
     row.file = row.id + ".stl";
-    row.request.text = "text " + row.id;
+    row.request.code.text = "text " + row.id;
     unit.rows.push_back(std::move(row));
   }
   return unit;

@@ -70,13 +70,13 @@ TEST(Manifest, WritesATableForSpreadsheets) {
 TEST(Manifest, HashesEverySettingNameAndPlace) {
   BatchRow row;
   row.file = "a.stl";
-  row.request.text = "a";
+  row.request.code.text = "a";
   const std::string before = settingsToHash(row, "others");
   EXPECT_EQ(settingsToHash(row, "others"), before);
   EXPECT_NE(settingsToHash(row, "other"), before);
   for (void (*change)(BatchRow&) :
-       {+[](BatchRow& r) { r.request.text = "b"; }, +[](BatchRow& r) { r.file = "b.stl"; },
-        +[](BatchRow& r) { r.request.minWallMm = 2; }, +[](BatchRow& r) { r.request.placement.centreMm.y = 1e-9; }}) {
+       {+[](BatchRow& r) { r.request.code.text = "b"; }, +[](BatchRow& r) { r.file = "b.stl"; },
+        +[](BatchRow& r) { r.request.depth.minWallMm = 2; }, +[](BatchRow& r) { r.request.placement.centreMm.y = 1e-9; }}) {
     BatchRow changed = row;
     change(changed);
     EXPECT_NE(settingsToHash(changed, "others"), before);

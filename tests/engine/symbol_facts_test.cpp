@@ -15,8 +15,8 @@ using Json = nlohmann::json;
 
 EngraveRequest requestFor(const std::string& text) {
   EngraveRequest request;
-  request.text = text;
-  request.symbol.raiseErrorCorrection = true;
+  request.code.text = text;
+  request.code.symbol.raiseErrorCorrection = true;
   return request;
 }
 
@@ -24,7 +24,7 @@ Json facts(const EngraveRequest& request) { return Json::parse(describeSymbol(re
 
 TEST(SymbolFacts, DescribeTheEngravedSymbol) {
   const EngraveRequest request = requestFor("https://example.org/a/longer/text/x");
-  const auto symbol = encodeSymbol(request.text, request.symbol);
+  const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   ASSERT_TRUE(symbol.has_value());
   const Json described = facts(request);
   EXPECT_EQ(described["version"], symbol->version);
@@ -50,7 +50,7 @@ TEST(SymbolFacts, TheRoomIsTheRestOfTheVersionsCapacity) {
     const Json described = facts(request);
     const int version = described["version"], room = described["room"];
     const auto versionWith = [&](int more) {
-      const auto symbol = encodeSymbol(text + std::string(static_cast<std::size_t>(more), 'a'), request.symbol);
+      const auto symbol = encodeSymbol(text + std::string(static_cast<std::size_t>(more), 'a'), request.code.symbol);
       return symbol ? symbol->version : 99;
     };
     EXPECT_EQ(versionWith(room), version) << text;
@@ -64,8 +64,8 @@ TEST(SymbolFacts, TheRoomMatchesTheTableOfTheStandard) {
   EXPECT_EQ(facts(requestFor(std::string(15, 'a')))["room"], 26 - 15);
   EXPECT_EQ(facts(requestFor(std::string(2331, 'a')))["room"], 0);
   EngraveRequest weak = requestFor("abcde");
-  weak.symbol.errorCorrection = ErrorCorrection::L;
-  weak.symbol.raiseErrorCorrection = false;
+  weak.code.symbol.errorCorrection = ErrorCorrection::L;
+  weak.code.symbol.raiseErrorCorrection = false;
   EXPECT_EQ(facts(weak)["room"], 17 - 5);
 }
 
@@ -80,8 +80,8 @@ TEST(SymbolFacts, TheSmallestModuleFollowsFromPatternAndNozzle) {
   for (const auto& [pattern, moduleMm] : published)
     for (const double factor : {1.0, 2.0}) {
       EngraveRequest request = requestFor("https://example.org/");
-      request.modulePattern = pattern;
-      request.printer.nozzleMm = 0.4 * factor;
+      request.code.modulePattern = pattern;
+      request.print.printer.nozzleMm = 0.4 * factor;
       EXPECT_NEAR(facts(request)["leastModuleMm"], moduleMm * factor, 1e-9) << modulePatternName(pattern);
     }
 }
@@ -89,7 +89,7 @@ TEST(SymbolFacts, TheSmallestModuleFollowsFromPatternAndNozzle) {
 TEST(SymbolFacts, OmitsTheSmallestModuleForAnInvalidNozzle) {
   for (const double nozzle : {0.0, -1.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     EngraveRequest request = requestFor("x");
-    request.printer.nozzleMm = nozzle;
+    request.print.printer.nozzleMm = nozzle;
     EXPECT_TRUE(facts(request)["leastModuleMm"].is_null()) << nozzle;
   }
 }

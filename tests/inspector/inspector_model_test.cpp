@@ -161,9 +161,9 @@ TEST_F(InspectorModelTest, OverridesApplyToOneEngravingAndItsReport) {
   model.overrides().set(tunable("contrast"), 0.2, engine_->settings());
   engrave(&model.overrides());
   model.follow(*engine_);
-  EXPECT_EQ(engine_->carvings().request().contrast, 0.2);
-  EXPECT_EQ(engine_->carvings().request().solver, ContrastSolver::PaperSteps);
-  EXPECT_NE(engine_->settings().contrast, 0.2);
+  EXPECT_EQ(engine_->carvings().request().depth.contrast, 0.2);
+  EXPECT_EQ(engine_->carvings().request().depth.solver, ContrastSolver::PaperSteps);
+  EXPECT_NE(engine_->settings().depth.contrast, 0.2);
   ASSERT_TRUE(model.runs()[0] && model.runs()[1]);
   EXPECT_NE(model.runs()[1]->name.find("paper's steps, c = 0.2"), std::string::npos) << model.runs()[1]->name;
   EXPECT_EQ(model.pass(), model.passes() - 1);

@@ -64,11 +64,11 @@ class WriteCarved3mfTest : public GlTest {
     auto prepared = prepareModel(*soup, {});
     ASSERT_TRUE(prepared);
     EngraveRequest request;
-    request.text = "x";
+    request.code.text = "x";
     request.placement.centreMm = {128, 128, 80};
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = kCodeMm;
-    request.inlay = withInlay;
+    request.marking.inlay = withInlay;
     model_ = EngravableModel::upload(std::move(*prepared));
     auto result = engrave(model_, request);
     ASSERT_TRUE(result);

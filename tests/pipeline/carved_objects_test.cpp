@@ -112,11 +112,11 @@ TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePock
   auto prepared = prepareModel(soup, {});
   ASSERT_TRUE(prepared) << prepared.error().message;
   EngraveRequest request;
-  request.text = "x";
+  request.code.text = "x";
   request.placement.centreMm = {0, 0, 40};
   request.placement.sizeMode = SizeMode::Fixed;
   request.placement.sizeMm = 25;
-  request.inlay = true;
+  request.marking.inlay = true;
   const auto result = engrave(EngravableModel::upload(std::move(*prepared)), request);
   ASSERT_TRUE(result) << result.error().message;
 

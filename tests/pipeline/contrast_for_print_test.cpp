@@ -82,14 +82,14 @@ class CarvedForPrintTest : public GlTest {
         *prepareModel(shapes::soupOf(shapes::plate({50, 50}, 12, 100, 100,
                                                    [](double x, double y) { return -0.008 * (x * x + y * y); })),
                       {}));
-    request_.text = "QRELIEF";
-    request_.modulePattern = ModulePattern::ThickPlus;
-    request_.finderPattern = FinderPattern::ThickPlusSharp;
+    request_.code.text = "QRELIEF";
+    request_.code.modulePattern = ModulePattern::ThickPlus;
+    request_.code.finderPattern = FinderPattern::ThickPlusSharp;
     request_.placement.centreMm = {0, 0, 0};
     request_.placement.upHint = {0, 1, 0};
     request_.placement.sizeMode = SizeMode::Fixed;
     request_.placement.sizeMm = 21;  // modules of a millimetre
-    request_.buildUp.pose = BuildPose::CodeUp;
+    request_.print.buildUp.pose = BuildPose::CodeUp;
   }
 
   EngraveResult carved(const EngraveRequest& request) const { return *engrave(model_, request); }
@@ -126,7 +126,7 @@ class CarvedForPrintTest : public GlTest {
 
 TEST_F(CarvedForPrintTest, ThePrintReachesMoreOfTheContrastAtLittleMoreDepth) {
   const EngraveResult forDesign = carved(request_);
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   const EngraveResult forPrint = carved(request_);
   EXPECT_GT(lacks(forDesign), 0.03);
   EXPECT_LT(lacks(forPrint), 0.6 * lacks(forDesign));
@@ -139,10 +139,10 @@ TEST_F(CarvedForPrintTest, ThePrintReachesMoreOfTheContrastAtLittleMoreDepth) {
 TEST_F(CarvedForPrintTest, SimulatesARoughPrintAndThenSearchesDepthsAgain) {
   using testing::ElementsAre;
   request_.placement.sizeMm = 12;
-  request_.carveFor = CarveFor::Design;
+  request_.depth.carveFor = CarveFor::Design;
   EXPECT_THAT(stagesOf(request_), ElementsAre("finding-direction-and-size", "measuring-surface", "finding-depth",
                                               "carving-mesh", "checking-solid", "looking-at-result"));
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   EXPECT_THAT(stagesOf(request_),
               ElementsAre("finding-direction-and-size", "measuring-surface", "finding-depth", "carving-mesh",
                           "printing", "finding-depth", "carving-mesh", "checking-solid", "looking-at-result"));
@@ -153,23 +153,23 @@ TEST_F(CarvedForPrintTest, CarvesForTheDesignIfNoPrintCanBeSimulated) {
   const auto depthsBy = [&](const std::function<void(EngraveRequest&)>& change, CarveFor carveFor) {
     EngraveRequest changed = request_;
     change(changed);
-    changed.carveFor = carveFor;
+    changed.depth.carveFor = carveFor;
     return carved(changed).depths.depthMm;
   };
   const std::function<void(EngraveRequest&)> changes[] = {
-      [](EngraveRequest& r) { r.process.reset(); },
+      [](EngraveRequest& r) { r.print.process.reset(); },
       [](EngraveRequest& r) {
-        r.lights = {{30, 45, 1}};
+        r.depth.lights = {{30, 45, 1}};
       },
-      [](EngraveRequest& r) { r.solver = ContrastSolver::PaperSteps; },
-      [](EngraveRequest& r) { r.objective = DepthObjective::OneLight; }};
+      [](EngraveRequest& r) { r.depth.solver = ContrastSolver::PaperSteps; },
+      [](EngraveRequest& r) { r.depth.objective = DepthObjective::OneLight; }};
   for (const auto& change : changes) EXPECT_EQ(depthsBy(change, CarveFor::Print), depthsBy(change, CarveFor::Design));
   const auto none = [](EngraveRequest&) {};
   EXPECT_NE(depthsBy(none, CarveFor::Print), depthsBy(none, CarveFor::Design));
 }
 
 TEST_F(CarvedForPrintTest, ProgressNeverFallsAndPassesThePrint) {
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   request_.placement.sizeMm = 12;
   auto job = EngraveJob::create(model_, request_);
   ASSERT_TRUE(job);
@@ -188,7 +188,7 @@ TEST_F(CarvedForPrintTest, ProgressNeverFallsAndPassesThePrint) {
 }
 
 TEST(CarveFor, IsThePrintByDefault) {
-  EXPECT_EQ(defaultRequest().carveFor, CarveFor::Print);
+  EXPECT_EQ(defaultRequest().depth.carveFor, CarveFor::Print);
   EXPECT_TRUE(defaultRequest().isForPrint());
 }
 

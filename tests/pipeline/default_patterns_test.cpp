@@ -15,9 +15,9 @@ constexpr double kModuleMm = 1.1, kSmallModuleMm = 1.0;
 class DefaultPatternsTest : public testing::Test {
  protected:
   DefaultPatternsTest() {
-    request_.text = "https://example.org/p/2026";
-    request_.printer.nozzleMm = 0.4;
-    symbol_ = *encodeSymbol(request_.text, request_.symbol);
+    request_.code.text = "https://example.org/p/2026";
+    request_.print.printer.nozzleMm = 0.4;
+    symbol_ = *encodeSymbol(request_.code.text, request_.code.symbol);
   }
 
   EngraveRequest request_ = defaultRequest();
@@ -26,23 +26,23 @@ class DefaultPatternsTest : public testing::Test {
 
 TEST_F(DefaultPatternsTest, FinderPatternsAreWholeWithFiveSixthsOfTheContrast) {
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
-  EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
-  EXPECT_EQ(carved.finderPattern, FinderPattern::None);
-  EXPECT_NEAR(carved.contrastAsked(), 0.25, 1e-12);
-  EXPECT_EQ(carved.maxDepthMm, kMaxDepthModules * kModuleMm);
+  EXPECT_EQ(carved.code.modulePattern, ModulePattern::ThickPlus);
+  EXPECT_EQ(carved.code.finderPattern, FinderPattern::None);
+  EXPECT_NEAR(carved.depth.contrastAsked(), 0.25, 1e-12);
+  EXPECT_EQ(carved.depth.maxDepthMm, kMaxDepthModules * kModuleMm);
 }
 
 TEST_F(DefaultPatternsTest, ModulesNarrowerThanTwoPointSixNozzlesUseNineTenths) {
-  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.27, 1e-12);
-  request_.printer.nozzleMm = 0.25;
-  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.25, 1e-12);
+  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).depth.contrastAsked(), 0.27, 1e-12);
+  request_.print.printer.nozzleMm = 0.25;
+  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).depth.contrastAsked(), 0.25, 1e-12);
 }
 
 TEST_F(DefaultPatternsTest, ThinWallsUsePatternedFindersAndThePresetsContrast) {
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm, true);
-  EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
-  EXPECT_EQ(carved.finderPattern, FinderPattern::ThickPlusSharp);
-  EXPECT_EQ(carved.contrast, std::nullopt);
+  EXPECT_EQ(carved.code.modulePattern, ModulePattern::ThickPlus);
+  EXPECT_EQ(carved.code.finderPattern, FinderPattern::ThickPlusSharp);
+  EXPECT_EQ(carved.depth.contrast, std::nullopt);
 }
 
 TEST_F(DefaultPatternsTest, WallsAreThinIfATenthOfTheFindersIsLimitedBelowOneAndAHalfModules) {
@@ -57,26 +57,26 @@ TEST_F(DefaultPatternsTest, WallsAreThinIfATenthOfTheFindersIsLimitedBelowOneAnd
 }
 
 TEST_F(DefaultPatternsTest, KeepsExplicitSettings) {
-  request_.contrast = 0.4;
-  request_.maxDepthMm = 0.9;
+  request_.depth.contrast = 0.4;
+  request_.depth.maxDepthMm = 0.9;
   const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
-  EXPECT_EQ(carved.finderPattern, FinderPattern::None);
-  EXPECT_EQ(carved.contrast, 0.4);
-  EXPECT_EQ(carved.maxDepthMm, 0.9);
+  EXPECT_EQ(carved.code.finderPattern, FinderPattern::None);
+  EXPECT_EQ(carved.depth.contrast, 0.4);
+  EXPECT_EQ(carved.depth.maxDepthMm, 0.9);
 }
 
 TEST_F(DefaultPatternsTest, AnExplicitPatternOrAnotherSolverHasPatternedFinders) {
   std::vector<EngraveRequest> others(5, request_);
-  others[0].modulePattern = ModulePattern::Diamond;
-  others[1].finderPattern = FinderPattern::Diamond;
-  others[2].lights = {DirectionalLight{}};
-  others[3].solver = ContrastSolver::PaperSteps;
-  others[4].objective = DepthObjective::OneLight;
+  others[0].code.modulePattern = ModulePattern::Diamond;
+  others[1].code.finderPattern = FinderPattern::Diamond;
+  others[2].depth.lights = {DirectionalLight{}};
+  others[3].depth.solver = ContrastSolver::PaperSteps;
+  others[4].depth.objective = DepthObjective::OneLight;
   for (const EngraveRequest& other : others) {
     const EngraveRequest carved = withDefaultPatterns(other, kModuleMm);
-    EXPECT_EQ(carved.modulePattern, other.modulePattern.value_or(ModulePattern::ThickPlus));
-    EXPECT_EQ(carved.finderPattern, other.finderPattern.value_or(FinderPattern::ThickPlusSharp));
-    EXPECT_EQ(carved.contrast, std::nullopt);
+    EXPECT_EQ(carved.code.modulePattern, other.code.modulePattern.value_or(ModulePattern::ThickPlus));
+    EXPECT_EQ(carved.code.finderPattern, other.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
+    EXPECT_EQ(carved.depth.contrast, std::nullopt);
   }
 }
 
@@ -87,9 +87,9 @@ TEST_F(DefaultPatternsTest, IsIdempotent) {
 
 TEST_F(DefaultPatternsTest, TheSmallestPrintableModuleFollowsThePatternElseThickPlus) {
   const double thickPlus =
-      leastPrintableModuleMm(symbol_, ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, request_.printer);
+      leastPrintableModuleMm(symbol_, ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, request_.print.printer);
   EXPECT_EQ(leastPrintableModuleMm(symbol_, request_), thickPlus);
-  request_.modulePattern = ModulePattern::Square;
+  request_.code.modulePattern = ModulePattern::Square;
   EXPECT_GT(leastPrintableModuleMm(symbol_, request_), thickPlus);
 }
 

@@ -17,11 +17,11 @@ class DepthSearchRunTest : public GlTest {
   DepthSearchRunTest() {
     auto prepared = prepareModel(shapes::soupOf(shapes::bumpySphere(40, 1.5, 5, 5)), {});
     model_ = EngravableModel::upload(std::move(*prepared));
-    request_.text = "https://qrelief.example";
+    request_.code.text = "https://qrelief.example";
     request_.placement.centreMm = Vec3(0, 0, 40);
     request_.placement.sizeMode = SizeMode::Fixed;
     request_.placement.sizeMm = 25;
-    request_.contrast = 0.3;
+    request_.depth.contrast = 0.3;
   }
 
   EngraveResult carve(const MakeSearch& makeSearch = nullptr) const {
@@ -41,7 +41,7 @@ TEST_F(DepthSearchRunTest, TheGpuFindsTheDepthsThatPassesOnTheProcessorFind) {
   const EngraveResult byPasses = carve([](CarvingTarget target) {
     return std::make_unique<FastSearch>(std::move(target), FastSearchOptions{.contrast = 0.3});
   });
-  const double halfLayerMm = request_.printer.layerMm / 2;
+  const double halfLayerMm = request_.print.printer.layerMm / 2;
   std::size_t carved = 0, apart = 0;
   for (std::size_t i = 0; i < onGpu.depths.depthMm.size(); ++i) {
     carved += onGpu.depths.depthMm[i] > 0;
@@ -54,7 +54,7 @@ TEST_F(DepthSearchRunTest, TheGpuFindsTheDepthsThatPassesOnTheProcessorFind) {
 }
 
 TEST_F(DepthSearchRunTest, TheGpuRecordsEveryPass) {
-  request_.recordSearch = true;
+  request_.depth.recordSearch = true;
   const EngraveResult result = carve();
   ASSERT_EQ(result.search.passes.size(), static_cast<std::size_t>(result.searchIterations));
   const SearchRecord::Pass& last = result.search.passes.back();
@@ -65,7 +65,7 @@ TEST_F(DepthSearchRunTest, TheGpuRecordsEveryPass) {
 
 TEST_F(DepthSearchRunTest, TheGpuCarvesForThePrintToo) {
   const double designed = summarise(carve().depths).meanMm;
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   const EngraveResult result = carve();
   EXPECT_GT(summarise(result.depths).meanMm, designed);
   EXPECT_GT(result.timingsMs.forPrint, 0);

@@ -17,8 +17,8 @@ class DevicesTest : public GlTest {
  protected:
   static EngraveRequest request(Vec3 centre) {
     EngraveRequest made;
-    made.text = "QRELIEF";
-    made.symbol.version = 1;
+    made.code.text = "QRELIEF";
+    made.code.symbol.version = 1;
     made.placement.centreMm = centre;
     made.placement.upHint = {0, 1, 0.1};
     return made;
@@ -45,7 +45,7 @@ class DevicesTest : public GlTest {
       const double a = one.depths.depthMm[i], b = other.depths.depthMm[i];
       EXPECT_EQ(a > 0, b > 0) << i;
       if (a > 0) ++carved;
-      if (std::abs(a - b) > one.request.printer.layerMm / 2) ++differing;
+      if (std::abs(a - b) > one.request.print.printer.layerMm / 2) ++differing;
     }
     EXPECT_GT(carved, 1000u);
     EXPECT_LE(static_cast<double>(differing) / static_cast<double>(carved), mostDiffering);
@@ -86,8 +86,8 @@ TEST(WithoutGl, AModelHasNoGpuAndIsEngravedWhereASpotWasFound) {
   EXPECT_FALSE(model->usesShaders(Device::Gpu));
 
   EngraveRequest request;
-  request.text = "QRELIEF";
-  request.symbol.version = 1;
+  request.code.text = "QRELIEF";
+  request.code.symbol.version = 1;
   SpotSearchRequest searched;
   searched.modules = 21;
   searched.count = 1;

@@ -48,8 +48,8 @@ class EngraveOracle : public GlTest {
  protected:
   EngraveOracle() {
     made_.mesh = shapes::icosphere(40, 4);
-    made_.request.text = "1";
-    made_.request.contrast = 0.05;
+    made_.request.code.text = "1";
+    made_.request.depth.contrast = 0.05;
     made_.request.placement.centreMm = {0, 0, 40};
     made_.request.placement.sizeMode = SizeMode::Fixed;
     made_.request.placement.sizeMm = 20;
@@ -83,7 +83,7 @@ TEST_F(EngraveOracle, DetectsFalseClaimsAboutASolid) {
   larger.placement.symbolMm = 70;
   EXPECT_THAT(faultOf(larger), HasSubstr("broken by the silhouette"));
 
-  made_.request.minWallMm = 79.9;
+  made_.request.depth.minWallMm = 79.9;
   EXPECT_THAT(faultOf(result), HasSubstr("of wall are left"));
 }
 
@@ -109,8 +109,8 @@ TEST(CarvingCase, AcceptsFacetsPartlyHiddenByOneBesideTheCode) {
   ASSERT_EQ(bytes.size(), 122u);
   Choices choices(bytes);
   EngraveCase made = makeEngraveCase(choices);
-  made.request.text.resize(1);
-  made.request.symbol.version.reset();
+  made.request.code.text.resize(1);
+  made.request.code.symbol.version.reset();
   const OracleVerdict verdict = runCarvingCase(made, choices);
   EXPECT_EQ(verdict.kind, "solid");
   EXPECT_EQ(verdict.fault, "");

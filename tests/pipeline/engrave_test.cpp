@@ -28,8 +28,8 @@ class EngraveTest : public GlTest {
   }
   static EngraveRequest request(Vec3 centre, double sizeMm) {
     EngraveRequest made;
-    made.text = "https://qrelief.example";
-    made.symbol.errorCorrection = ErrorCorrection::M;
+    made.code.text = "https://qrelief.example";
+    made.code.symbol.errorCorrection = ErrorCorrection::M;
     made.placement.centreMm = centre;
     made.placement.sizeMode = SizeMode::Fixed;
     made.placement.sizeMm = sizeMm;
@@ -81,7 +81,7 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
     return std::move(*job);
   };
   EngraveRequest wanted = request({0, 0, 40}, 25), other = wanted;
-  other.text = "https://example.org/abcde";  // as long: the same place
+  other.code.text = "https://example.org/abcde";  // as long: the same place
   const auto expected = engrave(model, wanted);
   ASSERT_TRUE(expected.has_value());
   const auto before = carve(other, nullptr)->placementMeasurement();
@@ -93,7 +93,7 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   EXPECT_EQ(result->stl, expected->stl);
   EXPECT_EQ(result->luminance, expected->luminance);
 
-  wanted.albedo = 0.5f;  // a place measured for other settings is not reused
+  wanted.depth.albedo = 0.5f;  // a place measured for other settings is not reused
   EXPECT_NE(carve(wanted, before)->placementMeasurement(), before);
 }
 
@@ -104,14 +104,14 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
   ASSERT_TRUE(plain.has_value());
   EXPECT_TRUE(plain->search.passes.empty());
 
-  wanted.recordSearch = true;
+  wanted.depth.recordSearch = true;
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // recording changes nothing
   const SearchRecord& record = result->search;
   ASSERT_EQ(record.passes.size(), static_cast<std::size_t>(result->searchIterations));
   const SubmoduleMask mask =
-      submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
+      submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
   ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
   EXPECT_THAT(record.luminance, testing::Pointwise(testing::FloatEq(), std::vector<float>(result->luminance.begin(),
                                                                                           result->luminance.end())));
@@ -133,14 +133,14 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
 TEST_F(EngraveTest, DefaultPatternsCarveLikeTheSameExplicitSettings) {
   const auto model = upload(shapes::icosphere(40, 5));
   EngraveRequest left = request({0, 0, 40}, 25);
-  left.carveFor = CarveFor::Print;
+  left.depth.carveFor = CarveFor::Print;
   const auto byDefault = engrave(model, left);
   ASSERT_TRUE(byDefault.has_value()) << byDefault.error().message;
   EngraveRequest said = left;
-  said.modulePattern = ModulePattern::ThickPlus;
-  said.finderPattern = FinderPattern::None;
-  said.contrast = kWholeFinderContrastSmall * left.contrastAsked();
-  said.maxDepthMm = kMaxDepthModules * byDefault->placement.moduleMm;
+  said.code.modulePattern = ModulePattern::ThickPlus;
+  said.code.finderPattern = FinderPattern::None;
+  said.depth.contrast = kWholeFinderContrastSmall * left.depth.contrastAsked();
+  said.depth.maxDepthMm = kMaxDepthModules * byDefault->placement.moduleMm;
   const auto same = engrave(model, said);
   ASSERT_TRUE(same.has_value()) << same.error().message;
   EXPECT_EQ(byDefault->stl, same->stl);
@@ -152,18 +152,18 @@ TEST_F(EngraveTest, FinderPatternsArePatternedWhereWallsAreThin) {
   const auto findersOn = [&](double thicknessMm) {
     const auto result = engrave(upload(shapes::plate({60, 60}, thicknessMm, 4, 4)), left);
     EXPECT_TRUE(result.has_value());
-    return result ? result->request.finderPattern : std::nullopt;
+    return result ? result->request.code.finderPattern : std::nullopt;
   };
-  EXPECT_EQ(findersOn(left.minWallMm + 1.9), FinderPattern::None);
-  EXPECT_EQ(findersOn(left.minWallMm + 1.6), FinderPattern::ThickPlusSharp);
+  EXPECT_EQ(findersOn(left.depth.minWallMm + 1.9), FinderPattern::None);
+  EXPECT_EQ(findersOn(left.depth.minWallMm + 1.6), FinderPattern::ThickPlusSharp);
 }
 
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   EngraveRequest wanted = request({0, 0, 40}, 25);
-  wanted.modulePattern = ModulePattern::Square;
+  wanted.code.modulePattern = ModulePattern::Square;
   const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
-  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.finderPattern);
+  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.code.finderPattern);
   std::set<double> depths;
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {
@@ -191,7 +191,7 @@ TEST_F(EngraveTest, NoFloorIsNearerToTheBackThanTheMinimumWall) {
   // A plate of 1.3 mm leaves 0.3 mm to carve with 1 mm of wall; the code needs more.
   const Mesh plate = shapes::plate({60, 60}, 1.3, 6, 6);
   EngraveRequest wanted = request({0, 0, 0}, 30);
-  wanted.minWallMm = 1;
+  wanted.depth.minWallMm = 1;
   const auto result = engrave(upload(plate), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_GT(result->limitedSubmodules, 0u);
@@ -207,7 +207,7 @@ TEST_F(EngraveTest, NoFloorIsNearerToTheBackThanTheMinimumWall) {
 
 TEST_F(EngraveTest, RefusesAWallWithNothingToSpareWithTheReason) {
   EngraveRequest wanted = request({0, 0, 0}, 30);
-  wanted.minWallMm = 2;
+  wanted.depth.minWallMm = 2;
   const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), wanted);
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
@@ -245,8 +245,8 @@ TEST_F(EngraveTest, EveryPatternMakesASolid) {
        {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
     for (const FinderPattern finders : {FinderPattern::None, FinderPattern::AsModules, FinderPattern::Diamond}) {
       EngraveRequest wanted = request({0, 0, 40}, 25);
-      wanted.modulePattern = modules;
-      wanted.finderPattern = finders;
+      wanted.code.modulePattern = modules;
+      wanted.code.finderPattern = finders;
       const auto result = engrave(model, wanted);
       ASSERT_TRUE(result.has_value()) << result.error().message;
       EXPECT_TRUE(result->solidity.solid()) << static_cast<int>(modules) << " " << static_cast<int>(finders) << " "
@@ -299,7 +299,7 @@ TEST_F(EngraveTest, RefusesInvalidRequestsAsBadUsage) {
     return job ? std::optional<ErrorKind>() : job.error().kind;
   };
   EngraveRequest wanted = request({0, 0, 40}, 20);
-  wanted.contrast = 1.5;
+  wanted.depth.contrast = 1.5;
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, -3);
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
@@ -307,17 +307,17 @@ TEST_F(EngraveTest, RefusesInvalidRequestsAsBadUsage) {
   wanted.placement.eyeDistanceMm = 0;
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
-  wanted.text = "";
+  wanted.code.text = "";
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadInput);
   wanted = request({0, 0, 40}, 20);
-  wanted.printer.nozzleMm = 0;
+  wanted.print.printer.nozzleMm = 0;
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
-  wanted.lights = {{.elevationDeg = 0}};
+  wanted.depth.lights = {{.elevationDeg = 0}};
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted.lights = {{.strength = -1}};
+  wanted.depth.lights = {{.strength = -1}};
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted.lights = std::vector<DirectionalLight>(3);
+  wanted.depth.lights = std::vector<DirectionalLight>(3);
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
 }
 
@@ -325,7 +325,7 @@ TEST_F(EngraveTest, ALampThatShinesIntoThePocketsDeepensThem) {
   const auto model = upload(shapes::box({50, 50, 10}));
   EngraveRequest wanted = request({0, 0, 5}, 25);
   const auto bySky = engrave(model, wanted);
-  wanted.lights = {{.azimuthDeg = 90, .elevationDeg = 60, .strength = 1}};
+  wanted.depth.lights = {{.azimuthDeg = 90, .elevationDeg = 60, .strength = 1}};
   const auto byLamp = engrave(model, wanted);
   ASSERT_TRUE(bySky && byLamp);
   EXPECT_GT(summarise(byLamp->depths).meanMm, summarise(bySky->depths).meanMm);
@@ -363,7 +363,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
   ReportContext context;
-  context.reading = evidenceOf(readFrontal(result->readerView), wanted.text);
+  context.reading = evidenceOf(readFrontal(result->readerView), wanted.code.text);
   context.verdict = judge(wanted, *result, context.reading);
   const auto report = nlohmann::json::parse(makeReport(wanted, *model, *result, context));
   const std::map<std::string, std::vector<std::string>> keys = {
@@ -380,7 +380,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
       {"gl", {"renderer", "version"}}};
   for (const auto& [group, names] : keys)
     for (const std::string& name : names) EXPECT_TRUE(report.at(group).contains(name)) << group << "." << name;
-  EXPECT_EQ(report["text"], wanted.text);
+  EXPECT_EQ(report["text"], wanted.code.text);
   EXPECT_EQ(report["symbol"]["rows"].size(), static_cast<std::size_t>(result->symbol.size));
   EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
   EXPECT_TRUE(report["verification"]["failedChecks"].empty());
@@ -391,8 +391,8 @@ TEST_F(EngraveTest, ACentreOnAnEdgeOrCornerIsViewedFromBetweenTheFaces) {
   for (const Vec3 centre : {Vec3(30, 4, 30), Vec3(30, 30, 30)}) {
     for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
       EngraveRequest wanted = request(centre, 15);
-      wanted.surface = surface;
-      wanted.inlay = true;
+      wanted.depth.surface = surface;
+      wanted.marking.inlay = true;
       const auto result = engrave(model, wanted);
       ASSERT_TRUE(result.has_value()) << result.error().message;
       EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
@@ -412,11 +412,11 @@ TEST_F(EngraveTest, AWrongOrMissingReadingFailsTheCheck) {
   ASSERT_TRUE(result.has_value());
   const auto failed = [&](const char* read) {
     std::vector<std::string> codes;
-    const ReadingEvidence reading = evidenceOf(std::vector<std::string>(72, read), wanted.text);
+    const ReadingEvidence reading = evidenceOf(std::vector<std::string>(72, read), wanted.code.text);
     for (const Message& failure : judge(wanted, *result, reading).failed()) codes.push_back(failure.code);
     return codes;
   };
-  EXPECT_THAT(failed(wanted.text.c_str()), testing::IsEmpty());
+  EXPECT_THAT(failed(wanted.code.text.c_str()), testing::IsEmpty());
   EXPECT_THAT(failed(""), testing::ElementsAre("too-shallow"));  // nothing was decoded
   EXPECT_THAT(failed("another text"), testing::ElementsAre("other-text"));
 }

@@ -22,8 +22,8 @@ class LabelPocketsTest : public GlTest {
   /// Returns a request for the top of a plate.
   static EngraveRequest request(double sizeMm) {
     EngraveRequest made;
-    made.text = "https://qrelief.example";
-    made.label = {"No. 0042", LabelFrame::Rounded};
+    made.code.text = "https://qrelief.example";
+    made.code.label = {"No. 0042", LabelFrame::Rounded};
     made.placement.upHint = {0, 1, 0};
     made.placement.sizeMode = SizeMode::Fixed;
     made.placement.sizeMm = sizeMm;
@@ -34,15 +34,15 @@ class LabelPocketsTest : public GlTest {
 TEST_F(LabelPocketsTest, ALabelledCodeIsASolidThatDecodes) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest wanted = request(25);
-  wanted.inlay = true;
+  wanted.marking.inlay = true;
   const auto labelled = engrave(model, wanted);
   ASSERT_TRUE(labelled.has_value()) << labelled.error().message;
   EXPECT_TRUE(labelled->solidity.solid()) << testing::PrintToString(labelled->solidity.problems());
   EXPECT_TRUE(labelled->inlaySolidity.solid()) << testing::PrintToString(labelled->inlaySolidity.problems());
-  EXPECT_EQ(readWithZxing(labelled->readerView), wanted.text);
-  EXPECT_NEAR(labelled->label.depthMm, kLabelLayers * wanted.printer.layerMm, 1e-9);
+  EXPECT_EQ(readWithZxing(labelled->readerView), wanted.code.text);
+  EXPECT_NEAR(labelled->label.depthMm, kLabelLayers * wanted.print.printer.layerMm, 1e-9);
   // The label takes its area times its depth from the model, and nothing else changes.
-  wanted.label = {};
+  wanted.code.label = {};
   const auto plain = engrave(model, wanted);
   ASSERT_TRUE(plain.has_value()) << plain.error().message;
   double area = 0;
@@ -60,7 +60,7 @@ TEST_F(LabelPocketsTest, AFoundSizeLeavesRoomForTheLabel) {
   const auto labelled = engrave(model, wanted);
   ASSERT_TRUE(labelled.has_value()) << labelled.error().message;
   const int modules = labelled->symbol.size;
-  const double edge = modules + 2 * labelMarginModules(wanted.label, modules);
+  const double edge = modules + 2 * labelMarginModules(wanted.code.label, modules);
   EXPECT_LE(labelled->placement.moduleMm * edge, 60);
   EXPECT_GT(labelled->placement.moduleMm * edge, 57);
 }
@@ -69,7 +69,7 @@ TEST_F(LabelPocketsTest, ACodeWithoutRoomForItsLabelIsRefused) {
   const auto model = upload(shapes::plate({40, 40}, 6, 5, 5));
   EngraveRequest wanted = request(28);
   EXPECT_FALSE(engrave(model, wanted).has_value());
-  wanted.label = {};
+  wanted.code.label = {};
   EXPECT_TRUE(engrave(model, wanted).has_value());
 }
 
@@ -89,7 +89,7 @@ TEST_F(LabelPocketsTest, AThinWallTakesAShallowerLabelOrNone) {
 TEST_F(LabelPocketsTest, ALabelThatTheFontLacksIsRefusedBeforeTheSearch) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest wanted = request(25);
-  wanted.label.text = "漢";
+  wanted.code.label.text = "漢";
   const auto job = EngraveJob::create(model, wanted);
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "label-lacks-characters");
@@ -99,11 +99,11 @@ TEST_F(LabelPocketsTest, ASmallLabelGetsAnAdvice) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest wanted = request(25);
   const auto codes = [&](const std::string& label) {
-    wanted.label.text = label;
+    wanted.code.label.text = label;
     const auto result = engrave(model, wanted);
     EXPECT_TRUE(result.has_value());
     std::vector<std::string> named;
-    for (const Message& advice : advisePrinting(featuresOf(*result), wanted.printer)) named.push_back(advice.code);
+    for (const Message& advice : advisePrinting(featuresOf(*result), wanted.print.printer)) named.push_back(advice.code);
     return named;
   };
   EXPECT_THAT(codes("No. 7"), testing::Not(testing::Contains("label-too-small")));

@@ -34,8 +34,8 @@ class MarkTest : public GlTest {
   }
   static EngraveRequest requestFor(Mark mark, Vec3 centre = {0, 0, 40}, double sizeMm = 25) {
     EngraveRequest made = defaultRequest();
-    made.text = kText;
-    made.mark = mark;
+    made.code.text = kText;
+    made.marking.mark = mark;
     made.placement.centreMm = centre;
     made.placement.sizeMode = SizeMode::Fixed;
     made.placement.sizeMm = sizeMm;
@@ -80,15 +80,15 @@ TEST_F(MarkTest, AnInlayIsEvenAndFillsTheModelUp) {
 
 TEST_F(MarkTest, TheDepthOfAnInlayFollowsTheSlopeUnlessItIsGiven) {
   EngraveRequest request = requestFor(Mark::Inlay);
-  request.buildUp.pose = BuildPose::CodeUp;
+  request.print.buildUp.pose = BuildPose::CodeUp;
   const double lying = engraved(sphere(), request).markDepthMm;
-  request.buildUp.pose = BuildPose::CodeUpright;
+  request.print.buildUp.pose = BuildPose::CodeUpright;
   const double upright = engraved(sphere(), request).markDepthMm;
   EXPECT_GE(lying, 0.4);
   EXPECT_LT(lying, 0.8);  // the ball bends: its rim is steeper than its middle
   EXPECT_GE(upright, 0.9);
   EXPECT_LT(upright, 1.2);
-  request.markDepthMm = 0.55;
+  request.marking.markDepthMm = 0.55;
   EXPECT_DOUBLE_EQ(engraved(sphere(), request).markDepthMm, 0.55);
 }
 
@@ -122,7 +122,7 @@ TEST_F(MarkTest, BothDecodeAsDesignedAndAsPrinted) {
   for (const Mark mark : {Mark::Inlay, Mark::Paint})
     for (const BuildPose pose : {BuildPose::CodeUp, BuildPose::CodeUpright}) {
       EngraveRequest request = requestFor(mark);
-      request.buildUp.pose = pose;
+      request.print.buildUp.pose = pose;
       const EngraveResult result = engraved(sphere(), request);
       const ReadingEvidence reading = readCarving(request, result);
       const auto printed = readPrinted(verifyRequestOf(request, result), result.mesh, [](const Progress&) {});
@@ -139,7 +139,7 @@ TEST_F(MarkTest, BothDecodeAsDesignedAndAsPrinted) {
 TEST_F(MarkTest, ModulesNarrowerThanALineAreLostInPrint) {
   const auto plate = upload(shapes::box({50, 50, 10}));
   EngraveRequest request = requestFor(Mark::Paint, {0, 0, 5}, 9);
-  request.buildUp.pose = BuildPose::CodeUp;
+  request.print.buildUp.pose = BuildPose::CodeUp;
   const EngraveResult result = engraved(plate, request);
   ASSERT_LT(result.placement.moduleMm, 0.45);
   EXPECT_TRUE(readCarving(request, result).count.enough());
@@ -151,15 +151,15 @@ TEST_F(MarkTest, ModulesNarrowerThanALineAreLostInPrint) {
 TEST_F(MarkTest, SettingsOfShadowsChangeNothing) {
   const EngraveResult plain = engraved(sphere(), requestFor(Mark::Inlay));
   EngraveRequest odd = requestFor(Mark::Inlay);
-  odd.modulePattern = ModulePattern::Diamond;
-  odd.finderPattern = FinderPattern::Diamond;
-  odd.contrast = 0.5;
-  odd.maxDepthMm = 0.2;
-  odd.lights = {kOneLight};
-  odd.objective = DepthObjective::OneLight;
-  odd.surface = SurfaceMode::Resampled;
-  odd.albedo = 0.2f;
-  odd.inlay = true;
+  odd.code.modulePattern = ModulePattern::Diamond;
+  odd.code.finderPattern = FinderPattern::Diamond;
+  odd.depth.contrast = 0.5;
+  odd.depth.maxDepthMm = 0.2;
+  odd.depth.lights = {kOneLight};
+  odd.depth.objective = DepthObjective::OneLight;
+  odd.depth.surface = SurfaceMode::Resampled;
+  odd.depth.albedo = 0.2f;
+  odd.marking.inlay = true;
   const EngraveResult same = engraved(sphere(), odd);
   EXPECT_EQ(same.stl, plain.stl);
   EXPECT_EQ(same.luminance, plain.luminance);
@@ -168,25 +168,25 @@ TEST_F(MarkTest, SettingsOfShadowsChangeNothing) {
 TEST_F(MarkTest, ThinWallsLimitAnInlayButNotPaint) {
   const auto plate = upload(shapes::box({60, 60, 1.1}));
   EngraveRequest request = requestFor(Mark::Inlay, {0, 0, 0.55});  // 0.8 mm must remain
-  request.buildUp.pose = BuildPose::CodeUp;
+  request.print.buildUp.pose = BuildPose::CodeUp;
   const EngraveResult thin = engraved(plate, request);
   EXPECT_NEAR(thin.markDepthMm, 0.3, 0.011);  // 0.4 mm would be opaque
   EXPECT_EQ(judge(request, thin, readCarving(request, thin)).prints.reasons.front().code, "inlay-not-opaque");
-  request.minWallMm = 1;
+  request.depth.minWallMm = 1;
   const auto refused = engrave(plate, request);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().message.code, "inlay-needs-walls");
-  request.mark = Mark::Paint;
+  request.marking.mark = Mark::Paint;
   EXPECT_TRUE(engraved(plate, request).solidity.solid());
 }
 
 TEST_F(MarkTest, ColoursThatAreTooAlikeAreRefused) {
   EngraveRequest request = requestFor(Mark::Paint);
-  request.ink = {.dark = 0.5, .light = 0.6};
+  request.marking.ink = {.dark = 0.5, .light = 0.6};
   const auto refused = engrave(sphere(), request);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().message.code, "colours-too-alike");
-  request.mark = Mark::Shadow;  // has no colours
+  request.marking.mark = Mark::Shadow;  // has no colours
   EXPECT_TRUE(checkSettings(request).has_value());
 }
 
@@ -225,7 +225,7 @@ TEST_F(MarkTest, VerifyOfTheBodyAloneSeesWhereItsInlayBelongs) {
 
 TEST_F(MarkTest, AnInvertedCodeIsWarnedOf) {
   EngraveRequest request = requestFor(Mark::Paint);
-  std::swap(request.ink.dark, request.ink.light);
+  std::swap(request.marking.ink.dark, request.marking.ink.light);
   const EngraveResult result = engraved(sphere(), request);
   const Verdict verdict = judge(request, result, readCarving(request, result));
   ASSERT_FALSE(verdict.reads.warnings.empty());

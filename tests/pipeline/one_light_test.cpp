@@ -29,11 +29,11 @@ Sample carved(const Mesh& mesh, Vec3 centre, DepthObjective objective, ModulePat
   Sample sample;
   sample.model = EngravableModel::upload(*prepareModel(shapes::soupOf(mesh), {}));
   EngraveRequest& request = sample.request;
-  request.text = "QRELIEF";
-  request.symbol.version = 1;
-  request.modulePattern = pattern;
-  request.objective = objective;
-  request.preset = Preset::Shallow;
+  request.code.text = "QRELIEF";
+  request.code.symbol.version = 1;
+  request.code.modulePattern = pattern;
+  request.depth.objective = objective;
+  request.depth.preset = Preset::Shallow;
   request.placement.centreMm = centre;
   request.placement.upHint = {0, 1, 0};
   request.placement.sizeMode = SizeMode::Fixed;
@@ -82,8 +82,8 @@ TEST_F(OneLightTest, TracedLightConfirmsThatCarvedSubmodulesAreDarkUnderTheLamp)
     const Sample ball =
         isBall ? carved(shapes::icosphere(40, 5), {0, 0, 40}, DepthObjective::OneLight, ModulePattern::ThickPlus,
                         [](EngraveRequest& request) {
-                          request.lights = {kOneLight};
-                          request.lights.front().elevationDeg = 45;
+                          request.depth.lights = {kOneLight};
+                          request.depth.lights.front().elevationDeg = 45;
                         })
                : Sample{};
     const Sample& sample = isBall ? ball : onPlate();
@@ -108,7 +108,7 @@ TEST_F(OneLightTest, TracedLightConfirmsThatCarvedSubmodulesAreDarkUnderTheLamp)
         sum += cell.luminance.mean / static_cast<double>(cells.size());
       return sum;
     };
-    EXPECT_LT(meanOf(dark), (1 - sample.request.contrastAsked() + 0.05) * meanOf(light)) << isBall;
+    EXPECT_LT(meanOf(dark), (1 - sample.request.depth.contrastAsked() + 0.05) * meanOf(light)) << isBall;
     EXPECT_TRUE(result.solidity.solid());
     EXPECT_LT(static_cast<double>(result.limitedSubmodules), 0.02 * static_cast<double>(depths.depthMm.size()));
   }

@@ -19,8 +19,8 @@ class PrintedViewTest : public GlTest {
   static Carved carved(double symbolMm) {
     const auto model = EngravableModel::upload(*prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {}));
     EngraveRequest request;
-    request.text = "QRELIEF";
-    request.symbol.version = 1;
+    request.code.text = "QRELIEF";
+    request.code.symbol.version = 1;
     request.placement.centreMm = {0, 0, 5};
     request.placement.upHint = {0, 1, 0};
     request.placement.sizeMode = SizeMode::Fixed;

@@ -106,7 +106,7 @@ TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
     EXPECT_EQ(spot.symbolMm, 22);
     EXPECT_GE(spot.largestMm, 22);
     EngraveRequest engraving;
-    engraving.text = "HELLO";  // version 1, the default of the spot search
+    engraving.code.text = "HELLO";  // version 1, the default of the spot search
     engraving.placement = request(22).placement;
     engraving.placement.centreMm = spot.centreMm;
     if (spot.needsDirection) engraving.placement.direction = spot.direction;

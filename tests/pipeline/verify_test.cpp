@@ -31,13 +31,13 @@ Sample engravedPlate(const std::string& text, double maxDepthMm) {
   auto prepared = prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {});
   const auto model = EngravableModel::upload(std::move(*prepared));
   EngraveRequest request;
-  request.text = text;
-  request.symbol.version = 1;
+  request.code.text = text;
+  request.code.symbol.version = 1;
   request.placement.centreMm = {0, 0, 5};
   request.placement.upHint = {0, 1, 0};
   request.placement.sizeMode = SizeMode::Fixed;
   request.placement.sizeMm = 25.2;
-  request.maxDepthMm = maxDepthMm;
+  request.depth.maxDepthMm = maxDepthMm;
   const auto result = engrave(model, request);
   EXPECT_TRUE(result.has_value()) << result.error().message;
   return {result->mesh, makeReport(request, *model, *result, {})};

@@ -20,17 +20,17 @@ TEST(Preset, EachHasMoreContrastThanThePreviousOne) {
   for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust}) {
     EXPECT_GT(presetContrast(preset), before);
     EngraveRequest request;
-    request.preset = preset;
-    EXPECT_EQ(request.contrastAsked(), presetContrast(preset));
+    request.depth.preset = preset;
+    EXPECT_EQ(request.depth.contrastAsked(), presetContrast(preset));
     before = presetContrast(preset);
   }
 }
 
 TEST(Preset, AnExplicitContrastOverridesIt) {
   EngraveRequest request;
-  request.preset = Preset::Robust;
-  request.contrast = 0.17;
-  EXPECT_EQ(request.contrastAsked(), 0.17);
+  request.depth.preset = Preset::Robust;
+  request.depth.contrast = 0.17;
+  EXPECT_EQ(request.depth.contrastAsked(), 0.17);
 }
 
 TEST(Preset, EachHasADeeperOneExceptTheLast) {
@@ -39,7 +39,7 @@ TEST(Preset, EachHasADeeperOneExceptTheLast) {
   EXPECT_EQ(deeperPreset(Preset::Robust), std::nullopt);
 }
 
-TEST(Preset, BalancedIsTheDefault) { EXPECT_EQ(EngraveRequest{}.contrastAsked(), presetContrast(Preset::Balanced)); }
+TEST(Preset, BalancedIsTheDefault) { EXPECT_EQ(EngraveRequest{}.depth.contrastAsked(), presetContrast(Preset::Balanced)); }
 
 }  // namespace
 }  // namespace qrelief

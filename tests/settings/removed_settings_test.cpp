@@ -42,7 +42,7 @@ TEST(RemovedSettings, InJsonChangeNothing) {
       "tolerance": 0.01, "maxPasses": 20})");
   ASSERT_TRUE(request.has_value()) << request.error().message;
   EngraveRequest expected = defaultRequest();
-  expected.text = "x";
+  expected.code.text = "x";
   EXPECT_EQ(*request, expected);
 }
 

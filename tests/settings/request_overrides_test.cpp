@@ -83,13 +83,13 @@ TEST(RequestOverrides, SettingsWithoutOverrideFollowThePage) {
   RequestOverrides overrides;
   EngraveRequest page;
   overrides.set(indexOf("contrast"), 0.42, page);
-  page.contrast = 0.2;
-  page.minWallMm = 1.5;
-  page.text = "x";
+  page.depth.contrast = 0.2;
+  page.depth.minWallMm = 1.5;
+  page.code.text = "x";
   const EngraveRequest applied = overrides.appliedTo(page);
-  EXPECT_EQ(applied.contrast, 0.42);
-  EXPECT_EQ(applied.minWallMm, 1.5);
-  EXPECT_EQ(applied.text, "x");
+  EXPECT_EQ(applied.depth.contrast, 0.42);
+  EXPECT_EQ(applied.depth.minWallMm, 1.5);
+  EXPECT_EQ(applied.code.text, "x");
   EXPECT_EQ(overrides.count(), 1u);
 }
 
@@ -117,16 +117,16 @@ TEST(RequestOverrides, ALampWithoutStrengthIsOmitted) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("light.1.azimuthDeg"), 90, page);
-  EXPECT_TRUE(overrides.appliedTo(page).lights.empty());
+  EXPECT_TRUE(overrides.appliedTo(page).depth.lights.empty());
   overrides.set(indexOf("light.2.strength"), 2, page);
   overrides.set(indexOf("light.2.elevationDeg"), 30, page);
   const EngraveRequest second = overrides.appliedTo(page);
-  ASSERT_EQ(second.lights.size(), 1u);
-  EXPECT_EQ(second.lights[0].strength, 2);
-  EXPECT_EQ(second.lights[0].elevationDeg, 30);
+  ASSERT_EQ(second.depth.lights.size(), 1u);
+  EXPECT_EQ(second.depth.lights[0].strength, 2);
+  EXPECT_EQ(second.depth.lights[0].elevationDeg, 30);
   overrides.set(indexOf("light.1.strength"), 1, page);
-  EXPECT_EQ(overrides.appliedTo(page).lights[0].azimuthDeg, 90);
-  EXPECT_EQ(overrides.appliedTo(page).lights.size(), 2u);
+  EXPECT_EQ(overrides.appliedTo(page).depth.lights[0].azimuthDeg, 90);
+  EXPECT_EQ(overrides.appliedTo(page).depth.lights.size(), 2u);
 }
 
 TEST(RequestOverrides, AMethodReplacesTheDirectionOfASuggestedSpot) {

@@ -17,21 +17,21 @@ TEST(SettingJson, EverySettingOfThePageArrives) {
       "size": 35.5, "maxSizeMm": 80, "quietZone": false, "direction": "mean-normal", "rotateDeg": 30, "contrast": 0.4,
       "minWallMm": 1.2, "nozzleMm": 0.6, "layerMm": 0.2, "maxDepthMm": 0.9, "eyeDistanceMm": 300})");
   ASSERT_TRUE(request.has_value()) << request.error().message;
-  EXPECT_EQ(request->text, "grüezi");
-  EXPECT_EQ(request->symbol.errorCorrection, ErrorCorrection::Q);
-  EXPECT_EQ(request->modulePattern, ModulePattern::ThinPlus);
-  EXPECT_EQ(request->finderPattern, FinderPattern::Diamond);
+  EXPECT_EQ(request->code.text, "grüezi");
+  EXPECT_EQ(request->code.symbol.errorCorrection, ErrorCorrection::Q);
+  EXPECT_EQ(request->code.modulePattern, ModulePattern::ThinPlus);
+  EXPECT_EQ(request->code.finderPattern, FinderPattern::Diamond);
   EXPECT_EQ(request->placement.sizeMode, SizeMode::Fixed);
   EXPECT_EQ(request->placement.sizeMm, 35.5);
   EXPECT_EQ(request->placement.maxSizeMm, 80);
   EXPECT_FALSE(request->placement.quietZone);
   EXPECT_EQ(request->placement.directionMethod, DirectionMethod::MeanNormal);
   EXPECT_EQ(request->placement.rotateDeg, 30);
-  EXPECT_EQ(request->contrast, 0.4);
-  EXPECT_EQ(request->minWallMm, 1.2);
-  EXPECT_EQ(request->printer.nozzleMm, 0.6);
-  EXPECT_EQ(request->printer.layerMm, 0.2);
-  EXPECT_EQ(request->maxDepthMm, 0.9);
+  EXPECT_EQ(request->depth.contrast, 0.4);
+  EXPECT_EQ(request->depth.minWallMm, 1.2);
+  EXPECT_EQ(request->print.printer.nozzleMm, 0.6);
+  EXPECT_EQ(request->print.printer.layerMm, 0.2);
+  EXPECT_EQ(request->depth.maxDepthMm, 0.9);
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }
 
@@ -45,13 +45,13 @@ TEST(SettingJson, RefusesDeepNestingAndDuplicateKeys) {
 TEST(SettingJson, APresetGivesTheSettingsThatAreMissing) {
   const auto robust = requestFromJson(R"({"text": "x", "preset": "robust"})");
   ASSERT_TRUE(robust.has_value());
-  EXPECT_GT(robust->contrastAsked(), EngraveRequest{}.contrastAsked());
+  EXPECT_GT(robust->depth.contrastAsked(), EngraveRequest{}.depth.contrastAsked());
   const auto own =
       requestFromJson(R"({"text": "x", "contrast": 0.25, "pattern": "square", "ecc": "M", "preset": "robust"})");
   ASSERT_TRUE(own.has_value());
-  EXPECT_EQ(own->contrast, 0.25);
-  EXPECT_EQ(own->modulePattern, ModulePattern::Square);
-  EXPECT_FALSE(own->symbol.raiseErrorCorrection);
+  EXPECT_EQ(own->depth.contrast, 0.25);
+  EXPECT_EQ(own->code.modulePattern, ModulePattern::Square);
+  EXPECT_FALSE(own->code.symbol.raiseErrorCorrection);
 }
 
 TEST(SettingJson, MissingOrNullSettingsHaveTheirDefaults) {
@@ -60,10 +60,10 @@ TEST(SettingJson, MissingOrNullSettingsHaveTheirDefaults) {
   ASSERT_TRUE(request.has_value());
   EXPECT_EQ(request->placement.sizeMode, SizeMode::Best);
   EXPECT_EQ(request->placement.directionMethod, DirectionMethod::Optimal);
-  EXPECT_FALSE(request->maxDepthMm.has_value());
-  EXPECT_EQ(request->minWallMm, 0.8);
-  EXPECT_EQ(request->symbol, defaultRequest().symbol);
-  EXPECT_EQ(request->contrast, std::nullopt);
+  EXPECT_FALSE(request->depth.maxDepthMm.has_value());
+  EXPECT_EQ(request->depth.minWallMm, 0.8);
+  EXPECT_EQ(request->code.symbol, defaultRequest().code.symbol);
+  EXPECT_EQ(request->depth.contrast, std::nullopt);
 }
 
 /// Returns requests in which every setting differs from its default, covering each kind of value that it takes.

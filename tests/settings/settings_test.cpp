@@ -18,7 +18,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Returns the error code of the default request with this value; empty if it is valid.
 std::string codeOf(const Setting& setting, const SettingValue& value) {
   EngraveRequest request = defaultRequest();
-  request.process.reset();  // the printer's own limits are not under test
+  request.print.process.reset();  // the printer's own limits are not under test
   setting.write(request, value);
   const Status checked = checkSettings(request);
   return checked ? "" : checked.error().message.code;
@@ -125,7 +125,7 @@ TEST(SettingsTable, RefusesValuesOfAnotherKind) {
 
 TEST(SettingsTable, NamesASettingOutOfRangeAndTheRange) {
   EngraveRequest request = defaultRequest();
-  request.minWallMm = -1;
+  request.depth.minWallMm = -1;
   const Status checked = checkSettings(request);
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().kind, ErrorKind::BadUsage);
@@ -135,25 +135,25 @@ TEST(SettingsTable, NamesASettingOutOfRangeAndTheRange) {
 
 TEST(SettingsTable, RaisesAnExplicitErrorCorrectionOnlyOnRequest) {
   EngraveRequest request = defaultRequest();
-  EXPECT_TRUE(request.symbol.raiseErrorCorrection);
+  EXPECT_TRUE(request.code.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("Q"));
-  EXPECT_EQ(request.symbol.errorCorrection, ErrorCorrection::Q);
-  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
+  EXPECT_EQ(request.code.symbol.errorCorrection, ErrorCorrection::Q);
+  EXPECT_FALSE(request.code.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("auto"));
-  EXPECT_EQ(request.symbol, defaultRequest().symbol);
+  EXPECT_EQ(request.code.symbol, defaultRequest().code.symbol);
 }
 
 TEST(SettingsTable, OneLightHasADefaultLampUnlessOneIsGiven) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(request.lamps().empty());
-  request.objective = DepthObjective::OneLight;
+  request.depth.objective = DepthObjective::OneLight;
   EXPECT_EQ(request.lamps(), std::vector{kOneLight});
   EXPECT_FALSE(request.isForPrint());
   const DirectionalLight own{.azimuthDeg = 10, .elevationDeg = 20, .strength = 5};
-  request.lights = {own};
+  request.depth.lights = {own};
   EXPECT_EQ(request.lamps(), std::vector{own});
   EXPECT_TRUE(checkSettings(request));
-  request.lights.push_back(kOneLight);
+  request.depth.lights.push_back(kOneLight);
   const Status checked = checkSettings(request);
   ASSERT_FALSE(checked);
   EXPECT_EQ(sentence(checked.error().message), "--objective is one-light, but 2 lamps are given");
@@ -173,23 +173,23 @@ TEST(SettingsTable, UsesThePresetsContrastByDefault) {
 TEST(SettingsTable, AProcessSetsNozzleAndLayerUnlessTheyAreGiven) {
   EngraveRequest request = defaultRequest();
   findSetting("process")->write(request, std::string("fdm-0.25/0.1"));
-  EXPECT_EQ(request.printer.nozzleMm, 0.25);
-  EXPECT_EQ(request.printer.layerMm, 0.1);
+  EXPECT_EQ(request.print.printer.nozzleMm, 0.25);
+  EXPECT_EQ(request.print.printer.layerMm, 0.1);
   findSetting("layerMm")->write(request, 0.15);
   EXPECT_EQ(findSetting("process")->read(request), SettingValue(std::string("fdm-0.25/0.1")));
-  EXPECT_EQ(request.printer.layerMm, 0.15);
+  EXPECT_EQ(request.print.printer.layerMm, 0.15);
   findSetting("process")->write(request, std::string("none"));
-  EXPECT_FALSE(request.process);
-  EXPECT_EQ(request.printer.nozzleMm, 0.25);
+  EXPECT_FALSE(request.print.process);
+  EXPECT_EQ(request.print.printer.nozzleMm, 0.25);
 }
 
 TEST(SettingsTable, RefusesAnImpossiblePrinter) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(checkSettings(request));
-  request.printer.layerMm = 0.5;
+  request.print.printer.layerMm = 0.5;
   ASSERT_FALSE(checkSettings(request));
   EXPECT_EQ(checkSettings(request).error().message.code, "layer-above-nozzle");
-  request.process.reset();
+  request.print.process.reset();
   EXPECT_TRUE(checkSettings(request));
 }
 

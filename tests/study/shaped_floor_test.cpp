@@ -19,10 +19,10 @@ class ShapedFloorTest : public GlTest {
  protected:
   ShapedFloorTest() {
     model_ = EngravableModel::upload(*prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {}));
-    request_.text = "QRELIEF";
-    request_.modulePattern = ModulePattern::ThickPlus;
-    request_.finderPattern = FinderPattern::ThickPlusSharp;
-    request_.symbol.version = 1;
+    request_.code.text = "QRELIEF";
+    request_.code.modulePattern = ModulePattern::ThickPlus;
+    request_.code.finderPattern = FinderPattern::ThickPlusSharp;
+    request_.code.symbol.version = 1;
     request_.placement.centreMm = {0, 0, 5};
     request_.placement.upHint = {0, 1, 0};
     request_.placement.sizeMode = SizeMode::Fixed;
@@ -30,7 +30,7 @@ class ShapedFloorTest : public GlTest {
   }
 
   EngraveResult carved(FloorShape floor) const {
-    const ShapedFloorOptions options{.shape = floor, .contrast = request_.contrastAsked()};
+    const ShapedFloorOptions options{.shape = floor, .contrast = request_.depth.contrastAsked()};
     EngraveJob::Known known;
     known.makeSearch = [options](CarvingTarget target) {
       return std::make_unique<ShapedFloorSearch>(std::move(target), options);
@@ -107,7 +107,7 @@ TEST_F(ShapedFloorTest, AShapedFloorIsDarkerThanAFlatOneOfItsMeanDepth) {
 }
 
 TEST_F(ShapedFloorTest, NoSubmoduleExceedsTheMaximumDepth) {
-  request_.maxDepthMm = 0.2;
+  request_.depth.maxDepthMm = 0.2;
   const EngraveResult result = carved(FloorShape::Wavy);
   EXPECT_LE(summarise(result.depths).maxMm, 0.2 + 1e-9);
   EXPECT_GT(result.limitedSubmodules, 0u);

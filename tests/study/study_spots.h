@@ -14,8 +14,8 @@ class PlateTest : public GlTest {
     auto prepared = prepareModel(shapes::soupOf(shapes::plate({70, 70}, 30, 4, 4)), {});
     EXPECT_TRUE(prepared.has_value());
     EngraveRequest request;
-    request.text = "https://example.org/p/1";
-    request.symbol.version = version;
+    request.code.text = "https://example.org/p/1";
+    request.code.symbol.version = version;
     request.placement.centreMm = {0, 0, 0};
     request.placement.upHint = {0, 1, 0};
     request.placement.sizeMode = SizeMode::Fixed;

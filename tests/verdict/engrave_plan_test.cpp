@@ -12,8 +12,8 @@ using Step = EngravePlan::Step;
 class EngravePlanTest : public testing::Test {
  protected:
   EngravePlanTest() {
-    request_.text = "HELLO";
-    request_.preset = Preset::Shallow;
+    request_.code.text = "HELLO";
+    request_.depth.preset = Preset::Shallow;
   }
 
   static Verdict verdictOf(bool reads, bool barelyPrints) {
@@ -31,7 +31,7 @@ class EngravePlanTest : public testing::Test {
 
   void carve(bool reads) {
     ASSERT_EQ(plan_->step(), Step::Carve);
-    presets_.emplace_back(presetName(plan_->request().preset));
+    presets_.emplace_back(presetName(plan_->request().depth.preset));
     plan_->carved(verdictOf(reads, false));
   }
 
@@ -45,7 +45,7 @@ class EngravePlanTest : public testing::Test {
   void expectDelivery(int attempt, const char* preset) const {
     EXPECT_EQ(plan_->step(), Step::Deliver);
     EXPECT_EQ(plan_->attempt(), attempt);
-    EXPECT_STREQ(presetName(plan_->request().preset), preset);
+    EXPECT_STREQ(presetName(plan_->request().depth.preset), preset);
   }
 
   EngraveRequest request_;
@@ -151,7 +151,7 @@ TEST_F(EngravePlanTest, LooksAtNoPrintIfToldSoOrWithoutAProcess) {
   EXPECT_FALSE(plan_->expectsPrint());
   carve(true);
   expectDelivery(0, "shallow");
-  request_.process.reset();
+  request_.print.process.reset();
   begin();
   carve(true);
   expectDelivery(0, "shallow");

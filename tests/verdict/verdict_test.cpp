@@ -23,8 +23,8 @@ std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
-  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.modulePattern.value_or(ModulePattern::ThickPlus),
-                                               request.finderPattern.value_or(FinderPattern::ThickPlusSharp));
+  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
+                                               request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
   result.depths = {mask.size, symbolMm, {}};
   for (const std::uint8_t one : mask.carved) result.depths.depthMm.push_back(one ? depthMm : 0);
   result.placement.symbolMm = symbolMm;
@@ -62,7 +62,7 @@ TEST(EvidenceOf, CountsTheWantedTextAndListsItFirst) {
 
 class VerdictTest : public testing::Test {
  protected:
-  VerdictTest() { request_.text = "HELLO"; }
+  VerdictTest() { request_.code.text = "HELLO"; }
   Verdict judged(int reads, double symbolMm = 30, double depthMm = 0.5) {
     return judge(request_, carved(request_, symbolMm, depthMm), evidence(reads));
   }
@@ -89,17 +89,17 @@ TEST_F(VerdictTest, TriesTheNextDeeperPresetUnlessTheRequestKeepsIts) {
   const auto preset = [](const char* name) { return SettingChange{"preset", name}; };
   EXPECT_EQ(changeToTryNext(request_, judged(28)), preset("robust"));
   EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
-  request_.preset = Preset::Shallow;
+  request_.depth.preset = Preset::Shallow;
   EXPECT_EQ(changeToTryNext(request_, judged(0)), preset("balanced"));
-  request_.keepPreset = true;
+  request_.depth.keepPreset = true;
   EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
   request_ = {};
-  request_.text = "HELLO";
-  request_.contrast = 0.2;
+  request_.code.text = "HELLO";
+  request_.depth.contrast = 0.2;
   EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
   request_ = {};
-  request_.text = "HELLO";
-  request_.preset = Preset::Robust;
+  request_.code.text = "HELLO";
+  request_.depth.preset = Preset::Robust;
   EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
 }
 
@@ -109,41 +109,41 @@ TEST_F(VerdictTest, TriesTheNextDeeperPresetIfThePrintBarelyDecodes) {
     const Verdict verdict = judge(request_, carved(request_, 30, 0.5), evidence(72), &printed);
     return changeToTryNext(request_, verdict, &printed);
   };
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   EXPECT_EQ(next(29), std::nullopt);
   EXPECT_EQ(next(29, 120), std::nullopt) << "deeper pockets do not turn a code that hangs";
   EXPECT_EQ(next(28), (SettingChange{"preset", "robust"}));
   EXPECT_EQ(next(11), std::nullopt) << "too few reads to hope for";
-  request_.keepPreset = true;
+  request_.depth.keepPreset = true;
   EXPECT_EQ(next(28), std::nullopt);
 }
 
 TEST_F(VerdictTest, TriesCarvingForTheDesignBeforeADeeperPreset) {
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
   for (const bool keepPreset : {false, true}) {
-    request_.keepPreset = keepPreset;
+    request_.depth.keepPreset = keepPreset;
     EXPECT_EQ(changeToTryNext(request_, judged(28)), (SettingChange{"carveFor", "design"}));
   }
-  request_.keepPreset = false;
+  request_.depth.keepPreset = false;
   apply({"carveFor", "design"}, request_);
   EXPECT_EQ(changeToTryNext(request_, judged(28)), (SettingChange{"preset", "robust"}));
 }
 
 TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("preset=robust", "size=best", "="));
-  request_.contrast = 0.2;
+  request_.depth.contrast = 0.2;
   request_.placement.sizeMode = SizeMode::Best;
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
   request_.placement.maxSizeMm = 30;  // the bound limits the size
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
-  request_.objective = DepthObjective::OneLight;
+  request_.depth.objective = DepthObjective::OneLight;
   EXPECT_EQ(settingsOf(judged(0).reads.remedies).front(), "objective=contrast");
 }
 
 TEST_F(VerdictTest, PrintingRemediesAreTheFirstCommonOnesThatWouldDo) {
-  request_.modulePattern = ModulePattern::Square;
-  request_.finderPattern = FinderPattern::AsModules;
+  request_.code.modulePattern = ModulePattern::Square;
+  request_.code.finderPattern = FinderPattern::AsModules;
   const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 mm with a nozzle of 0.4 mm
   EXPECT_EQ(verdict.prints.level, Level::Barely);
   EXPECT_TRUE(verdict.prints.passed());
@@ -172,22 +172,22 @@ TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
   EXPECT_EQ(printed(12, 0).level, Level::Barely);
   const Aspect bad = printed(11, 45);
   EXPECT_EQ(settingsOf(bad.remedies).front(), "carveFor=print");
-  request_.carveFor = CarveFor::Print;
+  request_.depth.carveFor = CarveFor::Print;
   EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "that is done already";
-  request_.carveFor = CarveFor::Design;
-  request_.lights = {{}};
+  request_.depth.carveFor = CarveFor::Design;
+  request_.depth.lights = {{}};
   EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "with lamps the design decides";
-  request_.lights.clear();
+  request_.depth.lights.clear();
   EXPECT_EQ(bad.level, Level::Bad);
   EXPECT_EQ(bad.summary.code, "reads-not-as-printed");
   EXPECT_EQ(facing(bad), "facing-slanted");
   const auto made = [](const Aspect& aspect) { return aspect.summary.values.at(1).cause.front().code; };
   EXPECT_EQ(made(bad), "printed-by-nozzle");
-  request_.printer = namedPrinters()[4].printer;
+  request_.print.printer = namedPrinters()[4].printer;
   EXPECT_EQ(made(printed(72, 0)), "printed-in-resin");
-  request_.printer = namedPrinters()[5].printer;
+  request_.print.printer = namedPrinters()[5].printer;
   EXPECT_EQ(made(printed(72, 0)), "printed-in-powder");
-  request_.printer = {};
+  request_.print.printer = {};
   const Aspect down = printed(72, 170);  // the simulation does not show how it sags there
   EXPECT_EQ(facing(down), "facing-down");
   EXPECT_EQ(down.level, Level::Barely);
@@ -210,14 +210,14 @@ TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
 class ColourVerdictTest : public VerdictTest {
  protected:
   ColourVerdictTest() {
-    request_.mark = Mark::Inlay;
+    request_.marking.mark = Mark::Inlay;
     result_ = carved(request_, 30, 0);
     result_.markDepthMm = result_.opaqueDepthMm = 0.4;
-    lay(request_.ink);
+    lay(request_.marking.ink);
   }
   /// Sets the luminance of whole modules in two colours.
   void lay(Ink ink) {
-    request_.ink = ink;
+    request_.marking.ink = ink;
     const int edge = 5 * (result_.symbol.size + 2 * kQuietZoneModules), quiet = 5 * kQuietZoneModules;
     for (int row = 0; row < 5 * result_.symbol.size; ++row)
       for (int column = 0; column < 5 * result_.symbol.size; ++column)
@@ -265,7 +265,7 @@ TEST_F(ColourVerdictTest, WarnsOfModulesNarrowerThanALineAndOffersAFinerNozzle) 
 }
 
 TEST_F(ColourVerdictTest, WarnsOfAProcessWithOneMaterial) {
-  request_.printer.technique = PrintTechnique::Resin;
+  request_.print.printer.technique = PrintTechnique::Resin;
   EXPECT_THAT(codesOf(judged(72).prints.reasons), ElementsAre("one-material-process"));
 }
 

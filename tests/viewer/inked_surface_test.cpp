@@ -17,8 +17,8 @@ class InkedSurfaceTest : public GlTest {
   /// Engraves the top of a box of 60 × 60 × 20 mm.
   static EngraveResult engraved(Mark mark) {
     EngraveRequest request = defaultRequest();
-    request.text = "A";
-    request.mark = mark;
+    request.code.text = "A";
+    request.marking.mark = mark;
     request.placement.centreMm = {0, 0, 10};
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = 30;
