@@ -11,7 +11,8 @@ namespace {
 
 InspectorModel::Solver solverOf(const EngraveRequest& request) {
   if (request.isForOneLight()) return InspectorModel::Solver::OneLight;
-  return request.depth.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast : InspectorModel::Solver::PaperSteps;
+  return request.depth.solver == ContrastSolver::Fast ? InspectorModel::Solver::Fast
+                                                      : InspectorModel::Solver::PaperSteps;
 }
 
 constexpr std::array<const char*, InspectorModel::kSolvers> kSolverNames = {"fast", "paper's steps", "one light"};
@@ -45,8 +46,8 @@ void InspectorModel::follow(const Engine& engine) {
 void InspectorModel::rememberRun(const Engine& engine) {
   const EngraveRequest& request = engine.carvings().request();
   const auto solver = static_cast<std::size_t>(solverOf(request));
-  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.depth.contrastAsked(),
-                                  engine.carvings().result()->placement.symbolMm),
+  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]),
+                                  request.depth.contrastAsked(), engine.carvings().result()->placement.symbolMm),
                       search_->summaries()};
 }
 

@@ -33,7 +33,8 @@ constexpr double kMostSlopeDeg = 70;         // steeper codes fitted but did not
 constexpr double kTrustedSizeShare = 1.001;  // least ratio of the largest size to the size offered
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
-constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size if the requested size fits nowhere
+constexpr std::size_t kLargestTried = 3;   // spots tried for the largest size if the requested size fits nowhere
+constexpr std::size_t kMoreForColour = 3;  // found spots for each requested one
 constexpr double kAcrossShare = 0.95;
 constexpr double kUnaskedShare = 0.1;  // least square of the map if no size is requested, of the diagonal
 constexpr double kPerDirectionUnit = 1e4;
@@ -122,11 +123,13 @@ struct SpotSearchJob::State {
     return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
                                                   [](const Spot& spot) { return !spot.facesDown && !isUneven(spot); }));
   }
+  /// Returns the number of spots to find: more than requested if their layers are to be compared.
+  std::size_t wantedSpots() const { return request.count * (request.colourLayerMm ? kMoreForColour : 1); }
   bool hasEnough() const {
-    const bool isEnough = result.spots.size() >= request.count;
-    return goodSpots() >= request.count || (isEnough && (goodSpots() > 0 || candidate >= likely));
+    const bool isEnough = result.spots.size() >= wantedSpots();
+    return goodSpots() >= wantedSpots() || (isEnough && (goodSpots() > 0 || candidate >= likely));
   }
-  std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * request.count; }
+  std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * wantedSpots(); }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
@@ -356,7 +359,7 @@ Error SpotSearchJob::State::nothingFound() const {
 
 double SpotSearchJob::State::testedShare() const {
   const std::size_t all = std::min(candidates.size(), mostTries());
-  return std::max(static_cast<double>(goodSpots()) / static_cast<double>(request.count),
+  return std::max(static_cast<double>(goodSpots()) / static_cast<double>(wantedSpots()),
                   static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
 }
 

@@ -106,8 +106,8 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     entry.status = RowStatus::Done;
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
-    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.marking.hasInlay()), row.id,
-                                           row.request.code.text, offsets[i]))
+    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.marking.hasInlay()),
+                                           row.id, row.request.code.text, offsets[i]))
       objects.push_back(std::move(object));
   }
   if (objects.empty()) return {};
@@ -131,8 +131,8 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
     return fail(ErrorKind::NoSolution, failures.front());
   if (isFiled()) {
-    const auto encoded = encodeCarved(model_->prepared, engraved->result, partNames_, row.file, row.request.marking.hasInlay(),
-                                      options_->fileFlags.writeOptions(row.id));
+    const auto encoded = encodeCarved(model_->prepared, engraved->result, partNames_, row.file,
+                                      row.request.marking.hasInlay(), options_->fileFlags.writeOptions(row.id));
     if (!encoded) return tl::unexpected(encoded.error());
     tellNotKept(encoded->notKept);
     for (const NamedFile& file : encoded->files) {

@@ -53,9 +53,9 @@ Status completeRequest(EngraveOptions& options) {
     return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
   if (options.request.marking.isInColour() && !isHeld)
-    return fail(ErrorKind::BadUsage,
-                message("colour-has-no-place", with::setting<"setting">("mark"),
-                        with::term<"mark">(markName(options.request.marking.mark)), with::term<"output">(options.output)));
+    return fail(ErrorKind::BadUsage, message("colour-has-no-place", with::setting<"setting">("mark"),
+                                             with::term<"mark">(markName(options.request.marking.mark)),
+                                             with::term<"output">(options.output)));
   if (!isHeld) return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
   return {};
 }
@@ -63,8 +63,9 @@ Status completeRequest(EngraveOptions& options) {
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto encoded = encodeCarved(model.prepared, result, partNames, options.output, options.request.marking.hasInlay(),
-                                    options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
+  const auto encoded =
+      encodeCarved(model.prepared, result, partNames, options.output, options.request.marking.hasInlay(),
+                   options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
   if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
   for (const NamedFile& file : encoded->files)

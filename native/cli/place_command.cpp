@@ -44,7 +44,8 @@ Status completeRequest(PlaceOptions& options) {
   SpotSearchRequest& request = options.request;
   const std::string shortest = "1";  // if only the version is known
   if (engraving->code.text.empty() && !engraving->code.symbol.version) engraving->code.symbol.version = 1;
-  const auto symbol = encodeSymbol(engraving->code.text.empty() ? shortest : engraving->code.text, engraving->code.symbol);
+  const auto symbol =
+      encodeSymbol(engraving->code.text.empty() ? shortest : engraving->code.text, engraving->code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (const auto process = processOf(engraving->print.printer); !process) return tl::unexpected(process.error());
   SpotSearchRequest search = spotSearchFor(*engraving, *symbol);

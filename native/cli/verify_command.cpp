@@ -62,8 +62,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
   if (settings->depth.lights.size() > 1)
-    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting<"setting">("light"),
-                                             with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
+    return fail(ErrorKind::BadUsage,
+                message("setting-too-many", with::setting<"setting">("light"),
+                        with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
   if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
   return request;
 }

@@ -17,7 +17,8 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   for (int lamp = 0; lamp < std::stoi(key[2]); ++lamp)
-    request.depth.lights.push_back({.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
+    request.depth.lights.push_back(
+        {.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited)};

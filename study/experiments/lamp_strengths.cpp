@@ -17,7 +17,8 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
-  request.depth.lights = {{.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(key[1]), .strength = std::stod(key[2])}};
+  request.depth.lights = {
+      {.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(key[1]), .strength = std::stod(key[2])}};
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   const auto reads = readsUnder(**spot, *code, request.depth.lights);

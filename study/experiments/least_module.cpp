@@ -24,7 +24,8 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   request.placement.upHint = {0, 1, 0};
   request.placement.sizeMode = SizeMode::Fixed;
   for (std::size_t i = 0; i < namedPrinters().size(); ++i)
-    if (namedPrinters()[i].name == key[0]) request.print.process = i, request.print.printer = namedPrinters()[i].printer;
+    if (namedPrinters()[i].name == key[0])
+      request.print.process = i, request.print.printer = namedPrinters()[i].printer;
   request.code.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
   request.code.finderPattern = byName<FinderPattern>(key[2], finderPatternName);
   request.print.buildUp.pose = byName<BuildPose>(key[3], buildPoseName);

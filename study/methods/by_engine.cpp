@@ -24,7 +24,8 @@ Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveReques
   if (!result) return tl::unexpected(result.error());
   spot.measured = (*job)->placementMeasurement();
   CarvedCode code;
-  code.mask = submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
+  code.mask =
+      submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
   code.symbol = std::move(result->symbol);
   const SubmoduleLuminances luminance(result->luminance, code.symbol.size);
   for (const std::uint32_t i : carvedOf(code.mask))

@@ -76,7 +76,8 @@ TEST(Manifest, HashesEverySettingNameAndPlace) {
   EXPECT_NE(settingsToHash(row, "other"), before);
   for (void (*change)(BatchRow&) :
        {+[](BatchRow& r) { r.request.code.text = "b"; }, +[](BatchRow& r) { r.file = "b.stl"; },
-        +[](BatchRow& r) { r.request.depth.minWallMm = 2; }, +[](BatchRow& r) { r.request.placement.centreMm.y = 1e-9; }}) {
+        +[](BatchRow& r) { r.request.depth.minWallMm = 2; },
+        +[](BatchRow& r) { r.request.placement.centreMm.y = 1e-9; }}) {
     BatchRow changed = row;
     change(changed);
     EXPECT_NE(settingsToHash(changed, "others"), before);

@@ -168,16 +168,37 @@ TEST_F(EngraveCommandTest, AnInlayNeedsAFormatWithColours) {
   }
 }
 
-TEST_F(EngraveCommandTest, ColourNeeds3mf) {
+TEST_F(EngraveCommandTest, ColourNeedsAFormatWithColours) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
-  for (const char* mark : {"inlay", "paint"}) {
+  for (const auto& [mark, output] :
+       {std::pair("inlay", "out.ply"), std::pair("paint", "out.ply"), std::pair("paint", "out.stl")}) {
     const Outcome outcome =
-        run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--mark", mark, "--quiet"});
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path(output), "--mark", mark, "--quiet"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_NE(outcome.err.find(std::string("--mark ") + mark + " needs a file with colours"), std::string::npos)
+    EXPECT_NE(outcome.err.find(std::string("--mark ") + mark + " needs a format with two colours"), std::string::npos)
         << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(path("out.stl")));
+    EXPECT_FALSE(std::filesystem::exists(path(output)));
   }
+}
+
+TEST_F(EngraveCommandTest, AnInlayHasAFileOfItsOwnInStl) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--mark",
+                               "inlay", "--process", "none", "--quiet"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(path("out.stl")));
+  EXPECT_TRUE(std::filesystem::exists(path("out-2.stl")));
+}
+
+TEST_F(EngraveCommandTest, AnOpenMarkTakesAnInlayWhereWallsAreTooThinForAShadow) {
+  const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 1.05, 4, 4));
+  const Outcome outcome =
+      run({"engrave", model, "--text", "x", "--at", "0,0,1.05", "--up", "0,1,0", "--size", "25", "--mark", "auto",
+           "--build-up", "code-up", "--quiet", "-o", path("out.3mf"), "--report", path("out.json")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_NE(report["mark"], "shadow");
+  EXPECT_EQ(report["verification"]["verdict"]["prints"]["level"], "good");
 }
 
 TEST_F(EngraveCommandTest, AnInlayIsWrittenReportedAndVerified) {

@@ -163,7 +163,8 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   wanted.code.modulePattern = ModulePattern::Square;
   const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
-  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.code.finderPattern);
+  const SubmoduleMask mask =
+      submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.code.finderPattern);
   std::set<double> depths;
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {

@@ -103,7 +103,8 @@ TEST_F(LabelPocketsTest, ASmallLabelGetsAnAdvice) {
     const auto result = engrave(model, wanted);
     EXPECT_TRUE(result.has_value());
     std::vector<std::string> named;
-    for (const Message& advice : advisePrinting(featuresOf(*result), wanted.print.printer)) named.push_back(advice.code);
+    for (const Message& advice : advisePrinting(featuresOf(*result), wanted.print.printer))
+      named.push_back(advice.code);
     return named;
   };
   EXPECT_THAT(codes("No. 7"), testing::Not(testing::Contains("label-too-small")));

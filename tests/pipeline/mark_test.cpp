@@ -210,7 +210,7 @@ TEST_F(MarkTest, VerifyTakesMarkAndColoursFromTheReportAndAgrees) {
     EXPECT_TRUE(found.solidity.solid());
     ASSERT_TRUE(found.grades);
     EXPECT_NEAR(found.grades->symbolContrast.value, gradesOf(request, result).symbolContrast.value, 0.03);
-    EXPECT_GE(found.reading.tiltDeg.value_or(0), 15) << markName(mark);
+    EXPECT_GE(found.reading.tiltDeg.value_or(0), 10) << markName(mark);  // the bend of the sphere sets the limit
     EXPECT_TRUE(found.reading.pixelsPerModule);
   }
 }

@@ -39,7 +39,9 @@ TEST(Preset, EachHasADeeperOneExceptTheLast) {
   EXPECT_EQ(deeperPreset(Preset::Robust), std::nullopt);
 }
 
-TEST(Preset, BalancedIsTheDefault) { EXPECT_EQ(EngraveRequest{}.depth.contrastAsked(), presetContrast(Preset::Balanced)); }
+TEST(Preset, BalancedIsTheDefault) {
+  EXPECT_EQ(EngraveRequest{}.depth.contrastAsked(), presetContrast(Preset::Balanced));
+}
 
 }  // namespace
 }  // namespace qrelief

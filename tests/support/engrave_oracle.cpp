@@ -285,7 +285,8 @@ std::string fitFault(const EngraveCase& made, const EngravableModel& model, cons
 std::string thinFault(const EngraveCase& made, const EngravableModel& model, const Search& search,
                       const Symbol& symbol) {
   const Placement& placement = search.placement;
-  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
+  const SubmoduleMask mask =
+      submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
   const DepthField field{mask.size, placement.symbolMm, {}};
   const PlaneCaster before(model.prepared.mesh, placement.frame, placement.symbolMm / 2);
   const std::vector<std::uint32_t> walls = wallFacets(model.prepared.mesh, placement);
@@ -431,7 +432,8 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
                             const Symbol& symbol, Choices& choices) {
   const Mesh& mesh = model.prepared.mesh;
   EngraveResult result;
-  const SubmoduleMask mask = submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
+  const SubmoduleMask mask =
+      submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
   result.depths = {mask.size, placement.symbolMm, {}};
   const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
                                                 {placement.symbolMm, kDeepestMm, made.request.depth.minWallMm});

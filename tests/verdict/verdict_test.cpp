@@ -23,8 +23,9 @@ std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
-  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
-                                               request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
+  const SubmoduleMask mask =
+      submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
+                        request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
   result.depths = {mask.size, symbolMm, {}};
   for (const std::uint8_t one : mask.carved) result.depths.depthMm.push_back(one ? depthMm : 0);
   result.placement.symbolMm = symbolMm;

@@ -49,7 +49,7 @@ TEST_F(InkedSurfaceTest, PaintIsTheModelsSurfaceWithThePaintedTriangles) {
   EXPECT_EQ(surface.mesh.triangles, result.mesh.triangles);
   EXPECT_EQ(static_cast<std::size_t>(std::count(surface.isInk.begin(), surface.isInk.end(), true)),
             result.painted.size());
-  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 1e-3 * darkMm2(result));
+  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 5e-3 * darkMm2(result));  // outlines move by up to 0.01 mm
 }
 
 TEST_F(InkedSurfaceTest, AnInlayAndItsModelHaveTheOutsideOfTheModel) {
@@ -57,7 +57,7 @@ TEST_F(InkedSurfaceTest, AnInlayAndItsModelHaveTheOutsideOfTheModel) {
   const InkedSurface surface = inkedSurface(result);
   EXPECT_EQ(surfaceProblems(surface.mesh), "");
   EXPECT_NEAR(signedVolume(surface.mesh), 60.0 * 60 * 20, 1e-2);
-  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 1e-3 * darkMm2(result));
+  EXPECT_NEAR(inkMm2(surface), darkMm2(result), 5e-3 * darkMm2(result));  // outlines move by up to 0.01 mm
   EXPECT_TRUE(std::equal(result.mesh.triangles.begin(),
                          result.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(result.keptTriangles),
                          surface.mesh.triangles.begin()));
