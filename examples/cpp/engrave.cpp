@@ -9,7 +9,8 @@
 using namespace qrelief;
 
 int main(int argc, char** argv) {
-  EngraveRequest request{.text = "https://example.org"};
+  EngraveRequest request;
+  request.code.text = "https://example.org";
   if (argc != 4 || std::sscanf(argv[3], "%lf,%lf,%lf", &request.placement.centreMm.x, &request.placement.centreMm.y,
                                &request.placement.centreMm.z) != 3)
     return 2;
