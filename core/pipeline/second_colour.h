@@ -8,8 +8,9 @@
 
 namespace qrelief {
 
-/// Layers below a painted facet that slicers print in its colour, where it faces up: the usual number of solid layers.
-inline constexpr int kPaintedLayers = 5;
+/// Layers that slicers print in the colour of a painted facet that faces up: one more than the usual five solid layers
+/// (PrusaSlicer 2.5, script/test-slicer).
+inline constexpr int kPaintedLayers = 6;
 
 /// Cost of a result's second colour on the request's printer.
 struct SecondColour {

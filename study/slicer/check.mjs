@@ -48,7 +48,7 @@ function secondColour(files) {
 }
 
 /** Returns the modules whose tool is wrong. */
-function wrongModules(/** @type {any} */ { symbol, projection, size }, /** @type {any[]} */ layers) {
+function wrongModules(/** @type {any} */ { mark, symbol, projection, size }, /** @type {any[]} */ layers) {
   const { centre, normal, up } = projection;
   const right = [
     up[1] * normal[2] - up[2] * normal[1],
@@ -67,7 +67,9 @@ function wrongModules(/** @type {any} */ { symbol, projection, size }, /** @type
   symbol.rows.forEach((/** @type {string} */ text, /** @type {number} */ row) => {
     [...text].forEach((module, column) => {
       const tools = SAMPLES.flatMap((dr) => SAMPLES.map((dc) => tool(row + 0.5 + dr, column + 0.5 + dc, depthMm)));
-      const isRight = module === '1' ? tools.includes(1) : tools[4] === 0;
+      // Shadows fill only parts of a module; other marks fill it whole.
+      const hasSecond = mark === 'shadow' ? tools.includes(1) : tools[4] === 1;
+      const isRight = module === '1' ? hasSecond : tools[4] === 0;
       if (!isRight) wrong += 1;
     });
   });
