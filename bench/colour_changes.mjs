@@ -3,7 +3,7 @@
 //
 //     script/bench colour FOLDER CENTRES.json [KIND] [MODEL...]
 //
-// Each model gets a code with a second body (`--inlay`) and is sliced twice, with the code facing up and upright. The
+// Each model gets an inlaid code and is sliced twice, with the code facing up and upright. The
 // slicer gets both bodies as two volumes of one mesh, and two extruders without a wipe tower, so that its tool changes
 // are the filament changes.
 import { downloadZip } from 'client-zip';
@@ -181,7 +181,8 @@ try {
           `${SIZE_MM}`,
           '--text',
           'https://example.org/p/01',
-          '--inlay',
+          '--mark',
+          'inlay',
           '--build-up',
           pose,
           '-o',

@@ -6,6 +6,7 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "math/angle.h"
+#include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
@@ -44,6 +45,7 @@ std::string Engine::describePlacement() const {
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
                    {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
                    {"rotationDeg", placement.rotationDeg},
+                   {"colourLayers", layersOfCode(placement, wanted_.settings().print)},
                    {"version", wanted_.symbol()->version},
                    {"modules", wanted_.symbol()->size}}}});
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/second_colour.h"
 
+#include <cmath>
+
+#include "pipeline/mark_depth.h"
+
 namespace qrelief {
 
 SecondColour secondColourOf(const EngraveResult& result) {
@@ -16,6 +20,14 @@ SecondColour secondColourOf(const EngraveResult& result) {
   else if (!result.painted.empty())
     second.cost = colourCost(result.mesh, PaintedTriangles{result.painted, kPaintedLayers * process->layerMm}, print);
   return second;
+}
+
+int layersOfCode(const Placement& placement, const PrinterRequest& print) {
+  if (!print.process) return 0;
+  const ProjectionFrame& frame = placement.frame;
+  const Vec3 up = glm::normalize(print.buildUp.resolve(frame));
+  const double heightMm = placement.symbolMm * (std::abs(glm::dot(up, frame.right)) + std::abs(glm::dot(up, frame.up)));
+  return static_cast<int>(std::ceil(heightMm / print.printer.layerMm) + kInlayLayers);
 }
 
 }  // namespace qrelief

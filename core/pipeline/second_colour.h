@@ -23,4 +23,8 @@ struct SecondColour {
 /// Cost: see colourCost().
 SecondColour secondColourOf(const EngraveResult& result);
 
+/// Returns the number of layers that a code's square passes through, on its plane. In a second colour each costs about
+/// one filament change. 0 if the printer is not known.
+int layersOfCode(const Placement& placement, const PrinterRequest& print);
+
 }  // namespace qrelief

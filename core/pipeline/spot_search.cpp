@@ -16,6 +16,7 @@
 #include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
 #include "pipeline/placement.h"
+#include "pipeline/second_colour.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
 #include "projection/size.h"
@@ -124,7 +125,7 @@ struct SpotSearchJob::State {
                                                   [](const Spot& spot) { return !spot.facesDown && !isUneven(spot); }));
   }
   /// Returns the number of spots to find: more than requested if their layers are to be compared.
-  std::size_t wantedSpots() const { return request.count * (request.colourLayerMm ? kMoreForColour : 1); }
+  std::size_t wantedSpots() const { return request.count * (request.colourPrinter ? kMoreForColour : 1); }
   bool hasEnough() const {
     const bool isEnough = result.spots.size() >= wantedSpots();
     return goodSpots() >= wantedSpots() || (isEnough && (goodSpots() > 0 || candidate >= likely));
@@ -138,7 +139,6 @@ struct SpotSearchJob::State {
   void drawViews();
   void propose(double leastSizeMm);
   bool facesDown(const ProjectionFrame& frame) const;
-  int colourLayers(const Placement& placement) const;
   double lightOn(const ProjectionFrame& frame, double symbolMm) const;
   bool isDoubtful(const SpotCandidate& spot) const;
   bool screen();
@@ -192,15 +192,6 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
                                               [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
   likely = static_cast<std::size_t>(unlikely - candidates.begin());
-}
-
-/// Returns the number of layers that the square of a symbol passes through, on its plane.
-int SpotSearchJob::State::colourLayers(const Placement& placement) const {
-  if (!request.buildUp || !request.colourLayerMm) return 0;
-  const Vec3 up = glm::normalize(request.buildUp->resolve(placement.frame));
-  const double heightMm =
-      placement.symbolMm * (std::abs(glm::dot(up, placement.frame.right)) + std::abs(glm::dot(up, placement.frame.up)));
-  return static_cast<int>(std::ceil(heightMm / *request.colourLayerMm)) + static_cast<int>(kInlayLayers);
 }
 
 bool SpotSearchJob::State::facesDown(const ProjectionFrame& frame) const {
@@ -265,7 +256,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.facesDown = facesDown(placement.frame);
-  offered.colourLayers = colourLayers(placement);
+  if (request.colourPrinter) offered.colourLayers = layersOfCode(placement, *request.colourPrinter);
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
@@ -425,7 +416,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
   if (request.marking.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
   if (request.print.process) search.buildUp = request.print.buildUp;
-  if (request.print.process && request.marking.isInColour()) search.colourLayerMm = request.print.printer.layerMm;
+  if (request.marking.isInColour()) search.colourPrinter = request.print;
   search.nozzleMm = request.print.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);
   return search;

@@ -50,7 +50,8 @@ TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
   const auto model = upload(shapes::box({30, 60, 60}));
   const auto one = findSpots(model, wanted);
-  wanted.colourLayerMm = 0.2;
+  wanted.colourPrinter = PrinterRequest{};
+  wanted.colourPrinter->buildUp = *wanted.buildUp;
   const auto two = findSpots(model, wanted);
   ASSERT_TRUE(one.has_value() && two.has_value());
   EXPECT_LT(std::abs(one->spots.front().direction.z), 0.1);

@@ -44,9 +44,10 @@
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
- *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean }} Placement
+ *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean, colourLayers: number }} Placement
  *   `direction`: viewing direction of a suggested spot, null otherwise; `aimToleranceDeg`: largest angle off the
- *   viewing direction, to any side, at which the code can decode; `rotationDeg`: angle from up to the symbol's top,
+ *   viewing direction, to any side, at which the code can decode; `colourLayers`: layers that the code lies in, 0 if the
+ *   printer is not known; `rotationDeg`: angle from up to the symbol's top,
  *   anticlockwise
  */
 

@@ -2,6 +2,7 @@
 // The step Engrave: one line that sums up the carving to be made, the settings that count for it, and the price of a
 // second colour.
 import { text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { formatPlain } from '../i18n/format.js';
@@ -21,10 +22,25 @@ export function showCarving({ mark, preset, nozzle }) {
     part.hidden = !part.dataset.marks?.split(' ').includes(String(mark));
 }
 
+/** What is known about the price of a second colour. */
+const known = { layers: 0, report: /** @type {import('../engine/types.js').Report | undefined} */ (undefined) };
+
+function writeMarkCost() {
+  const { layers, report } = known;
+  write(byId('mark-cost', HTMLElement), () => {
+    if (report && report.mark !== 'shadow') return text('page.markCost', { cost: colourCost(report.colour) });
+    return layers > 0 ? text('page.markCostHere', { count: layers }) : '';
+  });
+}
+
+/** Shows about how many filament changes a spot costs. @param {number} layers  that the code lies in; 0: not known */
+export function showSpotCost(layers) {
+  known.layers = layers;
+  writeMarkCost();
+}
+
 /** Shows the price of the engraved code next to the choice. @param {import('../engine/types.js').Report} [report]  absent: none yet */
 export function showMarkCost(report) {
-  const hasCost = report !== undefined && report.mark !== 'shadow';
-  byId('mark-cost', HTMLElement).textContent = hasCost
-    ? text('page.markCost', { cost: colourCost(report.colour) })
-    : '';
+  known.report = report;
+  writeMarkCost();
 }

@@ -4,6 +4,7 @@ import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 import { formatMm } from '../i18n/format.js';
+import { showSpotCost } from './carve_panel.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
@@ -44,6 +45,7 @@ export class PlacePanel {
   showPlacement(placement) {
     const aim = byId('placement-aim', HTMLElement);
     aim.hidden = !placement;
+    showSpotCost(placement?.colourLayers ?? 0);
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
     const { symbolMm, guaranteedMm, aimToleranceDeg, forgiving } = placement;
     write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
