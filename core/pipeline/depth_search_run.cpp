@@ -28,7 +28,7 @@ Result<std::unique_ptr<DepthSearchRun>> DepthSearchRun::create(const EngraveRequ
   std::unique_ptr<DepthSearchRun> search(new DepthSearchRun(request, std::move(target), place));
   if (makeOwnSearch) {
     search->solver_ = makeOwnSearch(search->target_);
-  } else if (LuminancePass* const shaders = place.light->shaders(); shaders && usesFastSearch(request) && false) {
+  } else if (LuminancePass* const shaders = place.light->shaders(); shaders && usesFastSearch(request)) {
     if (const Status started = search->startOnGpu(*shaders); !started) return tl::unexpected(started.error());
   } else {
     search->solver_ = makeDepthSolver(request, search->target_);
