@@ -14,6 +14,7 @@
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
+#include "pipeline/depth_solver_of.h"
 #include "pipeline/engrave.h"
 #include "support/shapes.h"
 
@@ -78,8 +79,7 @@ Result<Counts> count(const std::shared_ptr<const EngravableModel>& model, Engrav
   known.device = Device::Gpu;
   if (!onGpu)
     known.makeSearch = [&](CarvingTarget target) {
-      return std::make_unique<Counted>(std::move(target), FastSearchOptions{.contrast = request.depth.contrastAsked()},
-                                       counts.measured);
+      return std::make_unique<Counted>(std::move(target), fastSearchOptions(request), counts.measured);
     };
   auto job = EngraveJob::create(model, request, known);
   if (!job) return tl::unexpected(job.error());
@@ -127,6 +127,7 @@ int run() {
     EngraveRequest request;
     request.code.text = "https://example.org/p/0123456789";
     request.code.symbol.version = wanted.version;
+    request.depth.contrast = 0.3;  // a default contrast would change with the patterns
     request.placement.centreMm = Vec3(0, 0, wanted.plateMm / 16);
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = wanted.sizeMm;

