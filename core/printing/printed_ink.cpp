@@ -177,8 +177,8 @@ std::vector<float> printedInk(const PrintedInkRequest& request, const InkGrid& g
     for (int column = 0; column < grid.pixels; ++column) {
       float sum = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
-        const Vec2 pixel(column + (k % kSamples + 0.5) / kSamples,
-                         static_cast<double>(y) + (k / kSamples + 0.5) / kSamples);
+        const int right = k % kSamples, above = k / kSamples;
+        const Vec2 pixel(column + (right + 0.5) / kSamples, static_cast<double>(y) + (above + 0.5) / kSamples);
         const Vec2 onPlane = grid.pixelMm * (pixel - grid.pixels / 2.0);
         const Vec2 node =
             Vec2(glm::dot(onPlane, slope.across), glm::dot(onPlane, slope.uphill)) / nodes.stepMm + nodes.edge / 2.0;

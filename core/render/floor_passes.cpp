@@ -16,7 +16,7 @@ std::size_t square(int edge) { return static_cast<std::size_t>(edge) * static_ca
 
 Result<FloorPasses::PingPong> FloorPasses::PingPong::create(int edge, gl::Format format) {
   PingPong made;
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     made.textures[i] = gl::Texture(edge, edge, format);
     const gl::Texture* const colours[] = {&made.textures[i]};
     auto target = gl::Framebuffer::create(colours, false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -81,9 +82,9 @@ class FloorPasses {
  private:
   /// Two textures; each pass reads one and writes the other.
   struct PingPong {
-    gl::Texture textures[2];
-    gl::Framebuffer targets[2];
-    int current = 0;
+    std::array<gl::Texture, 2> textures;
+    std::array<gl::Framebuffer, 2> targets;
+    std::size_t current = 0;
 
     static Result<PingPong> create(int edge, gl::Format format);
     const gl::Texture& now() const { return textures[current]; }
