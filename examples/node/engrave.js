@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Engraves a link into a model at its best spot: node engrave.js MODEL LINK OUT.stl
+// Engraves a link into a model at its best spot, and writes OUT.stl and its report OUT.json:
+// node engrave.js MODEL LINK OUT.stl
 import { readFile, writeFile } from 'node:fs/promises';
 import { engrave } from 'qrelief';
 
@@ -10,4 +11,5 @@ const { verdict, report, files } = await engrave(await readFile(model), {
   onProgress: ({ stage, fraction }) => process.stderr.write(`${stage.code} ${Math.round(100 * fraction)} %\n`),
 });
 if (files.stl) await writeFile(output, files.stl);
+await writeFile(output.replace(/(\.stl)?$/, '.json'), JSON.stringify(report));
 console.log(`${output}: ${verdict.passed ? 'passed' : 'failed'}, ${report.size.symbolMm.toFixed(1)} mm`);
