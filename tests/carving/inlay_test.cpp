@@ -18,7 +18,7 @@ namespace {
 
 using oracle::fieldOf;
 
-constexpr EmbedOptions kWithInlay{.inlay = true};
+const EmbedOptions kWithInlay{.inlay = true};
 
 ProjectionFrame obliquelyAbove(Vec3 centre) { return makeFrame(centre, {0.1, -0.2, 1}, {0.3, 1, 0}, 250); }
 

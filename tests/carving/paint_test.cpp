@@ -15,7 +15,7 @@ namespace {
 
 using oracle::fieldOf;
 
-constexpr EmbedOptions kPaint{.paint = true};
+const EmbedOptions kPaint{.paint = true};
 
 double areaOf(const Mesh& mesh, std::size_t t) {
   return glm::length(glm::cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0))) / 2;

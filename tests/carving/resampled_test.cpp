@@ -20,7 +20,7 @@ namespace {
 
 using oracle::fieldOf;
 
-constexpr EmbedOptions kResampled{.surface = SurfaceMode::Resampled};
+const EmbedOptions kResampled{.surface = SurfaceMode::Resampled};
 
 ProjectionFrame aboveOrigin(double z = 0) { return makeFrame({0, 0, z}, {0, 0, 1}, {0, 1, 0}, 250); }
 
