@@ -157,6 +157,7 @@ const kShown = [
   { file: 'docs/engraved_bunny.png', state: 'result', look: 'desktop-light' },
   { file: 'docs/suggested_spots.jpg', state: 'spots', look: 'desktop-dark' },
   { file: 'docs/phone.jpg', state: 'reader', look: 'phone-light' },
+  { file: 'docs/painted_code.jpg', state: 'painted', look: 'view' },
   { file: 'web/guide/pictures/place.jpg', state: 'ready', look: 'view' },
   { file: 'web/guide/pictures/carved.jpg', state: 'result', look: 'view' },
   { file: 'web/guide/pictures/read.jpg', state: 'reader', look: 'view' },
