@@ -24,7 +24,10 @@ namespace qrelief {
 namespace {
 
 constexpr int kNormalTexels = 768;  // for the smooth normals of a carved surface
-constexpr int kPreparedSteps = 5;   // of an engraving: the surface, and the first passes of the search
+
+/// Returns the number of steps of an engraving to do ahead: the surface, and the first passes of the search if there is
+/// one.
+int preparedSteps(const EngraveRequest& request) { return request.marking.isInColour() ? 1 : 5; }
 
 }  // namespace
 
@@ -51,7 +54,7 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
   if (timerQueries_) return true;
   request.depth.recordSearch = true;
   if (prepared_ && !(placed && prepared_->request == request)) prepared_.reset();
-  if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return true;
+  if (!placed || (prepared_ && prepared_->steps >= preparedSteps(prepared_->request))) return true;
   const auto start = Clock::now();
   if (!prepared_) {
     auto job = makeJob(ground, request, placed, nullptr);  // the measured place still belongs to the shown carving
@@ -64,7 +67,7 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
     return true;
   }
   prepared_->ms += millisecondsSince(start);
-  return prepared_->steps == kPreparedSteps;
+  return prepared_->steps >= preparedSteps(prepared_->request);
 }
 
 void Carvings::follow(EngravePlan plan) {

@@ -224,6 +224,23 @@ TEST_F(EngineTest, APreparedEngravingSkipsMeasuringAndGivesTheSameResult) {
   EXPECT_EQ(stages.front(), "measuring-surface") << "another depth was prepared";
 }
 
+TEST_F(EngineTest, APreparedEngravingInColourGivesAResult) {
+  load(shapes::box({60, 60, 20}));
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  for (const char* mark : {"inlay", "paint"}) {
+    Json settings = Json::parse(kSettings);
+    settings["mark"] = mark;
+    engine_->configure(settings.dump());
+    engine_->placement();
+    while (!Json::parse(engine_->advanceJob("preparation"))["done"].get<bool>()) continue;
+    engine_->startJob("engrave");
+    Json progress;
+    do progress = Json::parse(engine_->advanceJob("engrave"));
+    while (!progress["done"].get<bool>());
+    EXPECT_FALSE(engine_->exportModel("3mf-inlay").empty()) << mark;
+  }
+}
+
 TEST_F(EngineTest, CanStartAgainAfterACancel) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
