@@ -16,7 +16,7 @@ namespace qrelief {
 struct BatchUnit {
   std::vector<BatchRow> rows;  ///< placed
   std::string plate;           ///< name of the plate's file; empty: none
-  bool hasOwnFiles = true;     ///< each row has a file of its own; otherwise the plate is its file
+  bool hasOwnFiles = true;     ///< true: one file for each row; false: the plate is the only file
   std::string input;           ///< SHA-256 of the model's file
   std::string others;          ///< how the model was repaired, scaled and turned
 };
@@ -40,7 +40,7 @@ struct EarlierRow {
     Failed,   ///< tried with the same hashes, and failed
     Changed,  ///< done, but its file has changed since
   };
-  /// Returns the hash of a file: empty for an empty name, none if there is no such file.
+  /// Returns the hash of a file. An empty name has an empty hash, a missing file has none.
   using HashOf = std::function<std::optional<std::string>(const std::string& file)>;
 
   State state = State::New;

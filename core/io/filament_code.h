@@ -19,7 +19,7 @@ inline constexpr std::string_view kPrusaSpace = "http://schemas.slic3r.org/3mf/2
 std::string filamentCode(unsigned filament);
 
 /// Reads the paint of a facet.
-/// @returns the filament; none if the facet has several or the text is no such code
+/// @returns the filament; none if the facet has several filaments, or if the text is not a valid code
 std::optional<unsigned> filamentOfCode(std::string_view code);
 
 }  // namespace qrelief

@@ -329,7 +329,7 @@ class Builder {
     }
   }
 
-  /// Returns true if the ranges are those of a mesh with so many triangles, and do not overlap.
+  /// Returns true if every range lies within the mesh and all together have at most its number of triangles.
   static bool isDivision(const std::vector<VolumeRange>& ranges, std::size_t triangles) {
     std::size_t sum = 0;
     for (const VolumeRange& range : ranges) {

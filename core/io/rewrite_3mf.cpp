@@ -62,6 +62,19 @@ std::optional<std::string_view> metadataOf(std::string_view text, const Element&
   return std::nullopt;
 }
 
+/// Unpacks an entry, however long, and passes it to use() piece by piece.
+template <class Use>
+Status unpack(const ZipEntry& entry, const Use& use) {
+  auto stream = ZipStream::open(entry, std::numeric_limits<std::uint64_t>::max());
+  if (!stream) return tl::unexpected(stream.error());
+  for (;;) {
+    const auto piece = stream->next();
+    if (!piece) return tl::unexpected(piece.error());
+    if (piece->empty()) return {};
+    use(std::string_view(reinterpret_cast<const char*>(piece->data()), piece->size()));
+  }
+}
+
 /// Writes one file again.
 class Rewriter {
  public:
@@ -109,14 +122,8 @@ class Rewriter {
       const ZipEntry* entry = archive_.find(name);
       if (!entry || texts_.count(entry)) continue;
       std::string& text = texts_[entry];
-      auto stream = ZipStream::open(*entry, std::numeric_limits<std::uint64_t>::max());
-      if (!stream) return tl::unexpected(stream.error());
-      for (;;) {
-        const auto piece = stream->next();
-        if (!piece) return tl::unexpected(piece.error());
-        if (piece->empty()) break;
-        text.append(piece->begin(), piece->end());
-      }
+      const Status unpacked = unpack(*entry, [&](std::string_view piece) { text.append(piece); });
+      if (!unpacked) return tl::unexpected(unpacked.error());
       if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
         return anew(message("rewrite-encoding"));
     }
@@ -274,14 +281,8 @@ class Rewriter {
         zip.append(edited(texts_.at(entry), edits->second));
         continue;
       }
-      auto stream = ZipStream::open(*entry, std::numeric_limits<std::uint64_t>::max());
-      if (!stream) return tl::unexpected(stream.error());
-      for (;;) {
-        const auto piece = stream->next();
-        if (!piece) return tl::unexpected(piece.error());
-        if (piece->empty()) break;
-        zip.append(std::string_view(reinterpret_cast<const char*>(piece->data()), piece->size()));
-      }
+      const Status unpacked = unpack(*entry, [&](std::string_view piece) { zip.append(piece); });
+      if (!unpacked) return tl::unexpected(unpacked.error());
     }
     return zip.finish();
   }

@@ -23,7 +23,7 @@ struct NumberedObject {
   std::vector<NumberedBody> bodies;
   const ModelObject* object;
   bool hasComponents;
-  bool isInOneMesh;  ///< the bodies are joined; none has an object of its own
+  bool isInOneMesh;  ///< true: all bodies share one mesh object; false: each body is a separate object
   std::string path;  ///< part file of the bodies, with a leading slash; empty: the root model
 };
 

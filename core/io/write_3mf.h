@@ -17,9 +17,9 @@ namespace qrelief {
 ///   colour.
 /// - PrusaSlicer: one mesh for each object, which Metadata/Slic3r_PE_model.config divides into volumes, each with its
 ///   extruder. Nothing is asked. Painted facets have `slic3rpe:mmu_segmentation`.
-/// - OrcaSlicer, BambuStudio: each object in a part file of its own behind components, because OrcaSlicer drops the
-///   paint of meshes in the root model; extruders in Metadata/model_settings.config; `paint_color`; colour groups. All
-///   objects together are moved to the middle of a plate.
+/// - OrcaSlicer, BambuStudio: one part file for each object, which the root model refers to by components, because
+///   OrcaSlicer drops the paint of meshes in the root model; extruders in Metadata/model_settings.config;
+///   `paint_color`; colour groups. All objects together are moved to the middle of a plate.
 ///
 /// With `palette`, a file for OrcaSlicer or Bambu Studio says that Bambu Studio wrote it, and
 /// Metadata/project_settings.config lists the colours. Only then do these programs take over the filaments' colours.

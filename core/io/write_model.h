@@ -56,8 +56,8 @@ struct WriteOptions {
 /// STL, OBJ and PLY hold one surface: the objects' triangles one after the other. 3MF keeps objects and bodies apart,
 /// see write_3mf.h; OBJ, too, if there is a file with the colours. write_files.h writes several files.
 /// Cost: linear.
-/// @returns BadUsage for a format that cannot be written, for text or a palette where there is no such choice, or for
-///          several bodies in an object or painted facets if the format cannot hold them
+/// @returns BadUsage for a format that cannot be written, for options that the format does not have (`ascii`,
+///          `palette`), or for several bodies in an object or painted facets if the format cannot hold them
 Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> objects, ModelFormat format,
                                              const WriteOptions& options = {});
 
