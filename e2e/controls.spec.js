@@ -7,6 +7,7 @@ import { kOfTheParts } from './support/batch_controls.js';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 import { saddleFile, truncatedFile } from './support/models.js';
+import { kOfThePage, kOfTheView } from './support/page_controls.js';
 import { isDark, isOrange, isTeal, shareOf } from './support/pixels.js';
 import { unzip } from './support/three_mf.js';
 import { freeze, holdWorkers, thaw } from './support/workers.js';
@@ -291,35 +292,6 @@ const kOfThePlace = {
   },
 };
 
-/** Returns the visible sides of the cube. @param {Page} page */
-const sidesOf = (page) =>
-  page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
-
-/** @type {Effects} */
-const kOfTheView = {
-  ...Object.fromEntries(
-    ['front', 'back', 'left', 'right', 'top', 'bottom'].map((side) => [
-      side,
-      async (/** @type {Hands} */ { page, press }) => {
-        await press('views');
-        await press(side);
-        await expect.poll(() => sidesOf(page)).toEqual([side]);
-      },
-    ]),
-  ),
-  iso: async ({ page, press }) => {
-    await press('views');
-    await press('iso');
-    await expect.poll(async () => (await sidesOf(page)).length).toBe(3);
-  },
-  views: async ({ at, press }) => {
-    await press('views');
-    await expect(at('views-menu')).toBeVisible();
-    await press('views');
-    await expect(at('views-menu')).toBeHidden();
-  },
-};
-
 /** @type {Effects} */
 const kOfTheCarving = {
   fit: async ({ app, page, press }) => {
@@ -409,39 +381,6 @@ const kOfTheCarving = {
     await expect(app.status).toHaveText('Cancelled. The model is unchanged.');
     await thaw(page);
     await app.expectReady();
-  },
-};
-
-/** @type {Effects} */
-const kOfThePage = {
-  help: async ({ at, press }) => {
-    await press('help');
-    await expect(at('help-sheet')).toBeVisible();
-  },
-  'single-keys': async ({ at, page, press }) => {
-    await press('single-keys');
-    await press('help-close');
-    await page.keyboard.press('?');
-    await expect(at('help-sheet')).toBeHidden();
-    await press('help');
-    await press('single-keys');
-    await press('help-close');
-    await page.keyboard.press('?');
-    await expect(at('help-sheet')).toBeVisible();
-  },
-  'help-close': async ({ at, press }) => {
-    await press('help-close');
-    await expect(at('help-sheet')).toBeHidden();
-  },
-  theme: async ({ at }) => {
-    const ground = () => at('panel').evaluate((panel) => getComputedStyle(panel).backgroundColor);
-    const before = await ground();
-    await at('theme').selectOption('dark');
-    await expect.poll(ground).not.toBe(before);
-  },
-  language: async ({ at, page }) => {
-    await at('language').selectOption('de');
-    await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
   },
 };
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Effects of the controls of the page as a whole and of the buttons that turn the view; see controls.spec.js.
+import { expect } from '@playwright/test';
+
+/** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {import('./batch_controls.js').Hands} Hands */
+/** @typedef {import('./batch_controls.js').Effects} Effects */
+
+/** Returns the visible sides of the cube. @param {Page} page */
+const sidesOf = (page) =>
+  page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
+
+/** @type {Effects} */
+export const kOfTheView = {
+  ...Object.fromEntries(
+    ['front', 'back', 'left', 'right', 'top', 'bottom'].map((side) => [
+      side,
+      async (/** @type {Hands} */ { page, press }) => {
+        await press('views');
+        await press(side);
+        await expect.poll(() => sidesOf(page)).toEqual([side]);
+      },
+    ]),
+  ),
+  iso: async ({ page, press }) => {
+    await press('views');
+    await press('iso');
+    await expect.poll(async () => (await sidesOf(page)).length).toBe(3);
+  },
+  views: async ({ at, press }) => {
+    await press('views');
+    await expect(at('views-menu')).toBeVisible();
+    await press('views');
+    await expect(at('views-menu')).toBeHidden();
+  },
+};
+
+/** @type {Effects} */
+export const kOfThePage = {
+  help: async ({ at, press }) => {
+    await press('help');
+    await expect(at('help-sheet')).toBeVisible();
+  },
+  'single-keys': async ({ at, page, press }) => {
+    await press('single-keys');
+    await press('help-close');
+    await page.keyboard.press('?');
+    await expect(at('help-sheet')).toBeHidden();
+    await press('help');
+    await press('single-keys');
+    await press('help-close');
+    await page.keyboard.press('?');
+    await expect(at('help-sheet')).toBeVisible();
+  },
+  'help-close': async ({ at, press }) => {
+    await press('help-close');
+    await expect(at('help-sheet')).toBeHidden();
+  },
+  theme: async ({ at }) => {
+    const ground = () => at('panel').evaluate((panel) => getComputedStyle(panel).backgroundColor);
+    const before = await ground();
+    await at('theme').selectOption('dark');
+    await expect.poll(ground).not.toBe(before);
+  },
+  language: async ({ at, page }) => {
+    await at('language').selectOption('de');
+    await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
+  },
+};
