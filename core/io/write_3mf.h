@@ -9,16 +9,15 @@ namespace qrelief {
 ///
 /// Colours become filaments: the first for the first colour, and so on. Each slicer looks for them in a different
 /// place, and `slicer` chooses (docs/decisions/0044):
-/// - Any: bodies are components, each with a colour group of one colour (`m:colorgroup` of the materials extension,
-/// with
-///   exactly that prefix), an extruder in Metadata/model_settings.config and in Metadata/Slic3r_PE_model.config, and
-///   `cura:extruder_nr`. PrusaSlicer asks whether meshes at several heights are parts of one object. Objects with
-///   painted facets have a part file of their own, and each painted facet has the attributes of all programs and its
-///   colour.
+/// - Any: bodies are components, each with a colour group of one colour (`m:colorgroup` of the materials
+///   extension, with exactly that prefix), an extruder in Metadata/model_settings.config and in
+///   Metadata/Slic3r_PE_model.config, and `cura:extruder_nr`. PrusaSlicer asks whether meshes at several heights are
+///   parts of one object. Objects with painted facets have a part file of their own, and each painted facet has the
+///   attributes of all programs and its colour.
 /// - PrusaSlicer: one mesh for each object, which Metadata/Slic3r_PE_model.config divides into volumes, each with its
 ///   extruder. Nothing is asked. Painted facets have `slic3rpe:mmu_segmentation`.
-/// - OrcaSlicer, BambuStudio: one part file for each object, which the root model refers to by components, because
-///   OrcaSlicer drops the paint of meshes in the root model; extruders in Metadata/model_settings.config;
+/// - OrcaSlicer, BambuStudio: one part file for each object, which the root model refers to by components, because some
+///   versions drop the paint of meshes in the root model; extruders in Metadata/model_settings.config;
 ///   `paint_color`; colour groups. All objects together are moved to the middle of a plate.
 ///
 /// With `palette`, a file for OrcaSlicer or Bambu Studio says that Bambu Studio wrote it, and

@@ -17,8 +17,8 @@
 // Sources:
 // [P29] PrusaSlicer 2.9.4, src/libslic3r/Format/3mf.cpp
 // [P25] PrusaSlicer 2.5.0, the same file, and the program itself (script/test-slicer)
-// [BBS] OrcaSlicer 2.4 and Bambu Studio 2.5, src/libslic3r/Format/bbs_3mf.cpp
-// [SNAP] measured with Snapmaker Orca 2.3.5, gridfinity-layout-tool pull request 1955
+// [BBS] OrcaSlicer at commit 5d337a4 and Bambu Studio at commit 9635928, src/libslic3r/Format/bbs_3mf.cpp
+// [SNAP] measured with Snapmaker Orca 2.3.5, gridfinity-layout-tool pull request 1955. [BBS] keeps what it drops.
 namespace qrelief::slicer_rules {
 namespace {
 
@@ -218,7 +218,28 @@ Object bambuObject(unsigned id, unsigned pid, const std::vector<Placed>& placed,
                  [&](std::size_t t) { return keepsPaint ? filamentOr0(mesh.mesh->bambuPaint[t]) : 0; });
     object.volumes.push_back(std::move(volume));
   }
+  // [BBS] _load_model_from_file: "if (mo->volumes.size() == 1) mo->volumes[0]->config.erase("extruder")"
+  if (object.volumes.size() == 1) object.volumes.front().filament = whole;
   return object;
+}
+
+/// Returns the colour of each colour group, by id.
+std::map<unsigned, std::string> colourGroups(const std::map<std::string, std::string>& files,
+                                             const std::set<std::string>& parts) {
+  std::map<unsigned, std::string> groups;
+  const auto read = [&](const std::string& part) {
+    std::map<unsigned, std::string> own;
+    const XmlNode model = parsedXml(files.at(part));
+    for (const XmlNode* g : model.first("resources").all("m:colorgroup"))
+      for (const XmlNode* colour : g->all("m:color")) own[number((*g)["id"])] = (*colour)["color"];
+    return own;
+  };
+  // [BBS] _handle_start_color: a group keeps its last colour. Groups of all parts are in one list: the first part file
+  // counts, and the root model, which is read last, over all of them.
+  for (const std::string& part : parts)
+    if (part != kRootModel) groups.merge(read(part));
+  for (const auto& [id, colour] : read(kRootModel)) groups[id] = colour;
+  return groups;
 }
 
 }  // namespace
@@ -264,19 +285,18 @@ Project openInPrusaSlicer(std::span<const std::uint8_t> file, PrusaVersion versi
 Project openInBambuStudio(std::span<const std::uint8_t> file) {
   const auto files = unzipped(file);
   Project project;
+  // [BBS] _handle_start_config_object: "Duplicated object id"
+  const XmlNode config = settingsOf(files, "Metadata/model_settings.config");
+  std::set<std::string> ids;
+  for (const XmlNode* object : config.all("object"))
+    if (!ids.insert((*object)["id"]).second) project.refused = "duplicated object id";
+  if (!project.refused.empty()) return project;
   // [BBS] _extract_xml_from_archive(sub_rels): only declared parts are read, before the root
   std::set<std::string> parts = {kRootModel};
   const XmlNode relationships = settingsOf(files, "3D/_rels/3dmodel.model.rels");
   for (const XmlNode* r : relationships.all("Relationship")) parts.insert((*r)["Target"].substr(1));
   const Resources resources = resourcesOf(files, parts);
-  // [BBS] _handle_start_color: a group keeps its last colour, and groups of all parts are in one list
-  std::map<unsigned, std::string> groups;
-  for (const std::string& part : parts) {
-    const XmlNode model = parsedXml(files.at(part));
-    for (const XmlNode* g : model.first("resources").all("m:colorgroup"))
-      for (const XmlNode* colour : g->all("m:color")) groups[number((*g)["id"])] = (*colour)["color"];
-  }
-  const XmlNode config = settingsOf(files, "Metadata/model_settings.config");
+  const auto groups = colourGroups(files, parts);
   const XmlNode root = parsedXml(files.at(kRootModel));
   for (const XmlNode* item : root.first("build").all("item")) {
     const unsigned id = number((*item)["objectid"]);
