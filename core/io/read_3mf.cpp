@@ -291,6 +291,7 @@ class Builder {
     }
     run.part = instance.path;
     run.object = instance.object;
+    run.name = object.name;
     run.toFile = transform;
     run.mirrored = transform.determinant() < 0;
     addMesh(object, run);

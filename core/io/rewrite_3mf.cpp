@@ -2,7 +2,7 @@
 #include "io/rewrite_3mf.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -11,8 +11,10 @@
 #include "io/filament_code.h"
 #include "io/read_3mf.h"
 #include "io/three_mf_mesh_text.h"
+#include "io/three_mf_settings.h"
 #include "io/three_mf_text.h"
 #include "io/three_mf_volumes.h"
+#include "io/xml_span.h"
 #include "io/xml_tags.h"
 #include "io/zip_archive.h"
 #include "io/zip_writer.h"
@@ -20,47 +22,9 @@
 namespace qrelief {
 namespace {
 
+constexpr std::string_view kContentTypes = "[Content_Types].xml";
+
 tl::unexpected<Error> anew(Message why) { return fail(ErrorKind::NoSolution, std::move(why)); }
-
-std::size_t numberFrom(std::optional<std::string_view> text) {
-  std::size_t number = 0;
-  if (text) std::from_chars(text->data(), text->data() + text->size(), number);
-  return number;
-}
-
-/// An element of a slicer's model settings, from its first to after its last tag.
-struct Element {
-  std::size_t begin = 0, inside = 0, insideEnd = 0, end = 0;
-};
-
-/// Finds the element of a name and id at or after `from`, and before `to`. Such elements do not nest.
-std::optional<Element> findElement(std::string_view text, std::string_view name, std::size_t id, std::size_t from = 0,
-                                   std::size_t to = std::string_view::npos) {
-  XmlTags tags(text.substr(0, to));
-  std::optional<Element> found;
-  while (const auto tag = tags.next()) {
-    if (tag->begin < from) continue;
-    if (!found && tag->starts(name) && numberFrom(tag->attribute("id")) == id) {
-      found = Element{tag->begin, tag->end, tag->end, tag->end};
-      if (tag->isEmpty) return found;
-    } else if (found && tag->ends(name)) {
-      found->insideEnd = tag->begin;
-      found->end = tag->end;
-      return found;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Returns the value of an element's own metadata: before the first part or volume in it.
-std::optional<std::string_view> metadataOf(std::string_view text, const Element& element, std::string_view key) {
-  XmlTags tags(text.substr(element.inside, element.insideEnd - element.inside));
-  while (const auto tag = tags.next()) {
-    if (tag->starts("part") || tag->starts("volume")) break;
-    if (tag->starts("metadata") && tag->attribute("key") == key) return tag->attribute("value");
-  }
-  return std::nullopt;
-}
 
 /// Unpacks an entry, however long, and passes it to use() piece by piece.
 template <class Use>
@@ -78,8 +42,9 @@ Status unpack(const ZipEntry& entry, const Use& use) {
 /// Writes one file again.
 class Rewriter {
  public:
-  Rewriter(const ThreeMfSource& source, std::span<const ChangedRun> changes, ZipArchive archive)
-      : source_(source), changes_(changes), archive_(std::move(archive)) {}
+  Rewriter(const ThreeMfSource& source, std::span<const ChangedRun> changes, const std::array<Material, 2>& materials,
+           ZipArchive archive)
+      : source_(source), changes_(changes), materials_(materials), archive_(std::move(archive)) {}
 
   Result<std::vector<std::uint8_t>> write(Slicer slicer) {
     if (isShared()) return anew(message("rewrite-shared"));
@@ -92,7 +57,8 @@ class Rewriter {
 
  private:
   using MeshKey = std::pair<std::string, std::uint32_t>;  // part, object
-  enum class Family { None, Prusa, Bambu };
+  /// Whose settings divide the changed mesh into bodies. Plain: the file has no settings of a slicer.
+  enum class Family { None, Prusa, Bambu, Plain };
 
   const ThreeMfRun& runOf(const ChangedRun& change) const { return source_.runs[change.run]; }
 
@@ -116,17 +82,30 @@ class Rewriter {
 
   /// Unpacks the model parts and settings that may change.
   Status load() {
-    std::vector<std::string> names = {source_.start, std::string(kBambuSettings), std::string(kPrusaSettings)};
+    std::vector<std::string> names = {source_.start, std::string(kBambuSettings), std::string(kPrusaSettings),
+                                      std::string(kContentTypes)};
     for (const ChangedRun& change : changes_) names.push_back(runOf(change).part);
-    for (const std::string& name : names) {
-      const ZipEntry* entry = archive_.find(name);
-      if (!entry || texts_.count(entry)) continue;
-      std::string& text = texts_[entry];
-      const Status unpacked = unpack(*entry, [&](std::string_view piece) { text.append(piece); });
-      if (!unpacked) return tl::unexpected(unpacked.error());
-      if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
-        return anew(message("rewrite-encoding"));
-    }
+    for (const std::string& name : names)
+      if (const Status loaded = load(archive_.find(name)); !loaded) return loaded;
+    return {};
+  }
+
+  /// Unpacks all model parts, for an id that is new in the whole file: slicers look some up without their part.
+  Status loadAllModels() {
+    for (const ZipEntry* entry : archive_.files())
+      if (entry->name.ends_with(".model"))
+        if (const Status loaded = load(entry); !loaded) return loaded;
+    return {};
+  }
+
+  /// Unpacks a part that is there and was not unpacked yet.
+  Status load(const ZipEntry* entry) {
+    if (!entry || texts_.count(entry)) return {};
+    std::string& text = texts_[entry];
+    const Status unpacked = unpack(*entry, [&](std::string_view piece) { text.append(piece); });
+    if (!unpacked) return tl::unexpected(unpacked.error());
+    if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
+      return anew(message("rewrite-encoding"));
     return {};
   }
 
@@ -157,12 +136,22 @@ class Rewriter {
     } else if (volumes && textOf(run.part)->find("xmlns:slic3rpe") != std::string::npos) {
       family_ = Family::Prusa;
       setFilament(metadataOf(*prusa, *volumes, "extruder"));
+    } else if (!prusa && !bambu && slicer == Slicer::Any && !hasColourGroups()) {
+      family_ = Family::Plain;
+      return loadAllModels();
     } else {
       return anew(message("rewrite-no-settings"));
     }
     const bool isForPrusa = slicer == Slicer::PrusaSlicer;
     if (slicer != Slicer::Any && isForPrusa != (family_ == Family::Prusa)) return anew(message("rewrite-other-slicer"));
     return {};
+  }
+
+  /// OrcaSlicer and Bambu Studio number filaments by the file's colour groups.
+  bool hasColourGroups() const {
+    for (const auto& [entry, text] : texts_)
+      if (text.find("colorgroup") != std::string::npos) return true;
+    return false;
   }
 
   void setFilament(std::optional<std::string_view> body) { filament_ = numberFrom(body) == 2 ? 1 : 2; }
@@ -176,16 +165,58 @@ class Rewriter {
     for (const MeshText::TriangleText& triangle : mesh->triangles)
       for (const std::uint32_t v : triangle.corners)
         if (v >= mesh->vertices.size()) return anew(message("rewrite-encoding"));
-    std::optional<PaintAttribute> paint;
-    if (family_ != Family::None)
-      paint = PaintAttribute{family_ == Family::Prusa ? kPrusaPaint : kBambuPaint, filamentCode(filament_)};
-    edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
     const ChangedRun* inlaid = nullptr;
-    for (const ChangedRun* change : changes)
+    const ChangedRun* painted = nullptr;
+    for (const ChangedRun* change : changes) {
       if (change->inlay) inlaid = change;
+      if (!change->painted.empty()) painted = change;
+    }
+    std::size_t materials = 0;
+    if (family_ == Family::Plain && (inlaid || painted)) materials = addMaterials(key);
+    const PaintAttributes paint = painted ? paintAttributes(materials) : PaintAttributes();
+    edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
+    removeSlices(key);
     moveRanges(key.second, changes, mesh->triangles.size(), inlaid);
-    if (inlaid && family_ == Family::Bambu) return addPart(*inlaid, *mesh);
-    return {};
+    if (!inlaid || family_ == Family::Prusa) return {};
+    return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, materials);
+  }
+
+  /// Takes the slices away from an object whose shape changes: they show what it was before.
+  void removeSlices(const MeshKey& key) {
+    const std::string_view text = *textOf(key.first);
+    const std::size_t begin = findElement(text, "object", key.second)->begin;
+    for (const XmlTag::Attribute& a : XmlTags(text.substr(begin)).next()->attributes())
+      if (a.name.ends_with(":slicestackid") || a.name.ends_with(":meshresolution"))
+        edit(key.first, {begin + a.begin, begin + a.end, ""});
+  }
+
+  /// @param materials  of addMaterials()
+  PaintAttributes paintAttributes(std::size_t materials) const {
+    const std::string code = filamentCode(filament_);
+    const std::string prusa = fmt::format(" {}=\"{}\"", kPrusaPaint, code);
+    const std::string bambu = fmt::format(" {}=\"{}\"", kBambuPaint, code);
+    if (family_ == Family::Prusa) return {prusa, {}};
+    if (family_ == Family::Bambu) return {bambu, {}};
+    return {prusa + bambu + fmt::format(" pid=\"{}\" p1=\"1\"", materials),
+            fmt::format(" xmlns:slic3rpe=\"{}\"", kPrusaSpace)};
+  }
+
+  /// Adds a group of both materials, and gives an object the first one if it has no property yet.
+  /// @returns the group's id
+  std::size_t addMaterials(const MeshKey& key) {
+    const std::string_view text = *textOf(key.first);
+    const XmlSpan object = *findElement(text, "object", key.second);
+    const XmlTag tag = *XmlTags(text.substr(object.begin)).next();
+    const std::size_t id = nextId();
+    std::string bases;
+    for (const Material& material : materials_)
+      bases += fmt::format("<{0}base name=\"{1}\" displaycolor=\"#{2:02X}{3:02X}{4:02X}\"/>", prefixOf(tag),
+                           escapedXml(material.name), material.colour[0], material.colour[1], material.colour[2]);
+    edit(key.first, {object.begin, object.begin,
+                     fmt::format("<{0}basematerials id=\"{1}\">{2}</{0}basematerials>\n", prefixOf(tag), id, bases)});
+    const std::size_t end = object.begin + tag.raw.size() - 1;
+    if (!tag.attribute("pid")) edit(key.first, {end, end, fmt::format(" pid=\"{}\" pindex=\"0\"", id)});
+    return id;
   }
 
   /// Moves the ranges of PrusaSlicer's volumes of a mesh, and adds the inlay as a volume.
@@ -224,33 +255,52 @@ class Rewriter {
                                       escapedXml(inlaid->inlay->name), filament_)});
   }
 
+  /// Adds a component next to that of a run's mesh, in the item's object: in the start part, or in the mesh's own part
+  /// as older versions of Bambu Studio have it.
+  /// @returns false if the item's object does not have the mesh as a component
+  bool addComponent(const ThreeMfRun& run, std::size_t id) {
+    for (const std::string& name : {source_.start, run.part}) {
+      const std::string& text = *textOf(name);
+      const auto object = findElement(text, "object", run.itemObject);
+      if (!object) continue;
+      for (XmlTags tags(text); const auto tag = tags.next();) {
+        if (tag->begin < object->inside || tag->end > object->insideEnd || !tag->starts("component") ||
+            numberFrom(tag->attribute("objectid")) != run.object)
+          continue;
+        std::vector<TextEdit> changed;
+        for (const XmlTag::Attribute& a : tag->attributes())
+          if (a.name == "objectid")
+            changed.push_back(
+                {a.valueBegin - tag->begin, a.valueBegin - tag->begin + a.value.size(), std::to_string(id)});
+        std::size_t after = tag->end;
+        if (!tag->isEmpty) after = text.find('>', tag->end) + 1;
+        const std::string copy = edited(text.substr(tag->begin, after - tag->begin), std::move(changed));
+        edit(name, {after, after, "\n" + withOwnUuid(copy, id)});
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Returns an element with its first UUID changed, if its first tag has one.
+  static std::string withOwnUuid(const std::string& element, std::size_t id) {
+    const auto tag = XmlTags(element).next();
+    for (const XmlTag::Attribute& a : tag->attributes())
+      if (a.name.ends_with(":UUID") && a.value.size() > 8)
+        return edited(element, {{a.valueBegin, a.valueBegin + 8, fmt::format("{:08x}", id)}});
+    return element;
+  }
+
   /// Adds the inlay as an object behind a component, and as a part of Bambu Studio's settings.
   Status addPart(const ChangedRun& change, const MeshText& body) {
     const ThreeMfRun& run = runOf(change);
     const std::size_t id = nextId();
-    const std::string& root = *textOf(source_.start);
-    const auto item = findElement(root, "object", run.itemObject);
-    std::optional<XmlTag> component;
-    for (XmlTags tags(root); const auto tag = tags.next();)
-      if (item && tag->begin >= item->inside && tag->end <= item->insideEnd && tag->starts("component") &&
-          numberFrom(tag->attribute("objectid")) == run.object)
-        component = tag;
-    if (!component) return anew(message("rewrite-no-settings"));
-    std::vector<TextEdit> changed;
-    for (const XmlTag::Attribute& a : component->attributes()) {
-      const std::size_t at = a.valueBegin - component->begin;
-      if (a.name == "objectid") changed.push_back({at, at + a.value.size(), std::to_string(id)});
-      if (a.name.ends_with(":UUID") && a.value.size() > 8) changed.push_back({at, at + 8, fmt::format("{:08x}", id)});
-    }
-    std::size_t after = component->end;
-    if (!component->isEmpty) after = root.find('>', component->end) + 1;
-    edit(source_.start,
-         {after, after, "\n" + edited(root.substr(component->begin, after - component->begin), changed)});
+    if (!addComponent(run, id)) return anew(message("rewrite-no-settings"));
     edit(run.part, {body.objectEnd, body.objectEnd,
                     fmt::format("\n<{0}object id=\"{1}\" type=\"model\">\n{2}</{0}object>", body.prefix, id,
                                 wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix))});
     const std::string& settings = *textOf(kBambuSettings);
-    const Element object = *findElement(settings, "object", run.itemObject);
+    const XmlSpan object = *findElement(settings, "object", run.itemObject);
     const auto part = findElement(settings, "part", run.object, object.inside, object.insideEnd);
     const auto matrix = part ? metadataOf(settings, *part, "matrix") : std::nullopt;
     const std::size_t at = part ? part->end : object.insideEnd;
@@ -264,13 +314,83 @@ class Rewriter {
     return {};
   }
 
+  /// Adds the inlay as an object to a file without settings, and the settings of all slicers. If the item is the mesh
+  /// itself, it becomes an object with two components.
+  Status addBody(const ChangedRun& change, const MeshText& body, std::size_t materials) {
+    const ThreeMfRun& run = runOf(change);
+    const std::string_view text = *textOf(run.part);
+    const std::size_t start = findElement(text, "object", run.object)->begin;
+    const XmlTag tag = *XmlTags(text.substr(start)).next();
+    const std::string name = run.name.empty() ? materials_[0].name : run.name;
+    std::string uuid;
+    for (const XmlTag::Attribute& a : tag.attributes())
+      if (a.name.ends_with(":UUID")) uuid = fmt::format(" {}=\"{}\"", a.name, a.value);
+    const std::size_t inlay = nextId();
+    std::size_t whole = run.itemObject;
+    std::string objects = withOwnUuid(
+        fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\" pid=\"{3}\" pindex=\"1\" xmlns:cura=\"{4}\"{5}>"
+                    "\n{6}{7}</{0}object>",
+                    body.prefix, inlay, escapedXml(change.inlay->name), materials, kCuraSpace, uuid,
+                    curaExtruder(2, body.prefix), wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
+        inlay);
+    if (whole == run.object) {
+      whole = nextId();
+      const auto component = [&](std::size_t object, std::size_t own) {
+        return withOwnUuid(fmt::format("<{}component objectid=\"{}\"{}/>", body.prefix, object, uuid), own);
+      };
+      objects += "\n" + withOwnUuid(fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\"{3}>"
+                                                "<{0}components>{4}{5}</{0}components></{0}object>",
+                                                body.prefix, whole, escapedXml(name), uuid,
+                                                component(run.object, whole + 1), component(inlay, whole + 2)),
+                                    whole);
+      if (!pointItemTo(run, whole)) return anew(message("rewrite-encoding"));
+    } else if (!addComponent(run, inlay)) {
+      return anew(message("rewrite-no-settings"));
+    }
+    edit(run.part, {body.objectEnd, body.objectEnd, "\n" + objects});
+    newBodies_ = {{name, change.mesh, {}}, *change.inlay};
+    newObject_.emplace();
+    newObject_->name = name;
+    newObject_->id = whole;
+    newObject_->bodies = {{&newBodies_[0], name, run.object, 1, 0}, {&newBodies_[1], change.inlay->name, inlay, 2, 0}};
+    declareSettings();
+    return {};
+  }
+
+  /// Makes a run's build item an item of another object of the same part. @returns false if the item is not found
+  bool pointItemTo(const ThreeMfRun& run, std::size_t object) {
+    std::size_t item = 0;
+    for (XmlTags tags(*textOf(source_.start)); const auto tag = tags.next();) {
+      if (!tag->starts("item") || item++ != run.item) continue;
+      for (const XmlTag::Attribute& a : tag->attributes())
+        if (a.name == "objectid" && numberFrom(a.value) == run.itemObject) {
+          edit(source_.start, {a.valueBegin, a.valueBegin + a.value.size(), std::to_string(object)});
+          return true;
+        }
+    }
+    return false;
+  }
+
+  /// Declares the content type of settings, as OPC requires of every part.
+  void declareSettings() {
+    const std::string* types = textOf(kContentTypes);
+    if (!types) return;
+    for (XmlTags tags(*types); const auto tag = tags.next();) {
+      if (tag->starts("Default") && tag->attribute("Extension") == "config") return;
+      if (tag->ends("Types"))
+        edit(kContentTypes,
+             {tag->begin, tag->begin,
+              fmt::format("<{}Default Extension=\"config\" ContentType=\"application/xml\"/>\n", prefixOf(*tag))});
+    }
+  }
+
   /// Returns an id that nothing has.
-  std::size_t nextId() const {
-    std::size_t largest = 0;
-    for (const auto& [entry, text] : texts_)
-      for (XmlTags tags(text); const auto tag = tags.next();)
-        largest = std::max(largest, numberFrom(tag->attribute("id")));
-    return largest + 1;
+  std::size_t nextId() {
+    if (largestId_ == 0)
+      for (const auto& [entry, text] : texts_)
+        for (XmlTags tags(text); const auto tag = tags.next();)
+          largestId_ = std::max(largestId_, numberFrom(tag->attribute("id")));
+    return ++largestId_;
   }
 
   Result<std::vector<std::uint8_t>> zipped() {
@@ -284,16 +404,24 @@ class Rewriter {
       const Status unpacked = unpack(*entry, [&](std::string_view piece) { zip.append(piece); });
       if (!unpacked) return tl::unexpected(unpacked.error());
     }
+    if (newObject_) {
+      putBambuSettings(std::span(&*newObject_, 1), zip);
+      putPrusaSettings(std::span(&*newObject_, 1), zip);
+    }
     return zip.finish();
   }
 
   const ThreeMfSource& source_;
   std::span<const ChangedRun> changes_;
+  const std::array<Material, 2>& materials_;
   ZipArchive archive_;
   std::map<const ZipEntry*, std::string> texts_;
   std::map<const ZipEntry*, std::vector<TextEdit>> edits_;
   Family family_ = Family::None;
   unsigned filament_ = 2;
+  std::size_t largestId_ = 0;
+  std::vector<ModelBody> newBodies_;         ///< of newObject_
+  std::optional<NumberedObject> newObject_;  ///< for the settings of a file that had none
 };
 
 /// Returns true if `read` is `expected` after a transform and its inverse, up to the last digit of a 32-bit float.
@@ -343,10 +471,10 @@ bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSo
 }  // namespace
 
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
-                                             Slicer slicer) {
+                                             Slicer slicer, const std::array<Material, 2>& materials) {
   Result<ZipArchive> archive = ZipArchive::open(source.bytes);
   if (!archive) return tl::unexpected(archive.error());
-  auto bytes = Rewriter(source, changes, std::move(*archive)).write(slicer);
+  auto bytes = Rewriter(source, changes, materials, std::move(*archive)).write(slicer);
   if (!bytes) return bytes;
   const auto before = read3mf(source.bytes, {}), read = read3mf(*bytes, {});
   if (!before || !read || !isRight(*read, *before, source, changes)) return anew(message("rewrite-read-differently"));

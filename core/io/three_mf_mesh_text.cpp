@@ -82,9 +82,10 @@ class MeshWriter {
       addTriangle(first + a, first + (run.mirrored ? c : b), first + (run.mirrored ? b : c), {});
   }
 
-  std::string text() const {
-    return fmt::format("<{0}vertices>\n{1}</{0}vertices>\n<{0}triangles>\n{2}</{0}triangles>\n", prefix_, vertices_,
-                       triangles_);
+  /// @param spaces  attributes of `<triangles>`
+  std::string text(std::string_view spaces = {}) const {
+    return fmt::format("<{0}vertices>\n{1}</{0}vertices>\n<{0}triangles{3}>\n{2}</{0}triangles>\n", prefix_, vertices_,
+                       triangles_, spaces);
   }
 
  private:
@@ -130,7 +131,7 @@ std::optional<MeshText> findMesh(std::string_view model, std::uint32_t object) {
 }
 
 std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::span<const ChangedRun* const> changes,
-                        const std::optional<PaintAttribute>& paint, bool withInlay) {
+                        const PaintAttributes& paint, bool withInlay) {
   // Triangles of the mesh that stay are used in the file's order, and so are their vertices.
   std::vector<char> stays(mesh.triangles.size(), 1);
   for (const ChangedRun* change : changes) {
@@ -162,7 +163,7 @@ std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::
           kept.what == KeptAttributes::What::Nothing ? std::string() : attributesOf(textOf(kept.triangle), kept.what);
       if (painted != change.painted.end() && *painted == t) {
         ++painted;
-        if (paint) attributes = fmt::format(" {}=\"{}\"", paint->name, paint->code);
+        attributes = paint.names;
       }
       writer.addTriangle(first + a, first + (run.mirrored ? c : b), first + (run.mirrored ? b : c), attributes);
     }
@@ -177,7 +178,7 @@ std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::
   if (withInlay)
     for (const ChangedRun* change : changes)
       if (change->inlay) writer.addMesh(change->inlay->mesh, source.runs[change->run], source.unitMm);
-  return "\n" + writer.text();
+  return "\n" + writer.text(paint.spaces);
 }
 
 std::string wholeMesh(const Mesh& mesh, const ThreeMfRun& run, double unitMm, const std::string& prefix) {

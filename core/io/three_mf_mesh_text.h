@@ -26,10 +26,10 @@ struct MeshText {
 /// Finds an object with a mesh. @returns none if the text has none of that id
 std::optional<MeshText> findMesh(std::string_view model, std::uint32_t object);
 
-/// Attribute for painted triangles, with a blank before it.
-struct PaintAttribute {
-  std::string_view name;
-  std::string code;
+/// Attributes of painted triangles, each after a blank.
+struct PaintAttributes {
+  std::string names;   ///< with their values; empty if no triangle is painted
+  std::string spaces;  ///< declarations of namespaces that the model part lacks
 };
 
 /// Writes the text between "<mesh>" and "</mesh>": the runs' new triangles in the place of their old ones, then those
@@ -37,7 +37,7 @@ struct PaintAttribute {
 /// @param changes   of this mesh, ascending by the run's first triangle
 /// @param withInlay  appends the inlay
 std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::span<const ChangedRun* const> changes,
-                        const std::optional<PaintAttribute>& paint, bool withInlay);
+                        const PaintAttributes& paint, bool withInlay);
 
 /// Writes a mesh alone, with its element.
 std::string wholeMesh(const Mesh& mesh, const ThreeMfRun& run, double unitMm, const std::string& prefix);

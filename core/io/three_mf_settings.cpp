@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "io/three_mf_text.h"
+#include "io/three_mf_volumes.h"
 
 namespace qrelief {
 
-void putBambuSettings(const Numbering& numbering, ZipWriter& zip) {
-  PartText text(zip, "Metadata/model_settings.config");
+void putBambuSettings(std::span<const NumberedObject> objects, ZipWriter& zip) {
+  PartText text(zip, kBambuSettings);
   text.add(FMT_COMPILE("{}<config>\n"), kXmlDeclaration);
-  for (const NumberedObject& object : numbering.objects) {
+  for (const NumberedObject& object : objects) {
     text.add(FMT_COMPILE(" <object id=\"{}\">\n  <metadata key=\"name\" value=\"{}\"/>\n"
                          "  <metadata key=\"extruder\" value=\"{}\"/>\n"),
              object.id, escapedXml(object.name), object.bodies.front().filament);
@@ -56,10 +57,10 @@ void putPrusaObject(std::size_t id, const std::string& name, std::span<const Num
 
 }  // namespace
 
-void putPrusaSettings(const Numbering& numbering, ZipWriter& zip) {
-  PartText text(zip, "Metadata/Slic3r_PE_model.config");
+void putPrusaSettings(std::span<const NumberedObject> objects, ZipWriter& zip) {
+  PartText text(zip, kPrusaSettings);
   text.add(FMT_COMPILE("{}<config>\n"), kXmlDeclaration);
-  for (const NumberedObject& object : numbering.objects) {
+  for (const NumberedObject& object : objects) {
     if (object.isInOneMesh) {
       putPrusaObject(object.id, object.name, object.bodies, text);
       continue;

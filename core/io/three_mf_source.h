@@ -17,6 +17,7 @@ struct ThreeMfRun {
   std::uint32_t itemObject = 0;              ///< the item's object, in the start part
   std::string part;                          ///< the model part that holds the mesh
   std::uint32_t object = 0;                  ///< the object with the mesh
+  std::string name;                          ///< of that object, UTF-8; may be empty
   Affine toFile;                             ///< from the mesh's coordinates to file units
   bool mirrored = false;                     ///< the soup's triangles are turned round
 };

@@ -13,6 +13,14 @@ namespace qrelief {
 
 inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
+inline constexpr std::string_view kMaterialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+                                  kCuraSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
+
+/// Returns the element of an object that tells Cura its extruder.
+/// @param filament  from 1
+/// @param prefix    of the elements' names, with a colon
+std::string curaExtruder(std::size_t filament, std::string_view prefix);
+
 /// Escapes a text for the value of an XML attribute. Characters that XML cannot hold become question marks.
 std::string escapedXml(std::string_view text);
 

@@ -42,8 +42,8 @@ class Package {
       if (!object.path.empty()) putPartFile(object);
     if (numbering_.isColoured()) {
       const bool isForAny = options_.slicer == Slicer::Any;
-      if (options_.slicer != Slicer::PrusaSlicer) putBambuSettings(numbering_, zip_);
-      if (isForAny || options_.slicer == Slicer::PrusaSlicer) putPrusaSettings(numbering_, zip_);
+      if (options_.slicer != Slicer::PrusaSlicer) putBambuSettings(numbering_.objects, zip_);
+      if (isForAny || options_.slicer == Slicer::PrusaSlicer) putPrusaSettings(numbering_.objects, zip_);
       if (options_.palette) putBambuPalette(numbering_, zip_);
     }
     return zip_.finish();
@@ -86,9 +86,7 @@ class Package {
   void beginModel(PartText& text, bool hasPaths) const {
     std::string spaces, required;
     if (hasColourGroups()) {
-      spaces +=
-          " xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\""
-          " xmlns:cura=\"http://software.ultimaker.com/xml/cura/3mf/2015/10\"";
+      spaces += fmt::format(" xmlns:m=\"{}\" xmlns:cura=\"{}\"", kMaterialSpace, kCuraSpace);
       required += "m";
     }
     if (hasPaths) {
@@ -162,10 +160,7 @@ class Package {
     const std::size_t filament = bodies.front().filament;
     text.add(FMT_COMPILE("  <object id=\"{}\" name=\"{}\" type=\"model\"{}>\n"), id, escapedXml(name),
              hasColourGroups() ? fmt::format(" pid=\"{}\" pindex=\"0\"", filament) : std::string());
-    if (hasColourGroups())
-      text.add(FMT_COMPILE("   <metadatagroup><metadata name=\"cura:extruder_nr\" preserve=\"1\" type=\"xs:integer\">"
-                           "{}</metadata></metadatagroup>\n"),
-               filament - 1);
+    if (hasColourGroups()) text.addText(curaExtruder(filament, ""));
     text.add(FMT_COMPILE("   <mesh>\n    <vertices>\n"));
     for (const NumberedBody& body : bodies)
       for (const Vec3f& p : body.body->mesh.positions)

@@ -16,7 +16,7 @@ Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const 
   if (options.palette) return fail(ErrorKind::NoSolution, message("rewrite-palette"));
   const auto changes = carvedRuns(before, result, withInlay);
   if (!changes) return tl::unexpected(changes.error());
-  return rewrite3mf(source, *changes, options.slicer);
+  return rewrite3mf(source, *changes, options.slicer, filamentMaterials());
 }
 
 }  // namespace

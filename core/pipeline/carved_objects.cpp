@@ -8,6 +8,7 @@ namespace {
 
 constexpr Colour kBodyColour = {235, 235, 230};
 constexpr Colour kInlayColour = {25, 25, 30};
+constexpr const char* kCodeName = "QR code";
 
 /// Returns the index of the object with the carved part. Parts without triangles have no object.
 std::size_t carvedObject(const EngraveResult& result) {
@@ -43,7 +44,9 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   return objects;
 }
 
-ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour}; }
+ModelBody codeBody(const Mesh& inlay) { return {kCodeName, inlay, kInlayColour}; }
+
+std::array<Material, 2> filamentMaterials() { return {{{"model", kBodyColour}, {kCodeName, kInlayColour}}}; }
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {

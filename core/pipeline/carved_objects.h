@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/rewrite_3mf.h"
 #include "io/write_model.h"
 #include "pipeline/engrave.h"
 
@@ -23,6 +25,9 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
 
 /// Returns the body of the second colour.
 ModelBody codeBody(const Mesh& inlay);
+
+/// Returns the materials of the model and of the code.
+std::array<Material, 2> filamentMaterials();
 
 /// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
 /// the copy's id, and its description is the code's text.

@@ -44,7 +44,7 @@ void writeAgain(const PolygonSoup& soup) {
   change.kept = {{KeptAttributes::What::WholePaint, 0}};
   change.painted = {0};
   change.inlay = ModelBody{"inlay", change.mesh, {}};
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, {});
   if (written)
     require(read3mf(*written, {}).has_value(), "what is written can be read");
   else

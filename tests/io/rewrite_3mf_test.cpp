@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/read_3mf.h"
+#include "io/three_mf_text.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 #include "support/slicer_rules.h"
@@ -21,6 +22,8 @@ using ::testing::Not;
 using zip_file::boxObject;
 using zip_file::File;
 using What = KeptAttributes::What;
+
+const std::array<Material, 2> kMaterials = {{{"model", {250, 240, 230}}, {"QR code", {1, 2, 3}}}};
 
 constexpr const char* kSpaces =
     "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
@@ -120,7 +123,7 @@ TEST(Rewrite3mf, KeepsAllOtherPartsOfABambuProjectByteForByte) {
   const PolygonSoup soup = soupOf(bytes);
   ASSERT_EQ(soup.source->runs.size(), 2u);
   const std::vector<ChangedRun> changes = {withOneMore(sameRun(soup, 0))};
-  const auto written = rewrite3mf(*soup.source, changes, Slicer::Any);
+  const auto written = rewrite3mf(*soup.source, changes, Slicer::Any, kMaterials);
   ASSERT_TRUE(written) << sentence(written.error().message);
   auto before = unzipped(bytes), after = unzipped(*written);
   EXPECT_EQ(after.size(), before.size());
@@ -139,7 +142,7 @@ TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
   const PolygonSoup soup = soupOf(bambuProject());
   ChangedRun change = sameRun(soup, 0);
   change.inlay = ModelBody{"QR code", shapes::translated(shapes::box({1, 1, 1}), {110, 110, 9}), {}};
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::BambuStudio);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::BambuStudio, kMaterials);
   ASSERT_TRUE(written) << sentence(written.error().message);
   const auto project = slicer_rules::openInBambuStudio(*written);
   ASSERT_EQ(project.objects.size(), 2u);
@@ -156,9 +159,107 @@ TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
   EXPECT_EQ(volumes[2].kind, "modifier_part");
   EXPECT_EQ(project.objects[1].volumes[1].kind, "support_blocker");
   // PrusaSlicer's file would need its own settings.
-  const auto refused = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer);
+  const auto refused = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer, kMaterials);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+}
+
+TEST(Rewrite3mf, AddsAPartToAnObjectWhoseComponentsAreInThePartFile) {
+  const std::string part =
+      zip_file::modelPart(boxObject(1, 10, 20, 30) +
+                              "<object id=\"2\" p:UUID=\"00000002-61cb-4c03-9d28-80fed5dfa1dc\" type=\"model\">"
+                              "<components><component objectid=\"1\" p:UUID=\"00000001-b206-40ff-9872-83e8017abed1\"/>"
+                              "</components></object>",
+                          "", kSpaces);
+  const auto bytes = zip_file::threeMf(
+      zip_file::modelPart("", "<item objectid=\"2\" p:path=\"/3D/Objects/tower_1.model\"/>", kSpaces),
+      {{"3D/Objects/tower_1.model", part},
+       {"3D/_rels/3dmodel.model.rels",
+        "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+        "<Relationship Target=\"/3D/Objects/tower_1.model\"/></Relationships>"},
+       {"Metadata/plate_1.json", "{}"},
+       {"Metadata/model_settings.config",
+        "<config><object id=\"2\"><part id=\"1\" subtype=\"normal_part\"></part></object></config>"}});
+  const PolygonSoup soup = soupOf(bytes);
+  ChangedRun change = sameRun(soup, 0);
+  change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  auto before = unzipped(bytes), after = unzipped(*written);
+  for (const char* name : {"3D/3dmodel.model", "Metadata/plate_1.json", "3D/_rels/3dmodel.model.rels"})
+    EXPECT_EQ(after[name], before[name]) << name;
+  EXPECT_THAT(after["3D/Objects/tower_1.model"],
+              HasSubstr("<component objectid=\"3\" p:UUID=\"00000003-b206-40ff-9872-83e8017abed1\"/>"));
+  EXPECT_THAT(after["Metadata/model_settings.config"], HasSubstr("<part id=\"3\" subtype=\"normal_part\">"));
+  EXPECT_EQ(soupOf(*written).triangles.size(), 24u);
+}
+
+/// Returns a file of the production extension as a CAD program writes it, without settings of a slicer.
+std::vector<std::uint8_t> plainFile() {
+  const std::string box =
+      boxObject(7, 10, 20, 30, "name=\"lid &amp; box\" p:UUID=\"aaaaaaaa-61cb-4c03-9d28-80fed5dfa1dc\"");
+  return zip_file::threeMf(
+      zip_file::modelPart("", "<item objectid=\"7\" p:path=\"/3D/lid.model\" partnumber=\"P1\"/>", kSpaces),
+      {{"3D/lid.model", zip_file::modelPart(box, "", kSpaces)},
+       {"3D/_rels/3dmodel.model.rels",
+        "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+        "<Relationship Target=\"/3D/lid.model\"/></Relationships>"},
+       {"[Content_Types].xml",
+        "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"model\" "
+        "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>"},
+       {"Thumbnails/lid.png", std::string("\x89PNG\0\1", 6)}});
+}
+
+TEST(Rewrite3mf, AFileWithoutSettingsGetsThoseOfAnInlayAndKeepsTheRest) {
+  const auto bytes = plainFile();
+  const PolygonSoup soup = soupOf(bytes);
+  ChangedRun change = sameRun(soup, 0);
+  change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  auto before = unzipped(bytes), after = unzipped(*written);
+  EXPECT_EQ(after.size(), before.size() + 2);
+  EXPECT_EQ(after["Thumbnails/lid.png"], before["Thumbnails/lid.png"]);
+  EXPECT_THAT(after["[Content_Types].xml"], HasSubstr("Extension=\"config\""));
+  EXPECT_EQ(after["3D/3dmodel.model"], replaced(before["3D/3dmodel.model"], "objectid=\"7\"", "objectid=\"10\""));
+  EXPECT_THAT(after["3D/lid.model"], HasSubstr("<basematerials id=\"8\"><base name=\"model\" displaycolor=\"#FAF0E6\"/>"
+                                               "<base name=\"QR code\" displaycolor=\"#010203\"/></basematerials>"));
+  EXPECT_THAT(after["3D/lid.model"],
+              HasSubstr("p:UUID=\"aaaaaaaa-61cb-4c03-9d28-80fed5dfa1dc\" pid=\"8\" pindex=\"0\">"));
+  const auto bambu = slicer_rules::openInBambuStudio(*written);
+  const auto prusa = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_9);
+  for (const auto& project : {bambu, prusa}) {
+    EXPECT_EQ(project.refused, "");
+    EXPECT_THAT(project.filaments(), ElementsAre(1, 2));
+  }
+  ASSERT_EQ(bambu.objects.size(), 1u);
+  EXPECT_EQ(bambu.objects[0].name, "lid & box");
+  ASSERT_EQ(bambu.objects[0].volumes.size(), 2u);
+  EXPECT_EQ(bambu.objects[0].volumes[1].name, "QR code");
+  EXPECT_EQ(bambu.objects[0].volumes[1].filament, 2u);
+}
+
+TEST(Rewrite3mf, PaintOfAFileWithoutSettingsIsReadByAllSlicers) {
+  const auto bytes = plainFile();
+  const PolygonSoup soup = soupOf(bytes);
+  ChangedRun change = sameRun(soup, 0);
+  change.painted = {3};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  auto before = unzipped(bytes), after = unzipped(*written);
+  EXPECT_EQ(after.size(), before.size());
+  for (const auto& [name, text] : before)
+    if (name != "3D/lid.model") {
+      EXPECT_EQ(after[name], text) << name;
+    }
+  EXPECT_THAT(after["3D/lid.model"], HasSubstr(" pid=\"8\" p1=\"1\"/>"));
+  const auto bambu = slicer_rules::openInBambuStudio(*written);
+  const auto prusa = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_9);
+  for (const auto& project : {bambu, prusa}) {
+    const std::vector<unsigned>& paint = project.objects.at(0).volumes.at(0).paint;
+    EXPECT_EQ(paint.at(3), 2u);
+    EXPECT_EQ(std::count(paint.begin(), paint.end(), 0u), 11);
+  }
 }
 
 TEST(Rewrite3mf, MovesTheRangesOfPrusaSlicersVolumesAndAddsTheInlay) {
@@ -167,7 +268,7 @@ TEST(Rewrite3mf, MovesTheRangesOfPrusaSlicersVolumesAndAddsTheInlay) {
   ChangedRun change = withOneMore(sameRun(soup, 0));
   change.painted = {1};
   change.inlay = ModelBody{"QR code", shapes::translated(shapes::box({1, 1, 1}), {10, 10, 9}), {}};
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::PrusaSlicer, kMaterials);
   ASSERT_TRUE(written) << sentence(written.error().message);
   const auto project = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_5);
   ASSERT_EQ(project.refused, "");
@@ -193,13 +294,13 @@ TEST(Rewrite3mf, PiecesOfAFacetKeepOnlyPaintThatCoversItWhole) {
     const PolygonSoup soup = soupOf(bytes);
     ChangedRun change = sameRun(soup, 0);
     change.kept[0].what = What::WholePaint;
-    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
     ASSERT_TRUE(written) << sentence(written.error().message);
     const std::string model = unzipped(*written)["3D/3dmodel.model"];
     EXPECT_THAT(model, HasSubstr("pid=\"5\""));
     EXPECT_EQ(model.find("paint_color") != std::string::npos, isKept) << code;
     change.kept[0].what = What::Nothing;
-    EXPECT_THAT(unzipped(*rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any))["3D/3dmodel.model"],
+    EXPECT_THAT(unzipped(*rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials))["3D/3dmodel.model"],
                 Not(HasSubstr("pid")));
   }
 }
@@ -209,7 +310,7 @@ TEST(Rewrite3mf, SaysWhyAFileMustBeWrittenAnew) {
     const PolygonSoup soup = soupOf(bytes);
     ChangedRun change = sameRun(soup, 0);
     if (hasInlay) change.inlay = ModelBody{"", shapes::box({1, 1, 1}), {}};
-    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
     if (written) return std::string("can be written");
     EXPECT_EQ(written.error().kind, ErrorKind::NoSolution);
     return sentence(written.error().message);
@@ -220,7 +321,27 @@ TEST(Rewrite3mf, SaysWhyAFileMustBeWrittenAnew) {
   EXPECT_THAT(whyNot(twice, false), HasSubstr("several times"));
   const auto plain = zip_file::threeMf(zip_file::modelPart(box, "<item objectid=\"1\"/>"));
   EXPECT_EQ(whyNot(plain, false), "can be written");
-  EXPECT_THAT(whyNot(plain, true), HasSubstr("no settings"));
+  EXPECT_EQ(whyNot(plain, true), "can be written");
+  const std::string group = "<m:colorgroup id=\"9\"><m:color color=\"#112233\"/></m:colorgroup>";
+  const auto coloured = zip_file::threeMf(
+      zip_file::modelPart(group + box, "<item objectid=\"1\"/>", fmt::format("xmlns:m=\"{}\"", kMaterialSpace)));
+  EXPECT_THAT(whyNot(coloured, true), HasSubstr("no settings"));
+}
+
+TEST(Rewrite3mf, AChangedObjectLosesItsSlices) {
+  const std::string stack = "<s:slicestack id=\"5\" zbottom=\"0\"></s:slicestack>";
+  const auto bytes = zip_file::threeMf(zip_file::modelPart(
+      stack + boxObject(1, 1, 2, 3, "s:slicestackid=\"5\" name=\"box\" s:meshresolution=\"fullres\""),
+      "<item objectid=\"1\"/>", "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\""));
+  const PolygonSoup soup = soupOf(bytes);
+  const ChangedRun change = sameRun(soup, 0);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  const std::string model = unzipped(*written)["3D/3dmodel.model"];
+  EXPECT_THAT(model, HasSubstr(stack));
+  EXPECT_THAT(model, Not(HasSubstr("slicestackid")));
+  EXPECT_THAT(model, Not(HasSubstr("meshresolution")));
+  EXPECT_THAT(model, HasSubstr("name=\"box\""));
 }
 
 TEST(Rewrite3mf, TurnsTrianglesOfMirroredMeshesBack) {
@@ -228,7 +349,7 @@ TEST(Rewrite3mf, TurnsTrianglesOfMirroredMeshesBack) {
       zip_file::modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\" transform=\"-1 0 0 0 2 0 0 0 1 4 5 6\"/>"));
   const PolygonSoup soup = soupOf(bytes);
   const ChangedRun change = withOneMore(sameRun(soup, 0));
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
   ASSERT_TRUE(written) << sentence(written.error().message);
   EXPECT_EQ(soupOf(*written).triangles.size(), 13u);
 }

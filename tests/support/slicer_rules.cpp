@@ -140,12 +140,15 @@ const XmlNode* findObject(const XmlNode& config, unsigned id) {
   return nullptr;
 }
 
+/// Returns the path of a build item's object. [BBS] and [P29] _handle_start_item.
+std::string pathOf(const XmlNode& item) { return item["p:path"].empty() ? kRootPath : item["p:path"]; }
+
 /// Returns all meshes of the build, in order.
 std::vector<Placed> placedMeshes(const std::map<std::string, std::string>& files, const Resources& resources) {
   std::vector<Placed> placed;
   const XmlNode root = parsedXml(files.at(kRootModel));
   for (const XmlNode* item : root.first("build").all("item"))
-    collect(resources, kRootPath, number((*item)["objectid"]), transformOf((*item)["transform"]), placed);
+    collect(resources, pathOf(*item), number((*item)["objectid"]), transformOf((*item)["transform"]), placed);
   return placed;
 }
 
@@ -301,8 +304,8 @@ Project openInBambuStudio(std::span<const std::uint8_t> file) {
   for (const XmlNode* item : root.first("build").all("item")) {
     const unsigned id = number((*item)["objectid"]);
     std::vector<Placed> placed;
-    collect(resources, kRootPath, id, transformOf((*item)["transform"]), placed);
-    project.objects.push_back(bambuObject(id, resources.at({kRootPath, id}).pid, placed, config, groups));
+    collect(resources, pathOf(*item), id, transformOf((*item)["transform"]), placed);
+    project.objects.push_back(bambuObject(id, resources.at({pathOf(*item), id}).pid, placed, config, groups));
   }
   if (const auto palette = files.find("Metadata/project_settings.config"); palette != files.end())
     project.filamentColours =
