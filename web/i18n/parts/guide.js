@@ -172,7 +172,7 @@ export const guide = {
     materialMatt:
       'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
     materialTwo:
-      'Mit zwei Filamenten „Gemacht durch“ auf eine zweite Farbe stellen: eingelegt als dünner, bündiger Körper oder auf die Oberfläche gemalt. Ein solcher Code braucht keinen Schatten, und die 3MF-Datei öffnet sich mit beiden Filamenten. Den Code nach oben legen, das kostet nur wenige Filamentwechsel; an einer Wand kostet jede Schicht einen.',
+      'Mit zwei Filamenten „Technik“ auf eine zweite Farbe stellen: eingelegt als dünner, bündiger Körper oder auf die Oberfläche gemalt. Ein solcher Code braucht keinen Schatten, und die 3MF-Datei öffnet sich mit beiden Filamenten. Den Code nach oben legen, das kostet nur wenige Filamentwechsel; an einer Wand kostet jede Schicht einen.',
 
     light: 'Licht und Lesen',
     lightEven:
