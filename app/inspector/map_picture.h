@@ -14,7 +14,7 @@ namespace qrelief {
 struct MapColours {
   ColourScale scale = ColourScale::Viridis;
   ValueRange range;
-  bool showsDirections = false;  ///< if the map has directions: right, up, towards the reader as red, green, blue
+  bool showsDirections = false;  ///< if the map has directions: right, up, towards the viewer as red, green, blue
 };
 
 /// Returns four bytes a value, row 0 at the top; transparent for NaN.
