@@ -14,7 +14,7 @@ namespace qrelief {
 /// The words come from messages/*.json, an object by code:
 ///
 ///     "stl-cut-off": {
-///       "en": "The file announces {announced} facets, but has room for {room}",   `{name}` is a value
+///       "en": "The file declares {announced} facets, but has room for {room}",   `{name}` is a value
 ///       "de": "…",
 ///       "hint": { "en": "Raise {@minWallMm}", "de": "…" }                           `{@key}` is a setting
 ///     }
