@@ -12,7 +12,7 @@
 namespace qrelief {
 
 /// A quantity to show over symbol and quiet zone. The first six come from the viewer's G-buffer; the others have one
-/// value a submodule.
+/// value per submodule.
 enum class MapChannel : std::uint8_t {
   FacetNormal,
   SmoothNormal,
