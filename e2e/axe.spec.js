@@ -78,7 +78,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
 
   await test.step('with a code in a second colour', async () => {
     await press('Inspector');
-    await app.setting('Made by').selectOption('Second colour, painted');
+    await app.setting('Technique').selectOption('Second colour, painted');
     await app.expectReady();
     await app.engrave();
     await app.openSettings();

@@ -16,7 +16,7 @@ async function open(page, mark) {
   await app.open('?sample=plate&text=A');
   await app.expectReady();
   const plate = readStl(new Uint8Array(await (await page.request.get('samples/plate.stl')).body()));
-  await app.setting('Made by').selectOption(mark);
+  await app.setting('Technique').selectOption(mark);
   await app.expectReady();
   return { app, plate };
 }
@@ -66,7 +66,7 @@ test('A painted code keeps the model’s shape and has the second filament', asy
   });
 
   await test.step('A code of one colour has all formats again', async () => {
-    await app.setting('Made by').selectOption('Shadow');
+    await app.setting('Technique').selectOption('Shadow');
     await app.expectReady();
     await expect(app.setting('How deep')).toBeVisible();
     await app.engrave();

@@ -109,7 +109,7 @@ const kStates = {
   },
   painted: {
     walk: async (app, page) => {
-      await app.setting('Made by').selectOption('Second colour, painted');
+      await app.setting('Technique').selectOption('Second colour, painted');
       await expect(app.status).toHaveText('Ready.');
       await engraveAndPrint(app, page);
     },

@@ -62,7 +62,7 @@ export const guide = {
     materialMatt:
       'Matt, opaque filament is best. Highlights on glossy or silky filament and the glow of translucent filament hide the shadows.',
     materialTwo:
-      'With two filaments, set “Made by” to a second colour: inlaid as a thin, flush body, or painted onto the surface. Such a code needs no shadow, and the 3MF file opens with both filaments. Lay the code facing up, which takes only a few filament changes; on a wall, every layer takes one.',
+      'With two filaments, set “Technique” to a second colour: inlaid as a thin, flush body, or painted onto the surface. Such a code needs no shadow, and the 3MF file opens with both filaments. Lay the code facing up, which takes only a few filament changes; on a wall, every layer takes one.',
 
     light: 'Light and reading',
     lightEven:
