@@ -29,8 +29,8 @@ struct FastSearchOptions {
 /// applies this difference, taken in log((1 − V)/V), V = LS/AL, which depends little on the depth. Where the difference
 /// has changed, the search aims darker. In the first passes depths may rise and fall. Afterwards a floor that is dark
 /// enough gets deeper only if deeper neighbours brighten it, so the search ends. Each pass then measures only floors
-/// that moved or that such a move may have brightened. At the end the search measures all floors once more. If one has
-/// to move, it measures the floors in sight of that one again, as predicted on the plane.
+/// that moved or that such a move may have brightened. At the end the search measures all floors once more. If a floor
+/// then has to move, it measures the floors in sight of it again (PocketSky).
 class FastSearch final : public DepthSolver {
  public:
   /// @param before  a search for the same target with another contrast, whose result is the start; null: start from the
