@@ -60,9 +60,9 @@ test('The method page computes its pictures and decodes the phone’s view', asy
   for (const name of [
     /Normals of the surface/,
     /Height above the plane/,
-    /The light that arrives/,
+    /The light on the floors/,
     /The final depths/,
-    /The view of the phone/,
+    /The phone’s view/,
   ]) {
     const colours = await page.getByRole('img', { name }).evaluate((element) => {
       const canvas = /** @type {HTMLCanvasElement} */ (element);

@@ -48,7 +48,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     await expect(app.result).toContainText(/Tilted by 5°: 4 of 4 directions read/);
     const safe = Number(/Reads from every side up to (\d+)°/.exec(await app.result.innerText())?.[1]);
     expect([5, 10, 15, 30, 45]).toContain(safe);
-    const advice = page.getByText('a smaller code or a flatter place can be read from a wider angle');
+    const advice = page.getByText('a smaller code or a flatter spot can be read from wider angles');
     await expect(advice).toHaveCount(safe < 10 ? 1 : 0);
     await expect(app.result).toContainText(/Reads up to about \d+ cm away, at [\d.]+ pixels per module/);
   });

@@ -199,7 +199,7 @@ test('The symbol shows version, fill and room; a click corrects a link', async (
   await expect(facts).toContainText('One more byte fits');
   await app.text.fill('a'.repeat(26));
   await expect(facts).toContainText('One more byte, and the modules get smaller');
-  await expect(page.getByRole('meter', { name: 'How full it is' })).toHaveJSProperty('value', 26);
+  await expect(page.getByRole('meter', { name: 'Bytes used' })).toHaveJSProperty('value', 26);
   await app.text.fill('a'.repeat(27));
   await expect(facts).toContainText('Version 3-Q, 29 × 29 modules'); // the same size with more error correction
   await app.text.fill('a'.repeat(2332));

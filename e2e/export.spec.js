@@ -135,7 +135,7 @@ test('A dropped settings file restores the settings', async ({ page }) => {
     foreign.settings.text = 'for another';
     await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
     await expect(app.status).toHaveText(
-      'Using the settings from vessel.json, made for vessel.stl: choose the place on this model.',
+      'Using the settings from vessel.json, made for vessel.stl: choose the spot on this model.',
     );
     await expect(app.text).toHaveValue('for another');
     expect(await app.centre()).toEqual(proposed);

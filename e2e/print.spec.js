@@ -54,7 +54,7 @@ test('The print is simulated with the result, shown in the reader’s view, and 
     await app.setting('Orientation on the printer').selectOption('code-upright');
     await app.expectReady();
     await app.engrave();
-    await expect(line).toContainText('as an upright wall (0.6 mm nozzle, 0.3 mm layers)', kPrinted);
+    await expect(line).toContainText('upright (0.6 mm nozzle, 0.3 mm layers)', kPrinted);
     await app.setting('Process').selectOption('none');
     await app.expectReady();
     await app.engrave();
@@ -81,7 +81,7 @@ test('If the print does not decode, other processes are tried, and one press app
   await expect(line).toContainText(/Print 1 of 4: \d+ %/);
   await expect(line.locator('.print-trials li')).toHaveCount(4, { timeout: 180_000 });
   await expect(line).not.toContainText(/Print \d of 4/);
-  await expect(line.locator('.print-trials')).toContainText('as an upright wall (0.4 mm nozzle, 0.2 mm layers)');
+  await expect(line.locator('.print-trials')).toContainText('upright (0.4 mm nozzle, 0.2 mm layers)');
   await line.getByRole('button', { name: 'Use it: Resin, layers 0.05 mm' }).click();
   await expect(app.setting('Process')).toHaveValue('resin-0.05');
   await expect(app.setting('Layer (mm)')).toHaveValue('0.05');

@@ -12,7 +12,7 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
 
   await test.step('a spot says how straight to hold the phone and what would tolerate more', async () => {
     await expect(aim).toHaveText(
-      /must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter place forgives more/,
+      /must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter spot forgives more/,
     );
     const before = await degrees();
     await app.openSettings();
@@ -80,7 +80,7 @@ test('A spot search waits for the typed text; a change of settings discards the 
     await expect(legend).toBeHidden();
   });
   await test.step('if every spot has a concern, that is reported before carving', async () => {
-    const note = page.getByText('None of these spots is certain to print readably.');
+    const note = page.getByText('At none of these spots is the print sure to be readable.');
     await expect(note).toBeHidden();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await app.suggest();

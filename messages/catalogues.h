@@ -5,10 +5,10 @@
 
 namespace qrelief {
 
-/// The files messages/*.json, which the build compiles in.
+/// Returns the files messages/*.json, which the build compiles in.
 std::span<const char* const> catalogues();
 
-/// The file messages/settings/settings.json, likewise.
+/// Returns the file messages/settings/settings.json, also compiled in.
 const char* settingCatalogue();
 
 }  // namespace qrelief

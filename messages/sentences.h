@@ -9,36 +9,36 @@
 
 namespace qrelief {
 
-/// What was found, in the command's English: its settings are flags. Without full stop.
+/// Returns the problem or fact that a message states, in the command's English: settings are flags. No full stop.
 ///
-/// The words come from messages/*.json, an object by code:
+/// The words come from messages/*.json, by code:
 ///
 ///     "stl-cut-off": {
-///       "en": "The file announces {announced} facets, but has room for {room}",   `{name}` is a value
+///       "en": "The file declares {announced} facets, but has room for {room}",   `{name}` is a value
 ///       "de": "…",
 ///       "hint": { "en": "Raise {@minWallMm}", "de": "…" }                           `{@key}` is a setting
 ///     }
 ///
-/// A sentence is a text, or { "one": …, "other": … } chosen by the value `count`. "command" beside "en" is what the
-/// command says instead of it, where the page's words do not fit there. The page reads the same files
+/// A sentence is a text, or { "one": …, "other": … } selected by the value `count`. If there is a "command" next to
+/// "en", the command uses it, because the page's words do not fit there. The page reads the same files
 /// (web/i18n/messages.js).
-/// @returns the code and its values, unworded, for a code that is not there: tests find those
+/// @returns the code and its values without words for an unknown code; tests find such a fault
 std::string sentence(const Message& message);
 
-/// What would help; empty if nothing is known. Without a hint of its own a message has that of its cause.
+/// Returns the message's hint, or else the hint of its cause; empty if there is none.
 std::string hint(const Message& message);
 
-/// The same in other words, as tests have them. @param words  by code, like the files
+/// Do the same with other words, for tests. @param words  by code, like the files
 std::string sentence(const Message& message, const nlohmann::json& words);
 std::string hint(const Message& message, const nlohmann::json& words);
 
-/// Both in a line, for programs that only report: "The text is empty (Give the text or link to be engraved)".
+/// Returns both in one line, for programs that only report: "The text is empty (Enter the text or link to engrave)".
 std::string sentenceAndHint(const Message& message);
 
-/// How long something takes, for programs that report: "85 s", "12 min".
+/// Returns a duration for programs that report: "85 s", "12 min".
 std::string durationInWords(double seconds);
 
-/// The command's name of a setting: "minWallMm" → "--min-wall". The unit is said where the value is asked for.
+/// Returns the command's flag of a setting: "minWallMm" → "--min-wall". The flag's help names the unit.
 std::string flagOf(std::string_view key);
 
 }  // namespace qrelief

@@ -5,20 +5,24 @@
 
 namespace qrelief {
 
-/// The words of the settings, from messages/settings/settings.json:
+/// Returns the words of the settings, from messages/settings/settings.json. In a text, `{@key}` names a setting.
 ///
 ///     "settings": {
 ///       "minWallMm": {
-///         "label": { "en": "Wall left", "de": "Restwand" },        of a control, without the unit
-///         "help":  { "en": "…", "de": "…" },                       `{@key}` is a setting
-///         "empty": { "en": "…", "de": "…" },                       what counts where it is not given, if no value says
-///         it "without": { "en": "…", "de": "…" },                     help of the flag that switches it off "choices":
-///         { "name": { "en": "…", "de": "…" } },         and "number", "vector" where it takes those "parts": {
-///         "number": { "en": "…", "de": "…" } }          labels of the parts it is set by
+///         "label":   { "en": "Minimum wall", "de": "Restwand" },
+///         "help":    { "en": "…", "de": "…" },
+///         "empty":   { "en": "…", "de": "…" },
+///         "without": { "en": "…", "de": "…" },
+///         "choices": { "name": { "en": "…", "de": "…" } },
+///         "parts":   { "number": { "en": "…", "de": "…" } }
 ///       }
 ///     },
 ///     "groups": { "depth": { "en": "…", "de": "…" } },
 ///     "units": { "mm": { "en": "…", "de": "…" } }
+///
+/// "label" names the control, without the unit. "empty" describes the effect of an empty setting, if no value does.
+/// "without" is the help of the flag that switches the setting off. "choices" also has "number" or "vector" if the
+/// setting takes one. "parts" names the parts that have controls of their own.
 const nlohmann::json& settingWords();
 
 }  // namespace qrelief

@@ -37,7 +37,7 @@ class BatchFolder {
   EarlierRow known(const ManifestEntry& wanted) const;
 
   /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other
-  /// hashes. An unwanted code must not lie among the others. A file that somebody has changed stays.
+  /// hashes. An outdated code must not stay among the others. A file that somebody has changed stays.
   void removeOutdated(const ManifestEntry& failed) const;
 
   /// Adds a line to this process's manifest.

@@ -26,9 +26,9 @@ struct Engraved {
   Verdict verdict;
 };
 
-/// Engraves one code after another into one model, with all checks. Shares work between codes: the programs, and the
-/// place with its measurements for codes with the same placement request. Needs the
-/// model's GL context, if it has one.
+/// Engraves one code after another into one model, with all checks. Shares work between codes: the shader programs, and
+/// for codes with the same placement request also the place and its measurements. Needs the model's GL context, if it
+/// has one.
 class Engraver {
  public:
   using Tell = std::function<void(const Progress&)>;

@@ -11,8 +11,8 @@
 
 namespace qrelief {
 
-/// Reads a whole text, but stops at the first line that is too long: from a file that is one line of a gigabyte, reads
-/// no more than `mostLineBytes`.
+/// Reads a whole text, but stops at the first line that is too long. Of a file that is a single line of a gigabyte, it
+/// reads at most `mostLineBytes`.
 /// @param stream  lines end with LF, CR LF or CR
 /// @returns BadInput that names the long line, or if the text is larger than the parsers accept
 Result<std::vector<std::uint8_t>> readText(std::istream& stream, std::size_t mostLineBytes);

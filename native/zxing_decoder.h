@@ -14,7 +14,7 @@ namespace qrelief {
 /// Empty if it finds none, or only a mirrored one.
 std::string readWithZxing(const ReaderView& seen);
 
-/// Decodes each of frontalPictures() with each binariser in turn, on all cores; one text a try, empty if it failed.
+/// Decodes each of frontalPictures() with each binariser in turn, on all cores; one text per try, empty if it failed.
 std::vector<std::string> readFrontal(const ReaderView& seen);
 
 /// Returns ZXing-C++ with each of its binarisers, which find different codes: local averages and the global histogram.

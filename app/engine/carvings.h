@@ -63,7 +63,7 @@ class Carvings {
   /// Returns the display mesh, null before it is made.
   const std::shared_ptr<const GpuMesh>& madeDisplay() const { return current_.display; }
 
-  /// Returns the report of the contract. Requires a carving.
+  /// Returns the report (core/report/report.h). Requires a carving.
   std::string report(const LoadedModel& model, const gl::Capabilities& gl) const;
   /// Draws the carving as a phone sees it from the side, see tilted(). Empty if it cannot be drawn. Requires a carving.
   GreyImage readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg);

@@ -18,7 +18,7 @@ struct CodeOnSurface {
   double symbolMm = 0, rotationDeg = 0, guaranteedMm = 0;
   double missingFraction = 0;  ///< see CodeEstimate
   bool isExact = false;
-  std::shared_ptr<const VisibilityMap> reach;  ///< as the size map knows it; the decal may know it more exactly
+  std::shared_ptr<const VisibilityMap> reach;  ///< coarse; the decal may have a finer one
 
   double moduleMm() const { return symbolMm / modules; }
   /// Returns true if the point lies in the symbol or its quiet zone and the eye sees it.

@@ -42,7 +42,7 @@ class Engine {
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
-  /// Sets the settings for the next engraving, see readSettings. The last call counts.
+  /// Sets the settings for the next engraving, see requestFromJson(). The last call counts.
   std::string configure(const std::string& settings);
   /// Describes the symbol for some settings and changes nothing, see describeSymbol.
   std::string symbol(const std::string& settings) const;
@@ -105,7 +105,7 @@ class Engine {
   /// @returns true if it still exists
   bool useCarving(int number);
 
-  /// Returns the report of the contract; an error before an engraving is done.
+  /// Returns the report (core/report/report.h); an error before an engraving is done.
   std::string report() const;
   /// Returns pictures of the carving; none before an engraving is done.
   /// @param of  "reader": the one picture that a phone at the eye takes; "reading": the pictures for the decoders, each
@@ -166,13 +166,13 @@ class Engine {
   /// colour and of the deepest pocket; 0 where nothing is carved.
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
   ///              are known, "depths": true: carved depths as colours, "section": cuts the model open across the code,
-  ///              from top to bottom as its reader sees it, at that offset from the code's middle in half edges of its
+  ///              from top to bottom as its viewer sees it, at that offset from the code's middle in half edges of its
   ///              square, -1 … 1; null: no section}
   std::string show(const std::string& what);
   /// Moves the camera.
   /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
   ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
-  ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the reader's side, with the
+  ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the viewer's side, with the
   ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
   std::string look(const std::string& action);
 

@@ -17,8 +17,8 @@ struct JobMap {
 
 /// Returns one of the job's maps.
 /// @param name  "surface": facet normal (right, up, normal) and height over the QR plane, four components, all zero off
-///              the model; "luminance": under a uniform sky; "depths": mm, one texel a submodule; "search-luminance"
-///              and "search-depths": luminance and depths in the newest pass of the depth search, one texel a
+///              the model; "luminance": under a uniform sky; "depths": mm, one texel per submodule; "search-luminance"
+///              and "search-depths": luminance and depths in the newest pass of the depth search, one texel per
 ///              submodule, without the GPU, the luminance with the quiet zone
 /// @returns none for another name, and before the job has that map
 std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name);

@@ -14,7 +14,7 @@ namespace qrelief {
 class Plate {
  public:
   bool isEmpty() const { return objects_.empty(); }
-  /// Empties the plate. @param copies  that it has room for
+  /// Empties the plate. @param copies  number of copies that fit
   void start(const LoadedModel& model, std::size_t copies);
   /// Puts a carved copy on the plate. @param place  below copies @param id  names the copy; its text goes with it
   void add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,

@@ -14,8 +14,8 @@ namespace qrelief {
 /// Returns the print parameters that Engine::printOrder() hands to PrintedCode::start().
 Json jsonOf(const PrintedViewRequest& request);
 
-/// A carved code as it comes off a printer. It needs no GL context, so a worker of its own can simulate the print while
-/// the engine goes on. Answers have the form that Engine describes.
+/// The simulated print of a carved code. It needs no GL context, so a separate worker can simulate the print while the
+/// engine goes on. Answers have the form that Engine describes.
 class PrintedCode {
  public:
   /// Starts the simulation. Returns {stage, fraction, done}.

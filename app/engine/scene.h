@@ -56,7 +56,7 @@ class Scene {
   /// Turns the camera to "front", "back", "left", "right", "top", "bottom" or "iso"; ignores other names.
   void standardView(const std::string& name);
   void lookAsReader(const ProjectionFrame& frame, double edgeMm);
-  /// Looks from the reader's side, with the surroundings in view.
+  /// Looks from the viewer's side of the code, with the surroundings in view.
   /// @param diagonalMm  of the model
   void faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm);
   /// Turns the camera to where the section is visible.

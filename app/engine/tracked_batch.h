@@ -34,7 +34,7 @@ class TrackedBatch {
   /// Records the stored result of rows. @param lines  their lines in the manifest
   std::string settle(const std::string& lines);
   /// Returns {then: "retry", "fail" or "stop"}, see BatchProgress::Loss. @param row  one of the rows that were being
-  /// carved; -1: whatever carves did not start
+  /// carved; -1: the engine did not start
   std::string lose(double row);
 
   /// Returns {line}: the manifest's line (batch/manifest.h) without a line end. @param entry  the entry as JSON of any

@@ -35,16 +35,15 @@ class InspectedEngine {
 
   /// Tells the inspector of an event. Returns {takes}: the inspector uses the event, so that nothing else may. No
   /// effect before there is a window; keys, pointer and picks also need it to be shown.
-  /// @param event  {"kind": "open"}: makes the window. Call it after the inspector's part of the module is loaded;
-  /// times
-  ///                   the passes from then on
+  /// @param event  {"kind": "open"}: makes the window, and times the passes from then on. Call it after the inspector's
+  ///                   part of the module is loaded
   ///               {"kind": "show", "shown"}
   ///               {"kind": "texts", "texts": {…}}: sets the translations, keyed by the English texts
   ///               {"kind": "area", "x", "y", "width", "height"}, {"kind": "pointer", "x", "y", "buttons", "wheel"},
   ///               {"kind": "key", "key", "control", "shift"}, {"kind": "pick", "x", "y"}: see InspectorWindow
   std::string inspector(const std::string& event);
   /// Sets the letters, see InspectorWindow.
-  /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
+  /// @param metrics  six numbers per glyph: code point, width, height, left, top, advance
   void inspectorGlyphs(float lineHeight, const std::vector<float>& metrics, std::vector<std::uint8_t> alpha);
 
  private:

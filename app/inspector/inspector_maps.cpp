@@ -86,8 +86,8 @@ void Inspector::chooseRange(const ValueMap& map) {
       range_ = {-reach, reach};
     }
   }
-  const std::array<const char*, 3> kinds = {translated("whole range"), translated("without 1 % at either end"),
-                                            translated("range by hand")};
+  const std::array<const char*, 3> kinds = {translated("whole range"), translated("without 1 % at each end"),
+                                            translated("manual range")};
   int kind = static_cast<int>(rangeKind_);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::Combo("##range", &kind, kinds.data(), static_cast<int>(kinds.size())))
@@ -210,14 +210,14 @@ void Inspector::drawMap(const ValueMap& map) {
 void Inspector::drawFacts() {
   const auto facts = model_.selected();
   if (!facts) {
-    writeSoftly("Click a submodule here or on the model to see what the search knows of it.");
+    writeSoftly("Click a submodule here or on the model to see its values in the search.");
     return;
   }
   ImGui::Separator();
   write("Submodule row {}, column {}: {}{}", facts->place.row, facts->place.column,
         translated(facts->inSymbol ? moduleRoleName(facts->role) : "quiet zone"),
         translated(facts->carved ? ", carved"
-                   : facts->dark ? ", of a dark module, left standing"
+                   : facts->dark ? ", in a dark module, not carved"
                                  : ", light"));
   if (!ImGui::BeginTable("facts", 4)) return;
   fact("LS", numberText(static_cast<double>(facts->luminance)));
@@ -244,7 +244,7 @@ void Inspector::drawMaps(const Engine& engine) {
   if (!map) {
     ImGui::Separator();
     if (model_.search())
-      write("This map is there when the engraving is done.");
+      write("This map appears when the engraving is done.");
     else
       write("Nothing to see yet: press Engrave.");
     return;

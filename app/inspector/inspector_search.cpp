@@ -99,7 +99,7 @@ void Inspector::drawTimings(const Engine& engine) {
   write("{}", engine.gl().renderer);
   if (const Viewer* viewer = engine.viewer()) {
     const ViewStatistics& view = viewer->statistics();
-    writeSoftly("View: {} × {}, {} pictures averaged, {:.0f} ms a frame in motion", view.width, view.height,
+    writeSoftly("View: {} × {}, {} pictures averaged, {:.0f} ms per frame in motion", view.width, view.height,
                 view.samples, view.coarseFrameMs);
   }
   if (const Placement* placed = engine.placed()) {
@@ -109,7 +109,7 @@ void Inspector::drawTimings(const Engine& engine) {
   const EngraveResult* result = engine.carvings().result();
   if (!result) {
     ImGui::Separator();
-    write("Times of the stages and passes are here after an engraving.");
+    write("The times of stages and passes appear here after an engraving.");
     return;
   }
   ImGui::Separator();
@@ -121,22 +121,22 @@ void Inspector::drawTimings(const Engine& engine) {
                                                                  {"checks", t.verify}}};
   double longest = 1;
   for (const auto& stage : stages) longest = std::max(longest, stage.second);
-  ImGui::TextUnformatted(translated("Stages, by the clock"));
+  ImGui::TextUnformatted(translated("Stages, wall-clock time"));
   for (const auto& [name, ms] : stages)
     ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
                        fmt::format("{} {:.1f} ms", translated(name), ms).c_str());
   ImGui::Separator();
   const gl::PassTimings* timings = engine.carvings().passTimings();
   if (!timings || timings->times().empty()) {
-    write("Passes are timed from the next engraving on, as the inspector was closed during the last.");
+    write("Passes are timed from the next engraving on, because the inspector was closed during the last one.");
     return;
   }
   ImGui::TextUnformatted(
       translated(timings->hasGpuTimes() ? "Passes, GPU time by timer queries" : "Passes, CPU time only"));
   if (!timings->hasGpuTimes())
     writeSoftly(
-        "This browser has no timer queries. CPU time ends when the calls return; what the graphics processor "
-        "still has to do then counts as reading back.");
+        "This browser has no timer queries. CPU time ends when the calls return; the GPU's remaining work then "
+        "counts as read-back.");
   if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH)) return;
   for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"}) ImGui::TableSetupColumn(translated(name));
   ImGui::TableHeadersRow();

@@ -72,11 +72,11 @@ void Inspector::drawSettings(const Engine& engine) {
   noteControl(controls_, "Reset all");
   ImGui::EndDisabled();
   if (count == 0)
-    writeSoftly("Everything is as the page says. What is changed here counts for Engrave again alone.");
+    writeSoftly("All settings are as on the page. Changes here apply only to Engrave again.");
   else if (count == 1)
-    write("One is changed here, for Engrave again alone: the page's own Engrave leaves it out.");
+    write("One setting is changed here, only for Engrave again: the page's Engrave ignores it.");
   else
-    write("{} are changed here, for Engrave again alone: the page's own Engrave leaves them out.", count);
+    write("{} settings are changed here, only for Engrave again: the page's Engrave ignores them.", count);
   ImGui::BeginChild("tunables", ImVec2(0, 0), false, ImGuiWindowFlags_NoScrollWithMouse);
   std::string_view group;
   const std::span<const Tunable> all = tunables();

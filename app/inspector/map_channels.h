@@ -11,8 +11,8 @@
 
 namespace qrelief {
 
-/// A quantity to show over symbol and quiet zone. The first six come from the reader's G-buffer; the others have one
-/// value a submodule.
+/// A quantity to show over symbol and quiet zone. The first six come from the viewer's G-buffer; the others have one
+/// value per submodule.
 enum class MapChannel : std::uint8_t {
   FacetNormal,
   SmoothNormal,
@@ -38,18 +38,18 @@ struct ChannelInfo {
 };
 
 inline constexpr std::array<ChannelInfo, 13> kChannels = {{
-    {"Facet normal", "angle between facet and line to the reader", "°"},
-    {"Smooth normal", "the same, of the interpolated normals", "°"},
-    {"Height", "over the QR plane, towards the reader", "mm", false, true},
-    {"Distance", "from the reader's eye, along the ray", "mm"},
-    {"Back distance", "from the eye to where the ray leaves", "mm"},
+    {"Facet normal", "angle between facet and line to the viewer", "°"},
+    {"Smooth normal", "the same for the interpolated normals", "°"},
+    {"Height", "over the QR plane, towards the viewer", "mm", false, true},
+    {"Distance", "from the viewer's eye, along the ray", "mm"},
+    {"Back distance", "from the eye to the exit of the ray", "mm"},
     {"Thickness", "of the material along the ray", "mm"},
-    {"Wall limit", "deepest a submodule may become", "mm"},
+    {"Wall limit", "greatest depth of a submodule", "mm"},
     {"Depth", "carved, along the ray", "mm", true},
     {"Luminance", "LS, 1 = unoccluded", "", true},
     {"Excess G", "AL·(c - 1) + LS: above 0 is too bright", "", true, true},
-    {"Sky", "share of the sky that is seen", ""},
-    {"Sky past walls", "the same past the pockets' walls alone", ""},
+    {"Sky", "visible fraction of the sky", ""},
+    {"Sky past walls", "the same, hidden only by pocket walls", ""},
     {"Lamps", "direct light of the lamps", ""},
 }};
 

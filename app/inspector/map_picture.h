@@ -14,10 +14,10 @@ namespace qrelief {
 struct MapColours {
   ColourScale scale = ColourScale::Viridis;
   ValueRange range;
-  bool showsDirections = false;  ///< if the map has directions: right, up, towards the reader as red, green, blue
+  bool showsDirections = false;  ///< if the map has directions: right, up, towards the viewer as red, green, blue
 };
 
-/// Returns four bytes a value, row 0 at the top; transparent for NaN.
+/// Returns four bytes per value, row 0 at the top; transparent for NaN.
 std::vector<std::uint8_t> colouredRgba(const ValueMap& map, const MapColours& colours);
 
 /// Returns the same picture as a texture, RGBA8, row 0 at the top.

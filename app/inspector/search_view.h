@@ -48,14 +48,14 @@ struct PassSummary {
 class SearchView {
  public:
   /// @param record    has at least one pass; copied
-  /// @param contrast  c, 0 … 1: the contrast that G is measured against, whatever the search itself aimed for
+  /// @param contrast  c, 0 … 1: contrast that G refers to; it may differ from the search's own
   SearchView(const Symbol& symbol, SearchRecord record, double contrast);
 
   int passes() const { return static_cast<int>(record_.passes.size()); }
   int carvedCount() const { return static_cast<int>(record_.carved.size()); }
   const std::vector<PassSummary>& summaries() const { return summaries_; }
 
-  // Maps with one value a submodule of symbol and quiet zone.
+  // Maps with one value per submodule of symbol and quiet zone.
   ValueMap depths(int pass) const;
   ValueMap luminance(int pass) const;
   ValueMap excess(int pass) const;  ///< G, of the carved ones

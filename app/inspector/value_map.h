@@ -10,14 +10,14 @@
 
 namespace qrelief {
 
-/// A picture of numbers over symbol and quiet zone, as seen from the reader's eye: row 0 at the top.
+/// A picture of numbers over symbol and quiet zone, as seen from the viewer's eye: row 0 at the top.
 struct ValueMap {
   static constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
   int columns = 0, rows = 0;
   std::vector<float> values;  ///< row-major; kNothing where there is no value
   std::vector<Vec3f>
-      directions;  ///< unit vectors (right, up, to the reader); each value is its vector's angle; may be empty
+      directions;  ///< unit vectors (right, up, to the viewer); each value is its vector's angle; may be empty
 
   /// Returns the index of the value at a position, (0, 0) = upper left, (1, 1) = lower right; none outside.
   std::optional<std::size_t> indexAt(Vec2 place) const;

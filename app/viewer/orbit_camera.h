@@ -75,7 +75,7 @@ class OrbitCamera {
   void fit();
   void fitFromDefaultSide();
   void lookFrom(StandardView side);
-  /// Looks from the reader's eye: a square of `extentMm` on the frame's plane fills the view.
+  /// Looks from the code's eye: a square of `extentMm` on the frame's plane fills the view.
   void lookThrough(const ProjectionFrame& frame, double extentMm);
 
   /// Moves the camera along its glide. @returns true while the glide lasts

@@ -9,7 +9,7 @@
 namespace qrelief {
 
 /// Mirrors the digits of `index` in `base` at the point [van der Corput 1935]: 1, 2, 3, 4 … in base 2 give 1/2, 1/4,
-/// 3/4, 1/8 …; 0 gives 0. Cost: one division a digit.
+/// 3/4, 1/8 …; 0 gives 0. Cost: one division per digit.
 /// @param base  ≥ 2
 /// @returns a value in [0, 1)
 inline double radicalInverse(std::uint32_t index, std::uint32_t base) {

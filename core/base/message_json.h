@@ -22,7 +22,7 @@ inline nlohmann::ordered_json jsonOf(const MessageValue& value) {
   const auto single = [&](const char* kind) { return nlohmann::ordered_json{{kind, value.numbers[0]}}; };
   switch (value.kind) {
     case Kind::Count: {
-      // A file may announce a count that no integer holds.
+      // A file may declare a count that no integer holds.
       constexpr double kExactBelow = 9007199254740992.0;  // 2^53
       const double count = value.numbers[0];
       if (std::abs(count) < kExactBelow) return {{"count", static_cast<std::int64_t>(count)}};

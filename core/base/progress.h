@@ -8,8 +8,8 @@ namespace qrelief {
 
 /// Progress of a job.
 struct Progress {
-  Message stage;        ///< present stage, such as "finding-depth"
-  double fraction = 0;  ///< of the whole job, 0 … 1, never falls
+  Message stage;        ///< current stage, such as "finding-depth"
+  double fraction = 0;  ///< of the whole job, 0 … 1, never decreases
   bool done = false;
 };
 

@@ -18,7 +18,7 @@ struct BatchLayout {
   std::size_t count() const;
   std::size_t of(std::size_t row) const { return row / together(); }
   std::size_t begin(std::size_t unit) const { return unit * together(); }  ///< first row
-  std::size_t end(std::size_t unit) const;                                 ///< behind the last row
+  std::size_t end(std::size_t unit) const;                                 ///< one past the last row
   std::size_t rowsOf(const Shard& share) const;
 
   /// Returns the name of a unit's plate; empty without plates.

@@ -34,12 +34,12 @@ struct BatchRow {
   std::vector<std::string> files() const;
 };
 
-/// The rows that a list asks for, all checked before the first one is carved.
+/// The rows that a list requests, all checked before the first one is carved.
 ///
 /// Columns are `id`, `text`, `file`, keys of settings (an empty cell keeps the value that all rows have), and any names
 /// used in templates; `{n}` is the row's number. The plan refuses: a column that a template names and the list lacks; a
-/// value that a setting does not accept; a text, a name or an id that two rows share (names are compared without regard
-/// to capitals, as some file systems do); a text that no symbol of the version holds; a name that is not a plain name
+/// value that a setting does not accept; a text, a name or an id that two rows share (capitals in names do not count,
+/// because some file systems ignore them); a text that no symbol of the version holds; a name that is not a plain name
 /// of a model file.
 class BatchPlan {
  public:
@@ -88,7 +88,7 @@ class BatchPlan {
   std::vector<Message> problems_, warnings_;
 };
 
-/// Returns why a name is not a plain name of a model file in the output folder; none if it is.
+/// Returns the reason why a name is not a plain name of a model file in the output folder; none if it is.
 std::optional<Message> whyNoPlainName(std::string_view name);
 
 }  // namespace qrelief

@@ -40,7 +40,7 @@ class BatchProgress {
   const Counts& counts() const { return counts_; }
   RowState state(std::size_t row) const { return states_[row]; }
 
-  /// Returns why a row has failed; empty for other rows.
+  /// Returns the reason why a row has failed; empty for other rows.
   std::string_view reason(std::size_t row) const;
 
   /// Returns up to `count` rows in a state, or in any state, after the first `skipped`.
@@ -50,8 +50,8 @@ class BatchProgress {
   /// about rows that are not in the share.
   void note(const ManifestEntry& entry);
 
-  /// Begins a run, in which no unit has been lost and no row has been carved. @param retriesFailed  failed rows wait
-  /// again
+  /// Begins a run: no unit is lost yet, and no row is carved.
+  /// @param retriesFailed  failed rows wait again
   void startRun(bool retriesFailed = false);
 
   /// Ends the run: running rows wait again.
@@ -64,9 +64,9 @@ class BatchProgress {
   /// Records the result of a unit that was carved in this run.
   void settle(std::span<const ManifestEntry> carved);
 
-  /// The reaction to the loss of whatever carved.
+  /// Reaction to the loss of an engine.
   enum class Loss {
-    Retry,  ///< go on with another one; the rows wait again
+    Retry,  ///< go on with another engine; the rows wait again
     Fail,   ///< the second loss with this unit: report its rows as failed; they are running until then
     Stop    ///< too many losses without a row in between: end the run
   };

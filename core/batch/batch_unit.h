@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-/// Rows that are carved together, and everything that decides their files.
+/// Rows that are carved together, and everything that determines their files.
 struct BatchUnit {
   std::vector<BatchRow> rows;  ///< placed
   std::string plate;           ///< name of the plate's file; empty: none

@@ -22,7 +22,7 @@ std::string_view rowStatusName(RowStatus status);
 /// Lower-case hexadecimal SHA-256 of a row's inputs and outputs.
 struct RowHashes {
   std::string input;        ///< the model's file
-  std::string settings;     ///< everything else that decides the output, see settingsToHash()
+  std::string settings;     ///< everything else that determines the output, see settingsToHash()
   std::string output;       ///< the file; empty unless Done
   std::string plate;        ///< the plate, if there is one in addition to the file; empty unless Done
   std::string second = {};  ///< the row's second file, if there is one; empty unless Done

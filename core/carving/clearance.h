@@ -14,9 +14,9 @@ namespace qrelief {
 /// model's own vertices stay.
 ///
 /// A node that is clear stays in place. Any other node takes the best of a few places around it (dart throwing with
-/// fixed pseudo-random offsets). Nodes are placed one after another, each clear of the nodes placed before, then once
-/// more clear of all. This moves a node by at most `snapMm`. Repeated calls of placeAgain() double the range of the
-/// darts each time, up to the node's leeway: needed at the rare places where many edges meet in one point.
+/// fixed pseudo-random offsets). Nodes are placed one after another, each clear of the nodes placed before; a second
+/// round clears each of all others. This moves a node by at most `snapMm`. Each further call of placeAgain() doubles
+/// the range of the darts, up to the node's leeway; the rare places where many edges meet in one point need this.
 class Clearance {
  public:
   /// @param edges  the model's edges on the QR plane; outlives this object

@@ -22,7 +22,7 @@ struct PlaneTriangulation {
 /// Returns the constrained Delaunay triangulation of the points' convex hull, by exact predicates [CGAL, Chew 1989].
 /// The result is unique, even with cocircular points, and in a fixed order.
 ///
-/// Cost: O(n log n); 1 µs a point.
+/// Cost: O(n log n); 1 µs per point.
 /// @param constraints  pairs of points; constraints may meet only at their ends
 /// @returns Internal if two points coincide or two constraints cross
 Result<PlaneTriangulation> triangulateConstrained(std::span<const Vec2> points,

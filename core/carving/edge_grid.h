@@ -15,7 +15,7 @@ class EdgeGrid {
  public:
   using Edge = std::array<Vec2, 2>;
 
-  /// Cost: O(edges + bins they cross); at most about 4 bins an edge.
+  /// Cost: O(edges + bins they cross); at most about 4 bins per edge.
   explicit EdgeGrid(std::vector<Edge> edges);
 
   const Edge& edge(std::uint32_t index) const { return edges_[index]; }

@@ -41,17 +41,17 @@ struct EmbedOptions {
 /// their rays; walls run along rays. With a resampled surface the grid of submodule corners replaces the facets within
 /// the symbol's square, so only the square's border has to keep clear of the model; the rest is the same.
 ///
-/// The new surface is single-valued along the rays, so it nowhere crosses itself, and none of its triangles is so low
-/// that rounding to 32-bit floats could change that. The depth field is responsible for the wall behind the pockets.
+/// The new surface is single-valued along the rays, so it never crosses itself. Its triangles are high enough that
+/// rounding to 32-bit floats cannot change that. The depth field is responsible for the wall behind the pockets.
 ///
 /// Steps: find the affected facets (footprint.h) and the outlines (outline.h); move the outlines clear of the model
 /// (clearance.h); overlay both and triangulate (arrangement.h); lift (lift.h).
 ///
 /// Cost: O(n log n) in affected facets and outlines, about 1 µs each, and a copy of the rest.
 ///
-/// @param patch   triangles visible from the eye that cover all carved submodules and the label; projections do not
-/// overlap
-/// @param depths  field.size² depths; symbolMm > 0
+/// @param patch   triangles visible from the eye that cover all carved submodules and the label; their projections do
+///                not overlap
+/// @param depths  size² depths; symbolMm > 0
 /// @returns the carved mesh; NoSolution if the carved area leaves the patch, or if its facets are so fine that 32-bit
 ///          floats cannot hold pieces of them; Internal if the arrangement fails
 Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,

@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-/// How the dark modules are made.
+/// Technique for the dark modules.
 enum class Mark : std::uint8_t {
   Shadow,  ///< pockets of the model's own material, dark by their shade
   Inlay,   ///< a flush body of a second material, of even depth

@@ -5,9 +5,9 @@
 
 namespace qrelief {
 
-/// Returns the lowest height of a triangle whose shifted copy 32-bit floats can hold, mm: four units in the last place
-/// of the largest coordinate. Rounding moves a vertex by at most √3/2 of a unit, so a triangle this high keeps its
-/// orientation whichever way its corners move.
+/// Returns the least height of a triangle at which 32-bit floats can hold a shifted copy of it, mm: four units in the
+/// last place of the largest coordinate. Rounding moves a vertex by at most √3/2 of a unit, so a triangle this high
+/// keeps its orientation whichever way its corners move.
 double lowestHeight(std::span<const Vec3f> positions);
 
 /// Returns the height of a triangle over its longest edge, mm; 0 if its corners coincide.

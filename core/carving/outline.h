@@ -28,7 +28,7 @@ struct OutlineGraph {
 /// Builds the planar graph of the lines along which neighbouring submodules differ in depth.
 ///
 /// There is a node at every grid corner where outlines turn, branch or change depths. A corner that one outline passes
-/// straight is no node, so uniform areas stay coarse. Four depths lie around a corner, north-west to south-west:
+/// straight through is not a node, so uniform areas stay coarse. Four depths lie around a corner, clockwise from NW:
 ///
 ///          NW | NE        Walls run along the corner's ray. At depth x the ray belongs to one wall for each change
 ///         ----+----       between a cell shallower and a cell deeper than x in the cyclic sequence NW, NE, SE, SW.

@@ -10,8 +10,8 @@
 
 namespace qrelief {
 
-/// Finds the distance of the nearest facet within a reach: a bounding volume hierarchy whose nodes also store the range
-/// of their facets' normals.
+/// Bounding volume hierarchy that finds the distance of the nearest facet within a reach. Its nodes also store the
+/// range of their facets' normals.
 ///
 /// Cost: O(n log n) to build; a query that finds nothing within reach usually visits only a few boxes.
 class FacetTree {

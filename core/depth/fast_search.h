@@ -28,9 +28,9 @@ struct FastSearchOptions {
 /// much brighter or darker interreflection and curvature make a floor than the plane predicts. The next solution
 /// applies this difference, taken in log((1 − V)/V), V = LS/AL, which depends little on the depth. Where the difference
 /// has changed, the search aims darker. In the first passes depths may rise and fall. Afterwards a floor that is dark
-/// enough gets deeper only if deeper neighbours brighten it, so the search ends, and it measures only floors that moved
-/// or that such a move may have brightened. Before it ends it measures all floors once more, and then again the floors
-/// in sight of one that had to move, as far as the plane tells.
+/// enough gets deeper only if deeper neighbours brighten it, so the search ends. Each pass then measures only floors
+/// that moved or that such a move may have brightened. At the end the search measures all floors once more. If a floor
+/// then has to move, it measures the floors in sight of it again (PocketSky).
 class FastSearch final : public DepthSolver {
  public:
   /// @param before  a search for the same target with another contrast, whose result is the start; null: start from the

@@ -11,7 +11,7 @@ namespace qrelief {
 
 /// The surroundings of each dark module for comparing luminances [Papp 2022, §7: AL]. The paper says "neighbours". Here
 /// these are the light modules (quiet zone included) in the 8-neighbourhood, widened ring by ring until it holds four.
-/// Carved neighbours do not count, because they would chase each other.
+/// Carved neighbours do not count, because their depths would chase each other.
 class LightNeighbours {
  public:
   explicit LightNeighbours(const Symbol& symbol);

@@ -42,7 +42,7 @@ double shadowDepth(double contrast, const DirectionalLight& lamp);
 ///                `|  |__
 ///                 |     |__      each step's shadow covers the fraction f of the next floor
 ///
-/// It is the least depth in every place, because shallower submodules towards the lamp need less depth behind them.
+/// No submodule can be shallower, because shallower submodules towards the lamp need less depth behind them.
 /// Long runs get deep, or end at their limits and stay bright: a lamp on a diagonal of the modules crosses the bars of
 /// the finder patterns, and meets the uncarved corners that most patterns leave in modules. [Peng 2020 breaks long
 /// runs by making modules light.]

@@ -18,10 +18,10 @@ struct PathStep {
   float perMm = 0;  ///< 1 / distance of the border where the cell begins
 };
 
-/// Returns the paths in which a floor looks for its horizon, through a mask of `size` submodules along its edge.
+/// Returns the paths along which a floor looks for its horizon, through a mask of `size` submodules along its edge.
 std::array<std::vector<PathStep>, kFloorDirections> floorPaths(int size, double submoduleMm);
 
-/// The fraction of a uniform sky that the floors of a carved symbol see if the surface is plane. It predicts without
+/// The fraction of a uniform sky that the floors of a carved symbol see if the surface is flat. It predicts without
 /// rendering how a submodule's depth affects the submodule and its neighbours.
 ///
 /// In each of 16 directions from a floor, the highest step passed, of height Δ at distance d, leaves d²/(d² + Δ²) of
@@ -36,8 +36,8 @@ class PocketSky {
   /// order.
   const std::vector<std::uint32_t>& carved() const { return carved_; }
 
-  /// Visits the floors in sight of floor `k`. Sight is mutual: its depth changes how much sky they see. In any order,
-  /// some twice.
+  /// Visits the floors in sight of floor `k`, in any order and some twice. Sight is mutual: its depth changes how much
+  /// sky they see.
   template <class Visit>
   void forEachInSight(std::size_t k, const Visit& visit) const {
     for (int direction = 0; direction < kFloorDirections; ++direction)

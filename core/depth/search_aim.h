@@ -16,8 +16,8 @@ inline constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
 inline constexpr double kAimFraction = 0.003;
 inline constexpr double kMaxAimFraction = 0.2;
 
-/// Returns the margin for floors that are too bright. The few that stay so are those that the plane predicts badly, so
-/// it grows.
+/// Returns the margin for floors that are too bright. It grows with the passes, because the few floors that stay too
+/// bright are badly predicted by the plane.
 inline double aimForTooBright(int iterations, int freePasses) {
   return std::min(kAimFraction * std::pow(3.0, std::max(0, iterations - freePasses + 1)), kMaxAimFraction);
 }

@@ -12,20 +12,20 @@
 
 namespace qrelief {
 
-/// Returns the paths in which floors look for their horizon (floorPaths), for FloorPasses::Setup::steps.
+/// Returns the paths along which floors look for their horizon (floorPaths), for FloorPasses::Setup::steps.
 std::vector<glm::vec4> floorSteps(int size, double submoduleMm);
 
 /// FastSearch on the GPU. Depths stay in textures: a batch of passes measures and moves the floors, and then one
 /// read-back tells whether it was enough.
 ///
-/// It differs from FastSearch in three points. The plane's solver moves all floors at once, with more sweeps. Between
-/// the passes that measure all floors, a pass measures only floors that moved or touch one that did. It measures all
-/// floors at the end of a batch, and ends only there.
+/// It differs from FastSearch in three ways. The solver on the plane moves all floors at once, with more sweeps.
+/// Between the passes that measure all floors, a pass measures only floors that moved, or that touch one that did. The
+/// search measures all floors at the end of a batch, and ends only there.
 class ShaderSearch {
  public:
   /// The place whose floors are carved.
   struct Place {
-    /// Computes the light; kept by reference. Its selected cells and its reach are the search's from now on.
+    /// Computes the light; kept by reference. From now on the search sets its selected cells and its reach.
     LuminancePass* light = nullptr;
     std::vector<std::uint32_t> cells;  ///< of the carved submodules, in the order of the mask
     std::vector<double> luminance;     ///< before carving, of symbol and quiet zone; see DepthSolver::update
@@ -44,7 +44,7 @@ class ShaderSearch {
   static bool measuresAll(int pass, int freePasses);
 
   /// Runs a batch of passes and reads back. Do not call it once finished().
-  /// @returns what each pass measured, without times
+  /// @returns the record of each pass, without times
   std::vector<SearchRecord::Pass> advance();
 
   bool finished() const { return finished_; }

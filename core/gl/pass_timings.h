@@ -15,7 +15,7 @@ namespace qrelief::gl {
 struct PassTime {
   std::string_view name;  ///< static
   int count = 0;
-  double cpuMs = 0;  ///< until the calls returned; the GPU may only begin then
+  double cpuMs = 0;  ///< until the calls returned; the GPU may begin only then
   int gpuCount = 0;  ///< passes whose time the GPU measured
   double gpuMs = 0;  ///< sum of those times
 };

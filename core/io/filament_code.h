@@ -8,7 +8,7 @@
 
 namespace qrelief {
 
-/// Attributes that hold the paint of a facet. PrusaSlicer compares the whole name with its prefix.
+/// Attributes that hold the paint of a facet. PrusaSlicer compares the whole name, prefix included.
 inline constexpr std::string_view kPrusaPaint = "slic3rpe:mmu_segmentation", kBambuPaint = "paint_color";
 inline constexpr std::string_view kPrusaSpace = "http://schemas.slic3r.org/3mf/2017/06";
 

@@ -6,8 +6,8 @@
 
 namespace qrelief {
 
-/// Makes a name safe for a line of text: control characters become blanks, and trailing backslashes go, because in OBJ
-/// they would join the next line.
+/// Makes a name safe for a line of text: control characters become blanks. Trailing backslashes are removed, because in
+/// OBJ they would join the next line.
 inline std::string oneLine(std::string_view text) {
   std::string line(text);
   for (char& c : line)

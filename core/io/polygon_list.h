@@ -27,7 +27,7 @@ struct PolygonList {
 
 /// Triangulates all polygons. Skips polygons of fewer than three corners and cuts up a self-crossing polygon as well as
 /// possible, both with a warning.
-/// @param list    has only valid indices: parsers refuse the first invalid one and name its line
+/// @param list    with valid indices only: parsers refuse the first invalid one and name its line
 /// @param format  goes into the soup and into messages
 /// @returns BadInput if a position is not finite or there is no polygon at all
 Result<PolygonSoup> triangulated(PolygonList&& list, std::string format);

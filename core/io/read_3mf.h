@@ -6,7 +6,7 @@
 namespace qrelief {
 
 /// Reads 3MF, core specification and production extension: every item of the build, with its components assembled and
-/// its transforms applied. A mirrored instance is turned round so that it still faces outwards. Each item becomes a
+/// its transforms applied. The triangles of a mirrored instance are reversed, to face outwards. Each item becomes a
 /// part of the soup, which takes over the file's unit. Skips items and components that are not models (supports and the
 /// like), colours, textures and metadata. Skips modifiers, negative volumes, support blockers and enforcers, which
 /// PrusaSlicer, OrcaSlicer and Bambu Studio keep among the models (three_mf_volumes.h). The soup refers to a copy of
@@ -14,7 +14,7 @@ namespace qrelief {
 ///
 /// Hostile files fail quickly and in bounded memory. Limits on unpacked size, compression ratio, number of objects,
 /// nesting depth of components and number of instances apply before anything is built. No path leaves the archive, and
-/// only the parts asked for are unpacked.
+/// only requested parts are unpacked.
 /// @returns BadInput naming the part, the line and the object
 Result<PolygonSoup> read3mf(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 

@@ -255,7 +255,7 @@ class PlyReader {
   Values values_;
   PolygonList list_;
   std::vector<std::uint32_t> polygon_;
-  std::size_t vertices_ = 0;  // number announced in the header; vertices may follow the faces
+  std::size_t vertices_ = 0;  // number declared in the header; vertices may follow the faces
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ bool looksLikeFacet(const std::uint8_t* facet) {
   return true;
 }
 
-/// Returns true if half of the first facets look like facets. If there is no whole facet, returns true if the announced
+/// Returns true if half of the first facets look like facets. If there is no whole facet, returns true if the declared
 /// number is within the limit. Text does not look like facets, whatever numbers its characters make, because a facet's
 /// attributes are usually zeros.
 bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {

@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// Returns true if the size is exactly right for a binary STL with the announced number of facets. Such a file is
+/// Returns true if the size is exactly right for a binary STL with the declared number of facets. Such a file is
 /// binary STL, whatever its header says.
 bool isBinaryStl(std::span<const std::uint8_t> bytes);
 

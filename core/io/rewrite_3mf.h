@@ -10,12 +10,12 @@
 
 namespace qrelief {
 
-/// A triangle's attributes in a file that is written again.
+/// Attributes that a triangle keeps in a rewritten file.
 struct KeptAttributes {
   enum class What : std::uint8_t {
     Nothing,
     All,        ///< the triangle is the original one
-    WholePaint  ///< a piece of it: of its paint only what covers the whole triangle
+    WholePaint  ///< the triangle is a piece of the original one, and keeps only paint that covers the whole original
   };
   What what = What::Nothing;
   std::uint32_t triangle = 0;  ///< of the soup
@@ -30,16 +30,16 @@ struct ChangedRun {
   std::optional<ModelBody> inlay = {};  ///< a second body, in the second filament
 };
 
-/// A material of a file without settings of a slicer.
+/// A material, for a file without a slicer's settings.
 struct Material {
   std::string name;
   Colour colour{};
 };
 
-/// Writes a file that was read, with new meshes for some of its runs. Everything else stays: the bytes of all other
+/// Rewrites a file that was read, with new meshes for some of its runs. Everything else stays: the bytes of all other
 /// parts, and the other objects, names, plates and volumes in the changed parts. Ranges of PrusaSlicer's volumes move
 /// with the triangles. An inlay becomes a volume, or a component and a part, of the same object. The second filament is
-/// 2, or 1 where the object itself has 2. A file without settings of any slicer gets those that the inlay needs, and
+/// 2, or 1 if the object itself has 2. A file without any slicer's settings gets the settings that the inlay needs, and
 /// two named materials. Changed objects lose their slices.
 ///
 /// Corners are written with as many digits as the transform needs: reading gives the same 32-bit floats in mm.
@@ -47,10 +47,10 @@ struct Material {
 /// @param changes  ascending by run, with at most one inlay
 /// @param slicer   the program that will open the file
 /// @param materials  of both filaments
-/// @returns NoSolution with the reason why the file must be written anew: a mesh that several items share; a second
-///          filament, but the model settings of PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the object,
-///          or the file is to be for another program, or has colour groups and no such settings; text that is not
-///          UTF-8; other triangles when the file is read back
+/// @returns NoSolution with the reason why the file must be written anew: several items share a mesh; the text is not
+///          UTF-8; other triangles when the file is read back; or, with a second filament, the model settings of
+///          PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the object, or the file is meant for another
+///          program, or it has colour groups but no such settings
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
                                              Slicer slicer, const std::array<Material, 2>& materials);
 

@@ -12,11 +12,11 @@ enum class ModelFormat { Unknown, Stl, Obj, Ply, Off, ThreeMf, Gltf };
 /// Returns the name that users know: "STL", "3MF", …
 std::string_view nameOf(ModelFormat format);
 
-/// Returns the format by the extension of the name, in upper or lower case.
+/// Returns the format that the name's extension implies, in upper or lower case.
 ModelFormat formatOfName(std::string_view fileName);
 
-/// Returns the format by the content: its first words and, for binary STL, its size. Unknown if the content is not
-/// clear.
+/// Returns the format that the content implies by its first words and, for binary STL, by its size. Unknown if the
+/// content is not clear.
 /// Cost: looks at no more than the first hundred lines.
 ModelFormat formatOfContent(std::span<const std::uint8_t> bytes);
 

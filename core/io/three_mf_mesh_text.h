@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-/// An object of a model part as text: where its mesh is, and each vertex and triangle.
+/// An object of a model part as text: the position of its mesh, and each vertex and triangle.
 struct MeshText {
   struct TriangleText {
     Triangle corners;
@@ -23,7 +23,7 @@ struct MeshText {
   std::vector<TriangleText> triangles;
 };
 
-/// Finds an object with a mesh. @returns none if the text has none of that id
+/// Finds an object with a mesh. @returns none if the text has none with that id
 std::optional<MeshText> findMesh(std::string_view model, std::uint32_t object);
 
 /// Attributes of painted triangles, each after a blank.
@@ -32,8 +32,8 @@ struct PaintAttributes {
   std::string spaces;  ///< declarations of namespaces that the model part lacks
 };
 
-/// Writes the text between "<mesh>" and "</mesh>": the runs' new triangles in the place of their old ones, then those
-/// of the inlay if it is a volume of the mesh.
+/// Writes the text between "<mesh>" and "</mesh>": the runs' new triangles in place of their old ones, then the inlay's
+/// triangles if it is a volume of the mesh.
 /// @param changes   of this mesh, ascending by the run's first triangle
 /// @param withInlay  appends the inlay
 std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::span<const ChangedRun* const> changes,

@@ -48,8 +48,8 @@ struct ThreeMfModel {
   std::vector<ThreeMfInstance> items;
 };
 
-/// Reads a model part [3MF core specification 1.3, production extension 1.1, slice extension 1.0.2 as far as it says
-/// which meshes are stand-ins]. Reads only geometry; skips colours, textures and metadata, for example.
+/// Reads a model part [3MF core specification 1.3, production extension 1.1, slice extension 1.0.2 only to find meshes
+/// that are stand-ins]. Reads only geometry; skips colours, textures and metadata, for example.
 /// @param part    its name, for messages
 /// @param limits  at most maxTriangles triangles, three times as many vertices, and 100 000 objects, components and
 ///                items

@@ -19,10 +19,10 @@ struct ThreeMfRun {
   std::uint32_t object = 0;                  ///< the object with the mesh
   std::string name;                          ///< of that object, UTF-8; may be empty
   Affine toFile;                             ///< from the mesh's coordinates to file units
-  bool mirrored = false;                     ///< the soup's triangles are turned round
+  bool mirrored = false;                     ///< the soup's triangles are reversed
 };
 
-/// A 3MF file whose models were read, kept to write everything else again (rewrite_3mf.h).
+/// A 3MF file whose models were read; kept because rewriting needs everything else in it (rewrite_3mf.h).
 struct ThreeMfSource {
   std::vector<std::uint8_t> bytes;  ///< the whole file
   std::string start;                ///< name of the start part

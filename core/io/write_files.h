@@ -16,7 +16,7 @@ struct NamedFile {
 
 /// Returns the names of the files that hold a model in two colours, the given one first: "a.stl" and "a-2.stl", which
 /// has the bodies of the second colour; "a.obj" and "a.mtl", which has the colours; for other formats one file.
-/// @param name  may have folders; its extension says the format
+/// @param name  may have folders; its extension sets the format
 std::vector<std::string> fileNames(const std::string& name, bool isTwoColoured);
 
 /// Calls writeChecked() for each file that the objects need. STL gets one file for each colour, OBJ a material for

@@ -70,7 +70,7 @@ std::vector<Colour> coloursOf(std::span<const ModelObject> objects);
 /// Returns the triangles of a part, ascending. @param partOf  the part of each triangle
 std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, std::uint32_t part);
 
-/// Returns where some triangles are in a list of triangles; those that are not in it are left out.
+/// Returns the positions of `wanted` in the list `triangles`; triangles that are not in the list are left out.
 /// @param triangles, wanted  ascending
 std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> wanted);
 

@@ -26,13 +26,13 @@ struct XmlTag {
     std::size_t valueBegin;        ///< byte of the text where the value begins
   };
   std::vector<Attribute> attributes() const;
-  /// Returns an attribute's value; the name is with its prefix.
+  /// Returns an attribute's value; the name includes its prefix.
   std::optional<std::string_view> attribute(std::string_view wanted) const;
 };
 
 /// The tags of a text that a parser has found to be well-formed XML in UTF-8, one after the other. Comments, CDATA
-/// sections and processing instructions are skipped. Unlike a parser, it tells where everything is, so that a text can
-/// be changed and stay the same elsewhere.
+/// sections and processing instructions are skipped. Unlike a parser, it gives the position of everything, so that a
+/// text can be edited without changes elsewhere.
 class XmlTags {
  public:
   /// @param text  must outlive the object and the tags
@@ -45,7 +45,7 @@ class XmlTags {
   std::size_t at_ = 0;
 };
 
-/// A piece of a text and what replaces it.
+/// A piece of a text and its replacement.
 struct TextEdit {
   std::size_t begin = 0, end = 0;
   std::string text;

@@ -8,7 +8,7 @@
 
 namespace qrelief {
 
-/// A surface over the QR plane as the eye sees it, divided into square patches. Each patch is plane.
+/// A surface over the QR plane as the eye sees it, divided into square patches. Each patch is flat.
 ///
 /// Heights are projective: w = eyeDistance²/depth − eyeDistance, where depth is the distance from the eye along the
 /// normal. Near the QR plane w is the height over it. Central projection with w as the height maps lines to lines and

@@ -24,7 +24,7 @@ struct ModelPart {
 struct PolygonSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::string format;                           ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
+  std::string format;                           ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF", "3MF"
   std::vector<Message> warnings;                ///< content that the parser ignored
   std::vector<ModelPart> parts;                 ///< ascending by first triangle; empty: the file holds one object only
   std::optional<double> unitMm;                 ///< millimetres in a file unit, if the file states it (3MF)

@@ -55,8 +55,8 @@ struct PreparedModel {
 
 /// Prepares a model for engraving: scales it to mm, rounds to 32-bit floats, welds equal positions, drops unreferenced
 /// vertices, makes the repairs of mesh/repair.h, and reports what it found and repaired, and where. Welding joins
-/// parts, too: after a round trip through STL equal positions are one vertex, so parts that touch along an edge are no
-/// solid.
+/// parts, too: after a round trip through STL, equal positions are one vertex, so parts that touch along an edge are
+/// not a solid.
 ///
 /// Cost: O(T log T), most of it the search for crossing triangles.
 /// @returns the model, with any blocking findings; an error only for a model that cannot be represented: no triangle

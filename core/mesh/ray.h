@@ -17,7 +17,7 @@ struct SurfacePoint {
 /// Returns the first triangle that a ray meets, from either side. Watertight: a ray through an edge or vertex hits at
 /// least one of its triangles.
 ///
-/// Cost: O(T), some 3 ns a triangle. For single queries (a click, a centre), where building a tree would cost more.
+/// Cost: O(T), some 3 ns per triangle. For single queries (a click, a centre), where building a tree would cost more.
 /// @param direction  any length > 0
 std::optional<SurfacePoint> firstHit(const Mesh& mesh, Vec3 origin, Vec3 direction);
 

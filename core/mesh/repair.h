@@ -15,8 +15,8 @@
 
 namespace qrelief {
 
-/// Permitted repairs. A defect whose repair is switched off is reported; it blocks engraving if the model is no solid
-/// without the repair.
+/// Permitted repairs. A defect whose repair is switched off is reported; it blocks engraving if the model is not a
+/// solid without the repair.
 struct RepairOptions {
   std::optional<double> weldToleranceMm = {};  ///< for open edges, ≥ 0; absent: kWeldFraction of the diagonal
   std::optional<double> maxHoleMm = {};        ///< largest diameter to fill; absent: kHoleFraction of the diagonal

@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-/// Nesting of shells.
+/// Result of enclosingShells().
 struct ShellNesting {
   std::vector<std::vector<std::uint32_t>> enclosing;  ///< shell → shells around it, ascending
   bool known = true;                                  ///< false: nesting was too costly to find; all lists are empty

@@ -28,7 +28,7 @@ struct TJunctionSplit {
 ///
 /// Moves no vertex, and changes nothing unless fewer open edges remain.
 ///
-/// Cost: O(T) a round, with as many rounds as a triangle has open edges; bounded for each vertex on an open edge.
+/// Cost: O(T) per round, with as many rounds as a triangle has open edges; bounded for each vertex on an open edge.
 /// @param toleranceMm  largest distance from the edge, and least distance from its ends, ≥ 0
 TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm);
 

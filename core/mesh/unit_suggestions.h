@@ -19,9 +19,9 @@ struct UnitSuggestion {
   bool operator==(const UnitSuggestion&) const = default;
 };
 
-/// Returns the units in which a model's longest side would be 15 to 500 mm: at most two, never the present unit.
-/// @param sizeMm     present size of the model, longest side < 10 mm
-/// @param scaleToMm  present scale, file units → mm
+/// Returns the units in which a model's longest side would be 15 to 500 mm: at most two, never the current unit.
+/// @param sizeMm     current size of the model, longest side < 10 mm
+/// @param scaleToMm  current scale, file units → mm
 std::vector<UnitSuggestion> suggestUnits(Vec3 sizeMm, double scaleToMm);
 
 /// Returns advice for a model that is too small, to be quoted within another message: the suggested units, or, without

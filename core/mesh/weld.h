@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Points with equal ones merged, as 32-bit floats; -0 equals 0.
+/// Points after equal points are merged, as 32-bit floats; -0 equals 0.
 struct Welding {
   std::vector<Vec3f> positions;        ///< in the order of first appearance
   std::vector<std::uint32_t> indexOf;  ///< for each input point, the index of its position

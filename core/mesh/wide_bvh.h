@@ -46,7 +46,7 @@ class WideBvh {
     std::array<bool, 3> isBackward;
   };
   static constexpr float kRounding = 1e-6f;   // of a difference times an inverse: 3 units in the last place
-  static constexpr std::size_t kStack = 512;  // at most three nodes a level wait, and Bvh bounds the levels
+  static constexpr std::size_t kStack = 512;  // at most three nodes per level wait; Bvh bounds the levels
 
   static Ray rayOf(Vec3 origin, Vec3 direction);
   static Four smaller(Four a, Four b) { return a < b ? a : b; }

@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-/// Returns true if files of that format hold all that a request makes: one body, a body and its inlay, or painted
+/// Returns true if the format can hold everything that the request makes: one body, a body and its inlay, or painted
 /// facets.
 bool holdsColoursOf(const EngraveRequest& request, ModelFormat format);
 

@@ -9,12 +9,12 @@
 
 namespace qrelief {
 
-/// Returns the new meshes of a 3MF file's runs after carving: the carved run's, and if repairs changed the model, those
-/// of all runs.
+/// Returns the new meshes of a 3MF file's runs after carving: the carved run's mesh, or the meshes of all runs if
+/// repairs changed the model.
 ///
-/// Kept facets keep their attributes. Carving says nothing about where its new facets come from, so the facet that each
-/// lies on is looked up among those that were cut. Cost: O(T + n log n) in n new facets.
-/// @param before   has a source
+/// Kept facets keep their attributes. Carving does not record where its new facets come from, so each is matched with
+/// the cut facet that it lies on. Cost: O(T + n log n) for n new facets.
+/// @param before   model before carving, with its 3MF source
 /// @returns NoSolution if facets of several runs were cut
 Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
 

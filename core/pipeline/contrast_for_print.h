@@ -8,12 +8,12 @@
 namespace qrelief {
 
 /// Share of the design's contrast that the print must keep. Nozzles round walls and fill corners: a module carved with
-/// the least depth for a contrast of 0.3 prints with 0.15 to 0.19, less on more curved ground. Codes whose modules all
+/// the least depth for a contrast of 0.3 prints with 0.15 to 0.19, less on curved surfaces. Codes whose modules all
 /// keep two thirds decode as well as codes carved deeper all over (bench/printing/README.md).
 inline constexpr double kPrintedShare = 2.0 / 3;
 
-/// Returns the target contrast of each module of the design, so that its print is dark enough. The amount that the
-/// print falls short of kPrintedShare is added. No target decreases, as the design has to decode, too.
+/// Returns the target contrast of each module of the design, so that its print is dark enough: raises the target by the
+/// amount that the print falls short of kPrintedShare. No target decreases, because the design must decode, too.
 ///
 /// A module's contrast is 1 − M/A, where M is its light through a verifier's aperture and A the light of its
 /// surroundings (depth/light_neighbours.h). The print's contrast is compared with the design's mean contrast,

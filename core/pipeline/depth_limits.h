@@ -16,7 +16,7 @@ struct DepthLimitOptions {
 };
 
 /// Returns the greatest depth of every submodule, mm; 0 where nothing can be carved. It is the least of three limits:
-/// the depth requested; the distance to the other side of the material in any direction (depth/wall_limit.h); and the
+/// the requested depth; the distance to the other side of the material in any direction (depth/wall_limit.h); and the
 /// thickness along every texel's ray, which catches features too fine for the samples of the second limit.
 /// @param thicknessMm  see PlacementMeasurement::thicknessMm()
 /// @returns one value for each submodule of the mask, row-major from the symbol's top left

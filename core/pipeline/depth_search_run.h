@@ -15,7 +15,7 @@
 
 namespace qrelief {
 
-/// Function that makes a depth search.
+/// Factory of the solver that replaces a request's own.
 using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;
 
 /// The depth search of an engraving at a measured place. Where shaders compute the light, the default search runs on
@@ -34,7 +34,7 @@ class DepthSearchRun {
   static Result<std::unique_ptr<DepthSearchRun>> create(const EngraveRequest& request, CarvingTarget target,
                                                         Place place, const MakeSearch& makeOwnSearch);
 
-  /// Starts the second search of a request that is carved for its print, from the result of the first.
+  /// Starts the second search of a request that is carved for its print. It begins with the first search's result.
   /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
   void restart(std::vector<double> contrastOfModule);
 

@@ -14,15 +14,15 @@ namespace qrelief {
 /// @param request  checked (checkSettings)
 std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target);
 
-/// Returns true if the request's objective and solver are those of FastSearch (and of ShaderSearch, on a GPU).
+/// Returns true if FastSearch (on a GPU, ShaderSearch) serves the request's objective and solver.
 bool usesFastSearch(const EngraveRequest& request);
 
-/// Returns the options of the search of such a request. If the request is carved for its print
-/// (EngraveRequest::isForPrint), this is the first of two searches. It stops after a few passes. Its depths are good
-/// enough for the rough print.
+/// Returns the search options for such a request. If the request is carved for its print (EngraveRequest::isForPrint),
+/// this is the first of two searches: it stops after a few passes, because the rough print needs only approximate
+/// depths.
 FastSearchOptions fastSearchOptions(const EngraveRequest& request);
 
-/// Returns the options of the second search. It starts from the result of the first.
+/// Returns the options of the second search, which begins with the first search's result.
 /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
 FastSearchOptions fastSearchOptionsAfterPrint(const EngraveRequest& request, std::vector<double> contrastOfModule);
 

@@ -15,8 +15,8 @@ namespace qrelief {
 
 /// Device that draws maps of a model and computes the light on it.
 enum class Device : std::uint8_t {
-  Faster,  ///< the GPU; the processor without one, and with a software renderer
-  Gpu,     ///< shaders, even of a software renderer; the processor without a GL context
+  Faster,  ///< the GPU; the processor if there is no GPU or only a software renderer
+  Gpu,     ///< shaders, even on a software renderer; the processor if there is no GL context
   Processor
 };
 
@@ -26,10 +26,10 @@ struct EngravableModel {
   Box3 box;                                         ///< of prepared.mesh
   std::shared_ptr<const SurfaceRaster> raster;      ///< of prepared.mesh
   std::shared_ptr<const GpuSurface> gpu;            ///< the same surface; null without a GL context
-  std::shared_ptr<const SurfaceRenderer> renderer;  ///< one of the two, which draws the maps of searches
+  std::shared_ptr<const SurfaceRenderer> renderer;  ///< `raster` or `gpu`: draws the maps for searches
 
   /// @param prepared  may have blocking findings; EngraveJob refuses them
-  /// @param pass      of the current GL context; null: there is none
+  /// @param pass      geometry pass of the current GL context; null: there is no context
   static std::shared_ptr<const EngravableModel> create(PreparedModel prepared, std::shared_ptr<const GeometryPass> pass,
                                                        Device device = Device::Faster);
   /// Creates a model with a geometry pass of its own. Needs a current GL context.

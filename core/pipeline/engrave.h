@@ -33,7 +33,7 @@ struct StageTimings {
   double print = 0;     ///< simulation of the final print; 0: not simulated
 };
 
-/// The carved solid and all results about it.
+/// The carved solid, and everything found out about it.
 struct EngraveResult {
   Mesh mesh;                      ///< after an STL round trip
   std::vector<std::uint8_t> stl;  ///< exactly the bytes that were checked

@@ -28,9 +28,9 @@ struct EngraveJob::State {
   SubmoduleMask mask;
   CellLayout layout;
   std::optional<PlacementSearch> placing;
-  std::shared_ptr<PlacementMeasurement> measured;  // before its stage: an earlier measurement, perhaps of this place
+  std::shared_ptr<PlacementMeasurement> measured;  // before Mapping: an earlier measurement, perhaps of this place
   bool isMeasured = false;
-  DepthField marked;  // of a code in colour: what to embed
+  DepthField marked;  // for a code in colour: the field to embed
   Device device = Device::Faster;
   CarvingTarget target;
   MakeSearch makeOwnSearch;  // empty: the request decides

@@ -8,11 +8,11 @@
 
 namespace qrelief {
 
-/// Multiplies a camera's picture of a code in colour by the reflectances of the materials that it sees.
+/// Multiplies a camera's picture of a code in colour by the reflectances of the materials in it.
 /// Cost: as SurfaceRaster::draw().
 /// @param luminance  square, row 0 at the bottom
 /// @param extentMm   edge of the picture on the camera's QR plane
-/// @param surface    of the model before engraving, which such a code leaves as it is
+/// @param surface    of the model before engraving; a code in colour does not change the surface
 void addInkSeen(std::vector<float>& luminance, const ProjectionFrame& camera, double extentMm,
                 const SurfaceRaster& surface, const EngraveResult& result);
 

@@ -9,11 +9,11 @@
 
 namespace qrelief {
 
-/// Depth of a label in layers: one could vanish in the first layer's seams, and more take thicker walls.
+/// Depth of a label in layers. One layer could vanish in the first layer's seams; more would need thicker walls.
 inline constexpr int kLabelLayers = 2;
 
-/// Lays out a request's label at a placement and finds its depth: kLabelLayers layers, for an inlaid code as deep as
-/// its modules; less where the wall is thin. A painted label has no depth.
+/// Lays out a request's label at a placement and finds its depth: kLabelLayers layers, or for an inlaid code the depth
+/// of its modules; less where the wall is thin. A painted label has no depth.
 ///
 /// Cost: O(T log T), and a ray for each corner of the label; nothing without a label.
 /// @param mesh     the model before carving

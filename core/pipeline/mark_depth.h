@@ -12,10 +12,10 @@
 
 namespace qrelief {
 
-/// Opaque layers of an inlay that faces up, and lines of an inlay in a wall.
+/// Layers that make an inlay opaque if it faces up, and lines that do so in a vertical wall.
 inline constexpr double kInlayLayers = 2, kInlayLines = 2;
 
-/// Returns the depth of an inlay along the surface's normal so that nothing shines through and the printer can lay it:
+/// Returns the depth of an inlay along the surface's normal at which it is opaque and printable:
 ///
 ///     max(2·layer·|cos θ|, 2·line·|sin θ|)
 ///
@@ -24,21 +24,21 @@ inline constexpr double kInlayLayers = 2, kInlayLines = 2;
 /// @param facing  angle θ between the printer's vertical and the surface's normal, radians
 double opaqueDepthMm(double facing, const Printer& printer);
 
-/// Returns the greatest opaqueDepthMm() of any slope.
+/// Returns the greatest opaqueDepthMm() over all slopes.
 double deepestInlayMm(const Printer& printer);
 
-/// Depth that a module's walls must take, as a part of the wanted depth; a thinner body shows what lies under it.
+/// Least depth that a module's wall must allow, as a fraction of the wanted depth; a thinner inlay is see-through.
 inline constexpr double kLeastInlayDepth = 0.5;
 
-/// Returns the depth of an inlay along the rays: one for the whole code, so that the body is even. It is opaque for 95
-/// % of the code's area; where a ray is more than 60° from the normal, for that angle.
+/// Returns the depth of an inlay along the rays: one depth for the whole code, so that the body is even. The inlay is
+/// opaque on 95 % of the code's area; rays more than 60° from the normal count as 60°.
 /// @param buildUp  the printer's vertical
 double inlayDepthMm(const Mesh& mesh, const Placement& placement, const Vec3& buildUp, const Printer& printer);
 
 /// The pockets of an inlay.
 struct InlayPockets {
   DepthField depths;        ///< whole modules, all of one depth
-  double depthMm = 0;       ///< this depth; 0: no module takes an inlay
+  double depthMm = 0;       ///< that depth; 0: no module takes an inlay
   std::size_t leftOut = 0;  ///< dark modules under which walls are too thin
 };
 
@@ -49,7 +49,7 @@ struct InlayPockets {
 /// @param wantedMm  > 0
 InlayPockets inlayPockets(const Symbol& symbol, double symbolMm, const std::vector<double>& limitMm, double wantedMm);
 
-/// Returns a depth field for EmbedOptions::paint, which lowers nothing: a quantum in all dark modules.
+/// Returns a depth field for EmbedOptions::paint: a quantum in all dark modules. Painting lowers nothing.
 DepthField paintedModules(const Symbol& symbol, double symbolMm);
 
 }  // namespace qrelief

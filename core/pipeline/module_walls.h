@@ -39,13 +39,13 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const SurfaceRenderer& 
 /// @param contrast  0 < c < 1
 double pitDepth(double contrast);
 
-/// Returns the size of the largest code centred at the origin, no larger than the square, whose walls take the pockets:
-/// under all modules of its finder patterns and nearly all others. A smaller code covers less ground and has shallower
-/// pockets.
+/// Returns the size of the largest code, centred at the origin and no larger than the square, for which the walls are
+/// thick enough: under all modules of its finder patterns and nearly all others. A smaller code covers less area and
+/// has shallower pockets.
 /// @param walls         walls under the square
 /// @param modules       along the symbol's edge
 /// @param depthModules  depth of the pockets, in modules, ≥ 0
-/// @param depthMm       added to it at every size, ≥ 0; not both are 0
+/// @param depthMm       added to that depth at every size, ≥ 0; at least one of the two is > 0
 /// @returns mm; 0 if no code of at least a quarter of the square's size fits
 double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules,
                          double depthMm = 0);

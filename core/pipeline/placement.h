@@ -31,9 +31,9 @@ struct Placement {
 /// Returns a phrase for the requested code, to be quoted within a message: "a code of 35 mm with its quiet zone".
 Message codeInWords(const PlacementRequest& request);
 
-/// Finds direction and size. As they depend on each other, finds them in turn until the size changes by less than 1 %
-/// (at most 5 rounds) [Papp 2022, §3 and §4]. Then searches once for the optimal direction, at the size found, starting
-/// from the depth-balanced direction.
+/// Search for direction and size. They depend on each other, so it finds them in turn until the size changes by less
+/// than 1 % (at most 5 rounds) [Papp 2022, §3 and §4]. Then it searches once for the optimal direction, at the size
+/// found, starting from the depth-balanced direction.
 class PlacementSearch {
  public:
   /// @param model, surface  kept by reference

@@ -14,7 +14,7 @@
 
 namespace qrelief {
 
-/// Light on a place of a model while its cells (one a submodule) are carved to different depths. Cells are row-major
+/// Light on a place of a model while its cells (one per submodule) are carved to different depths. Cells are row-major
 /// from the lower left; luminance 1 = an unoccluded surface in the QR plane.
 class PlacementLight {
  public:
@@ -35,7 +35,7 @@ class PlacementLight {
   virtual LuminancePass* shaders() { return nullptr; }
   /// Resets all depths to zero.
   virtual void uncarve() = 0;
-  /// Return textures for the inspector; R32F, one texel a cell. Need a current GL context.
+  /// Return textures for the inspector; R32F, one texel per cell. Need a current GL context.
   virtual const gl::Texture& luminanceTexture() const = 0;
   virtual const gl::Texture& depthTexture() const = 0;
 };
@@ -54,7 +54,7 @@ Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, 
                                                        std::shared_ptr<const LuminancePrograms> programs);
 
 /// Makes a PlacementLight that uses the CPU [HeightLight].
-/// @param map     the uncarved surface, one patch a cell
+/// @param map     the uncarved surface, one patch per cell
 /// @param around  the surface around it, in a wider window
 std::unique_ptr<PlacementLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
                                                  const PlacementLightOptions& options);

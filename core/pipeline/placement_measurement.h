@@ -35,7 +35,7 @@ class PlacementMeasurement {
                                                               const Request& request);
 
   const Request& request() const { return request_; }
-  /// Returns maps of the surface for the inspector, drawn at the first call; null without a GL context, and if the GL
+  /// Returns maps of the surface for the inspector, drawn at the first call; null without a GL context, or if the GL
   /// implementation cannot draw them.
   const SurfaceMaps* maps() const;
   /// Returns the least thickness along the rays through each submodule of the symbol, mm; infinite where no ray meets

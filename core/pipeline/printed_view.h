@@ -23,7 +23,7 @@ struct PrintedViewRequest {
   Mark mark = Mark::Shadow;                       ///< see VerifyRequest
   double markDepthMm = 0;
   Ink ink = {};
-  bool isRough = false;  ///< exact enough for means over modules, in half the time; without a picture
+  bool isRough = false;  ///< half the time, without a picture; exact enough for means over modules
 };
 
 /// Returns the print to simulate for a verification; none if the request names no process.

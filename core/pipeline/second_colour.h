@@ -8,8 +8,8 @@
 
 namespace qrelief {
 
-/// Layers that slicers print in the colour of a painted facet that faces up: one more than the usual five solid layers
-/// (PrusaSlicer 2.5, script/test-slicer).
+/// Number of layers that slicers print in the paint's colour under a facet that faces up: one more than the usual five
+/// solid layers (PrusaSlicer 2.5, script/test-slicer).
 inline constexpr int kPaintedLayers = 6;
 
 /// Cost of a result's second colour on the request's printer.
@@ -23,8 +23,8 @@ struct SecondColour {
 /// Cost: see colourCost().
 SecondColour secondColourOf(const EngraveResult& result);
 
-/// Returns the number of layers that a code's square passes through, on its plane. In a second colour each costs about
-/// one filament change. 0 if the printer is not known.
+/// Returns the number of layers that a code's square passes through, on its plane. With a second colour, each layer
+/// costs about one filament change. 0 if the printer is not known.
 int layersOfCode(const Placement& placement, const PrinterRequest& print);
 
 }  // namespace qrelief

@@ -20,8 +20,8 @@ inline constexpr int kLitRingModules = 2;
 double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules,
                    int ring = kLitRingModules);
 
-/// Greatest value of even light. Of 67 spots up to it 66 decode as designed and as printed, of 14 spots beyond it 6
-/// (docs/decisions/0041).
+/// Greatest unevenLight() that counts as even. Of 67 spots up to this value, 66 decode as designed and as printed; of
+/// 14 spots beyond it, 6 do (docs/decisions/0041).
 inline constexpr double kMostUnevenLight = 0.055;
 
 }  // namespace qrelief

@@ -32,7 +32,7 @@ struct VerifyRequest {
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   double minWallMm = 0.8;
   double albedo = 0.7;       ///< of the printed material; of a code in colour: Ink::light
-  Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` tells the painted modules, as meshes have no colours
+  Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` says which modules are dark, as meshes have no colours
   double markDepthMm = 0;    ///< Inlay: depth along the rays, > 0
   Ink ink;                   ///< Inlay, Paint: the reflectances
   /// The only lamp, in addition to the sky, under which the code must decode, see DepthObjective::OneLight. None: the
@@ -57,7 +57,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 /// @returns BadInput if the model has no triangles or a coordinate is not a number
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
-/// All findings about an engraved model from the model itself; verdict/verdict.h draws the conclusion.
+/// All measurements of an engraved model; verdict/verdict.h draws the conclusion.
 struct VerifyResult {
   SolidityReport solidity;
   CarvingProfile profile;
@@ -72,7 +72,7 @@ struct VerifyResult {
 class VerifyJob {
  public:
   /// @param mesh     see meshAsFound()
-  /// @param decoders  decoders; see ReadingSweep
+  /// @param decoders  see ReadingSweep
   /// @returns BadUsage for an impossible request
   static Result<std::unique_ptr<VerifyJob>> create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders);
   ~VerifyJob();

@@ -19,8 +19,8 @@ struct FilamentChange {
 /// Least purge of one change that a Bambu Lab A1 allows, mm³: a lower bound for comparisons.
 inline constexpr double kLeastPurgeMm3 = 48;
 
-/// Returns the usual price of a change. It belongs to the filament switcher, not to nozzle or layer, so that all
-/// filament printers have the same; none for techniques that print one material.
+/// Returns the usual price of a change. It depends on the filament switcher, not on nozzle or layer, so it is the same
+/// for all filament printers; none for techniques that print one material.
 std::optional<FilamentChange> usualFilamentChange(const Printer& printer);
 
 /// Cost of the second colour of one code. All zero for a code of one colour.
@@ -28,7 +28,7 @@ struct ColourCost {
   int layers = 0;      ///< layers that contain the second colour
   int changes = 0;     ///< filament changes, both ways
   double secondG = 0;  ///< second filament within the code, printed solid; of PLA, like all weights here
-  /// Filaments purged by the changes: every change purges the filament that it begins.
+  /// Filaments purged by the changes: every change purges the filament that it loads.
   double firstWasteG = 0, secondWasteG = 0;
   double wasteMinutes = 0;  ///< duration of all changes
 
@@ -36,7 +36,7 @@ struct ColourCost {
   bool operator==(const ColourCost&) const = default;
 };
 
-/// Pose, layers and filament switcher that a cost is for.
+/// Pose, process and filament switcher of the print.
 struct ColourPrint {
   Vec3 up{0, 0, 1};  ///< the printer's vertical in the model's space, any length > 0
   PrintProcess process;
@@ -53,12 +53,12 @@ struct PaintedTriangles {
 ///
 /// A slicer cuts both bodies halfway up each layer. In a layer with both filaments it begins with the filament that the
 /// nozzle holds, so such a layer costs one change. A layer with one filament costs a change only if the nozzle holds
-/// the other. The print begins with the first filament wherever its first layer has it. The second colour is what the
-/// process makes of the inlay's cross-sections (extruded_outline.h); a layer where it is too thin has none. Not
+/// the other. The print begins with the first filament if the first layer contains it. The second colour has the shape
+/// that the process gives the inlay's cross-sections (extruded_outline.h); a layer where it is too thin has none. Not
 /// counted: a wipe tower's own walls and its layers without a change, both of which depend on the slicer.
 ///
-/// Cost: O(triangles · layers they pass), and about 0.1 µs for each of the inlay's points, a sixth of the finest detail
-/// apart.
+/// Cost: O(triangles · layers they pass), and about 0.1 µs for each of the inlay's points, which are a sixth of the
+/// finest detail apart.
 /// @param body   carved model; closed
 /// @param inlay  body of the second colour, in the pockets of the first; closed
 ColourCost colourCost(const Mesh& body, const Mesh& inlay, const ColourPrint& print);

@@ -36,8 +36,8 @@ std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, cons
 /// Cost: O(nodes + segments · nodes near one).
 /// @param outline, corner, winding  see windingNumbers()
 /// @returns signed distances. Outside the plastic they are exact up to `kExtrudedReachMm`, and at least that beyond.
-/// Inside
-///          they are exact near the outline, and farther in they are at most minus the pocket's radius
+///          Inside they are exact near the outline, and farther in they are at most minus the pocket's
+///          radius
 LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
                      const PrintProcess& process);
 

@@ -47,7 +47,7 @@ struct PrintedSurface {
 /// Simulates the print of a solid around a code.
 ///
 /// It cuts the solid into layers, at half the height of each, and shapes every layer as in extruded_outline.h. The
-/// layers' flanks are round, so that a groove lies between two layers; skins end with whole layers. It does not model
+/// layers' flanks are round, so that a groove lies between two layers; tops and bottoms are whole layers. It omits
 /// stringing, ringing, over- and under-extrusion, sagging, shrinkage or gloss.
 ///
 /// Cost: O(triangles) and O(extent² / finest²) for each layer that the surface passes; at most a million texels and 40

@@ -30,11 +30,11 @@ struct CodeEstimate {
 
 /// Estimates the answer of PlacementSearch, fast enough for a code that follows the pointer. It uses the same direction
 /// method with few and small maps, and takes the size from one map (visibility_map.h) instead of the exact silhouette.
-/// Cost: 3 to 6 small looks; 2 looks at a part of the model if the size is close to the expected one.
+/// Cost: 3 to 6 small renderings; 2 renderings of a part of the model if the size is close to the expected one.
 /// @param centre   on the model
 /// @param modules  along the symbol's edge
 /// @param request  its centre is ignored
-/// @param expectedMm  approximate size, as found where the pointer was just before; it saves looks
+/// @param expectedMm  approximate size, as found where the pointer was just before; it saves renderings
 Result<CodeEstimate> estimateCode(const EstimatedSurface& surface, const SurfacePoint& centre, int modules,
                                   const PlacementRequest& request, std::optional<double> expectedMm = {});
 

@@ -54,8 +54,8 @@ struct MapSample {
   double outsideFraction = 0;
   bool centreIsSeen = false;  ///< nothing is nearer to the eye than the centre by more than a few texels
 
-  /// Angle (radians) between facet normals and lines to the eye, over the most oblique twentieth of the square, by the
-  /// mean of the cosines. 0 = frontal; π/2 = edge-on, or outside.
+  /// Angle (radians) between facet normals and lines to the eye; its cosine is the mean cosine over the most oblique
+  /// twentieth of the square. 0 = frontal; π/2 = edge-on, or outside.
   double worstAngle = 0;
 
   /// Badness of the direction, without unit: variance/s² + kObliqueWeight·(1 - cos worstAngle). The variance is that of

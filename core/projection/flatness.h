@@ -33,16 +33,16 @@ double bendMm(std::span<const float> surface, const MapWindow& window);
 /// centre.
 double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const ProjectionFrame& frame, double edgeMm);
 
-/// Returns how far off its eye's axis, in every direction, a code on such a surface still decodes: degrees, at most
-/// `kMaxAimDeg`. A decoder takes the code for flat, so it tolerates modules that are displaced by a quarter of their
+/// Returns the largest angle off the eye's axis at which a code on such a surface decodes from every side, degrees, at
+/// most `kMaxAimDeg`. A decoder assumes a flat code, and tolerates modules that are displaced by a quarter of their
 /// width on average. Fitted to codes in ink on 42 spots of 11 models (`script/bench aside`): right to within 2° on 41
-/// of them, as far as the tested tilts tell; far too high on one next to a model's edge. A carved code does no better,
+/// of them, as far as the tested tilts show; far too high on one next to a model's edge. A carved code does no better,
 /// because its pockets hide their floors from the side.
 /// @param moduleMm  > 0
 double aimToleranceDeg(double bendMm, double moduleMm);
 inline constexpr double kMaxAimDeg = 45;
 
-/// Tilt within which people hold a phone without taking care: a code that decodes from this far aside needs no careful
+/// Tilt within which people hold a phone without taking care. A code that decodes at this tilt needs no careful
 /// aiming.
 inline constexpr double kForgivingTiltDeg = 10;
 

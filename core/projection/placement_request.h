@@ -18,11 +18,11 @@ enum class SizeMode {
 /// Returns "free", "oriented", "best" or "fixed". Scripts rely on these names.
 const char* sizeModeName(SizeMode mode);
 
-/// Room that found sizes must leave behind the surface.
+/// Material that a found size needs behind the surface.
 struct PocketDemand {
   double minWallMm = 0;     ///< material that must remain, ≥ 0
   double depthModules = 0;  ///< pocket depth, in modules ...
-  double depthMm = 0;       ///< ... and what is added to it, however large the modules; both 0: walls are ignored
+  double depthMm = 0;       ///< ... and depth added to it at every module size; both 0: walls are ignored
 
   double depth(double moduleMm) const { return depthModules * moduleMm + depthMm; }
 
@@ -34,10 +34,10 @@ struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
   SizeMode sizeMode = SizeMode::Free;
   double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
-  double maxSizeMm = 40;  ///< upper bound of a found size, > 0; larger codes take deeper pockets and decode no better
+  double maxSizeMm = 40;  ///< upper bound of a found size, > 0; larger codes need deeper pockets and decode no better
   bool quietZone = true;  ///< the quiet zone must fit, too
   Vec3 upHint{0, 0, 1};   ///< direction of the symbol's top, projected onto the QR plane
-  double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it; Best: start of the turn
+  double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it; Best: the turn before the search
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
   std::optional<Vec3> direction;  ///< towards the viewer; overrides the method
   double eyeDistanceMm = 250;     ///< > 0

@@ -9,13 +9,13 @@
 
 namespace qrelief {
 
-/// Region that grows about the centre until it meets the silhouette. The search loses no room for this region.
+/// Region that grows about the centre until it meets the silhouette. The search is exact for this region.
 enum class GrowingRegion : std::uint8_t {
   Disc,   ///< for codes at any rotation
   Square  ///< for a code along the frame's axes
 };
 
-/// The facets that can take the code, and their outline.
+/// The facets on which the code can lie, and their outline.
 struct VisiblePatch {
   std::vector<std::uint32_t> triangles;  ///< ascending; the interiors of their images do not overlap
   /// Outer contour and inner occlusion contours, unordered, as far as they come within `radiusMm` of the centre. A
@@ -57,7 +57,7 @@ struct VisiblePatch {
 /// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out,
-///                  and the edge towards them is no silhouette
+///                  and the edge towards them is not part of the silhouette
 /// @param region    the silhouette leaves this region as much room as possible; it may leave others less
 /// @returns NoSolution if the seed faces away from the eye, lies level with it or behind it, or something hides the
 ///          centre (the message names the obstacle, its place, and how near the eye would have to come)

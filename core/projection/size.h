@@ -12,7 +12,7 @@ namespace qrelief {
 /// Empty without a silhouette.
 std::optional<Vec2> nearestSilhouettePoint(std::span<const Segment2> silhouette);
 
-/// Returns the edge of the largest square about the origin that lies inside the silhouette at any rotation: √2 ·
+/// Returns the edge of the largest square about the origin that lies inside the silhouette at every rotation: √2 ·
 /// distance of the closest silhouette point [Papp 2022, §4, figure 4a]. Infinite without a silhouette: then only the
 /// searched radius bounds the size (√2 · radius).
 double freeSize(std::span<const Segment2> silhouette);

@@ -11,7 +11,7 @@ namespace qrelief {
 /// Flatness of the surface under a square, seen along the frame's normal.
 struct SquareQuality {
   double varianceMm2 = 0;    ///< variance of the heights over the QR plane
-  double bendMm = 0;         ///< see bend.h; computed from the facets' middles
+  double bendMm = 0;         ///< see flatness.h; computed from the facets' middles
   double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
 };
 
@@ -38,7 +38,7 @@ struct CandidateOptions {
 /// Finds well separated spots, best first: the largest sizes, in classes of 10 %. Within a class it ranks by height
 /// spread (as a fraction of the edge) plus slope (1 - cosine of the worst angle), least first.
 ///
-/// Cost: O(V log V + most · (V + T)).
+/// Cost: O(V log V + maxCount · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options);
 
 /// Rank of a spot by size and quality; smaller is better. A spot's size counts for less, in proportion, in two cases.

@@ -36,7 +36,7 @@ struct VisibilityMap {
 };
 
 /// Renders a window and floods it from the centre. The flood passes from texel to texel where the surface is less
-/// oblique than kSteepest and does not jump. Cost: one look.
+/// oblique than kSteepest and does not jump. Cost: one rendering.
 Result<VisibilityMap> lookAround(const SurfaceRenderer& surface, const ProjectionFrame& frame, const MapWindow& window);
 
 }  // namespace qrelief

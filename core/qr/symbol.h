@@ -63,7 +63,7 @@ inline constexpr int kQuietZoneModules = 4;
 /// Cost: milliseconds.
 /// @param text  not empty, valid UTF-8, without NUL
 /// @returns BadInput if the text is empty, not UTF-8, or too long for the requested version and level (the error gives
-///          its length and what would hold it); BadUsage if there is no such version or mask
+///          its length and a symbol that holds it); BadUsage if there is no such version or mask
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
 
 /// Cache of the smallest version that holds a text, by the bits that the text's segments take.

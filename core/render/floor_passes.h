@@ -21,7 +21,7 @@ struct FloorTarget {
   float limitMm = 0;           ///< greatest depth, a multiple of the quantum, ≥ 0
 };
 
-/// How a pass moves the floors: see depth/search_aim.h.
+/// Parameters of a pass that moves the floors: see depth/search_aim.h.
 struct FloorMove {
   int sweeps = 1;  ///< over all floors, towards the solution on a plane
   float aim = 0, aimForTooBright = 0;
@@ -36,7 +36,7 @@ class FloorPasses {
   struct Setup {
     int cellsAlongEdge = 0;            ///< of the map
     std::vector<std::uint32_t> cells;  ///< of the floors, row-major from the map's lower left; not empty
-    /// Paths in which a floor looks for its horizon: a row of 16 directions for each step; column and row of the cell
+    /// Paths along which a floor looks for its horizon: a row of 16 directions per step; column and row of the cell
     /// from the floor's own, rows counted upwards, and 1 / distance, which is 0 beyond the end.
     std::vector<glm::vec4> steps;
     float quantumMm = 0.01f;  ///< step of the depths
@@ -60,7 +60,7 @@ class FloorPasses {
   void start(float depthMm, float difference);
 
   /// Compares the luminances of floors with the plane's.
-  /// @param luminance  R32F, one texel a cell
+  /// @param luminance  R32F, one texel per cell
   /// @param all        all floors were measured; else those that are due (LuminancePass::runOnFloors)
   /// @param isFirst    there was no measurement since start() or setTargets()
   void compare(const gl::Texture& luminance, bool all, bool isFirst);
@@ -76,7 +76,7 @@ class FloorPasses {
   /// @returns record by record, in the order of Setup::cells
   std::vector<Recorded> readRecords(int count) const;
 
-  /// Returns the floors, RGBA32F, one texel a cell; the first component is the depth, mm.
+  /// Returns the floors, RGBA32F, one texel per cell; the first component is the depth, mm.
   const gl::Texture& floors() const { return floors_.now(); }
 
  private:

@@ -43,8 +43,8 @@ struct LuminancePrograms {
 };
 
 /// Luminance of an engraved distance map under a uniform sky and lamps, in three passes: horizon-based occlusion and
-/// shadows, reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded surface
-/// in the QR plane. The horizon of the uncarved surface, far and near, is found once, at creation.
+/// shadows, reduction to one mean per cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded
+/// surface in the QR plane. The horizon of the uncarved surface, far and near, is found once, at creation.
 ///
 /// Cost: computed texels of the selected cells × (2·slices + lamps) × cells marched over, until no rim can matter.
 class LuminancePass {
@@ -77,7 +77,7 @@ class LuminancePass {
   /// Restores the light that cells have received, as returned by readReceived(). The next run() updates the selected
   /// cells.
   void setReceived(std::span<const Received> received);
-  const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
+  const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel per cell
   const gl::Texture& depths() const { return depths_; }
   const std::shared_ptr<const LuminancePrograms>& programs() const { return programs_; }
 

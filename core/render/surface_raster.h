@@ -17,7 +17,7 @@ class SurfaceRaster final : public SurfaceRenderer {
   /// @param mesh  kept by reference
   explicit SurfaceRaster(const Mesh& mesh);
 
-  /// Do what render() and renderBack() do; they never fail.
+  /// Draw the maps of render() and renderBack(); never fail.
   /// Cost: O(T' + texels²) for the T' triangles of the clusters that the window may show.
   std::vector<float> draw(const ProjectionFrame& frame, const MapWindow& window) const;
   std::vector<float> drawBack(const ProjectionFrame& frame, const MapWindow& window) const;

@@ -14,7 +14,7 @@ class SurfaceRenderer {
  public:
   virtual ~SurfaceRenderer() = default;
 
-  /// Draws the facets that face the eye. Four values a texel: the facet's unit normal in the frame's axes (right, up,
+  /// Draws the facets that face the eye. Four values per texel: the facet's unit normal in the frame's axes (right, up,
   /// normal) and the height over the QR plane, mm. All are zero where the ray misses the model.
   /// @returns Internal if the GL implementation cannot draw the map
   virtual Result<std::vector<float>> render(const ProjectionFrame& frame, const MapWindow& window) const = 0;

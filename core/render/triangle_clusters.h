@@ -21,7 +21,7 @@ struct ClusteredTriangles {
   std::vector<TriangleCluster> clusters;  ///< contiguous, none empty
 };
 
-/// Clusters triangles by a uniform grid over the mesh's box, a few hundred triangles a cell. Cost: O(T).
+/// Clusters triangles by a uniform grid over the mesh's box, a few hundred triangles per cell. Cost: O(T).
 ClusteredTriangles clusterTriangles(const Mesh& mesh);
 
 /// The part of space that the eye sees through a square on the QR plane, bounded by four planes through the eye.

@@ -21,14 +21,14 @@ struct ReportContext {
   std::optional<PrintedEvidence> printed;  ///< none: the print was not simulated
   Verdict verdict;                         ///< based on everything known
   std::string reader;                      ///< name of the decoder, "ZXing-C++ 1.4.0"
-  std::optional<Preset> askedPreset;       ///< set if the preset carved is deeper than the one requested
+  std::optional<Preset> askedPreset;       ///< the requested preset, if a deeper one was carved
   Wording wording;                         ///< wording of the messages
   gl::Capabilities gl;
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
   double spotMs = 0;  ///< time to choose the centre, if none was given
 };
 
-/// Makes the report as JSON with the stable keys of the contract (CHANGELOG says when one changes).
+/// Makes the report as JSON with stable keys (CHANGELOG says when one changes).
 std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
                        const ReportContext& context);
 

@@ -20,7 +20,7 @@
 
 namespace qrelief {
 
-/// Criterion that makes a depth deep enough.
+/// Criterion for a sufficient depth.
 enum class DepthObjective : std::uint8_t {
   Contrast,  ///< every submodule darker than its surroundings, as published: depth/depth_search.h
   OneLight   ///< every submodule darker than its surroundings under one lamp: depth/one_light_search.h
@@ -31,7 +31,7 @@ const char* depthObjectiveName(DepthObjective objective);
 
 /// The lamp of DepthObjective::OneLight if the request has none. It is as strong relative to the sky as in [Peng 2020].
 /// It shines from the symbol's top left, as in drawings: along a diagonal, so that long rows of dark modules cast no
-/// long shadows. It is low, where a flat place needs the least depth (docs/decisions/0035).
+/// long shadows. It is low, because a flat place then needs the least depth (docs/decisions/0035).
 inline constexpr DirectionalLight kOneLight = {.azimuthDeg = 135, .elevationDeg = 20, .strength = 19};
 
 /// Method that finds the depths for DepthObjective::Contrast.
@@ -57,7 +57,7 @@ struct CodeRequest {
   bool operator==(const CodeRequest&) const = default;
 };
 
-/// What makes the dark modules dark.
+/// The technique for dark modules, and its options.
 struct MarkRequest {
   /// Inlay and Paint need no light: patterns, depths, lamps, albedo, surface and `inlay` have no effect on them.
   Mark mark = Mark::Shadow;
@@ -75,7 +75,7 @@ struct MarkRequest {
   bool operator==(const MarkRequest&) const = default;
 };
 
-/// How deep pockets are, and in which light they have to be dark.
+/// The depth of the pockets, and the light in which they must be dark.
 struct DepthRequest {
   DepthObjective objective = DepthObjective::Contrast;
   Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
@@ -90,15 +90,15 @@ struct DepthRequest {
   float albedo = 0.7f;                        ///< reflectance of the printed material
   std::vector<DirectionalLight> lights = {};  ///< in addition to the uniform sky, at most kMaxLights; see lamps()
   SurfaceMode surface = SurfaceMode::Preserved;
-  bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
+  bool recordSearch = false;  ///< record every pass of the depth search in EngraveResult::search
 
-  /// Returns the contrast asked for by itself, or else the preset's.
+  /// Returns the requested contrast, else the preset's.
   double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
 
   bool operator==(const DepthRequest&) const = default;
 };
 
-/// The printer, and how the model stands on it.
+/// The printer, and the model's orientation on it.
 struct PrinterRequest {
   /// Index of the printer in namedPrinters(); none: the print is not simulated.
   std::optional<std::size_t> process = 0;
@@ -108,7 +108,7 @@ struct PrinterRequest {
   bool operator==(const PrinterRequest&) const = default;
 };
 
-/// Everything that decides the result. The table of settings/settings.h lists what a person can set.
+/// Everything that determines the result. The table in settings/settings.h lists the user's settings.
 struct EngraveRequest {
   CodeRequest code;
   PlacementRequest placement;

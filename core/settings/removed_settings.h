@@ -14,7 +14,7 @@ namespace qrelief {
 struct RemovedSetting {
   std::string key;
   std::string choice;     ///< empty: the whole setting is gone
-  std::string group;      ///< where its flag was, see Setting::group; empty for a choice
+  std::string group;      ///< group of its flag, see Setting::group; empty for a choice
   bool isSwitch = false;  ///< its flag took no value
   std::string since;      ///< first version without it
   Message why;            ///< reason, or what to use instead

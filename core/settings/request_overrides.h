@@ -15,7 +15,7 @@ namespace qrelief {
 /// setting as 0 or as the value used instead.
 struct Tunable {
   const Setting* setting = nullptr;
-  std::string key;  ///< the setting's key, or that and the part's key: "contrast", "size.number", "light.1.azimuthDeg"
+  std::string key;  ///< the setting's key, for a part with the part's: "contrast", "size.number", "light.1.azimuthDeg"
   double min = 0, max = 1, step = 1;
   /// Names of the choices; empty for a number or a switch. Followed by "number" or "vector" if the setting takes one.
   std::vector<std::string> choices;
@@ -24,7 +24,7 @@ struct Tunable {
   std::function<void(EngraveRequest&, double)> write;
 };
 
-/// Returns everything in a request except its text, centre, up axis and what is recorded; groups are adjacent.
+/// Returns all tunables of a request, that is, all settings except texts and the up axis; groups are adjacent.
 std::span<const Tunable> tunables();
 
 /// Deliberate deviations from the page's request, by index in `tunables()`. The page's own controls keep their values,

@@ -15,7 +15,7 @@ namespace qrelief {
 /// @returns BadUsage naming the setting, the value found and the expected kind; checkValue() checks ranges
 Result<SettingValue> valueFromText(const Setting& setting, std::span<const std::string> texts);
 
-/// Writes a value in the same form, with the fewest digits that give the number again. Empty for nothing and for no
+/// Writes a value in the same form, with the fewest digits that give the number again. Empty for no value and for no
 /// lamps.
 std::string valueText(const SettingValue& value);
 

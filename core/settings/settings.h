@@ -13,11 +13,11 @@
 
 namespace qrelief {
 
-/// Value of a setting: nothing (the effect then follows from the rest), a switch, a number, a text or the name of a
-/// choice, a vector, or lamps.
+/// Value of a setting: nothing (other settings then decide), a switch, a number, a text or the name of a choice, a
+/// vector, or lamps.
 using SettingValue = std::variant<std::monostate, bool, double, std::string, Vec3, std::vector<DirectionalLight>>;
 
-/// A part of a request that a person can set. Its words (label, help, names of choices) are in
+/// A part of a request that the user can set. Its words (label, help, names of choices) are in
 /// messages/settings/settings.json under its key. Its default is its value in a default request.
 struct Setting {
   enum class Kind {
@@ -82,15 +82,15 @@ struct SettingChange {
 /// @param change  sets a setting that takes choices to one of them
 void apply(const SettingChange& change, EngraveRequest& request);
 
-/// Returns the request before a person sets anything: with its initialisers, but with error correction raised where
-/// that costs nothing, and carved for the print.
+/// Returns the request before the user sets anything: the initialisers, but with error correction raised where that
+/// costs nothing, and carved for the print.
 EngraveRequest defaultRequest();
 
 /// Checks that the setting accepts the value.
 /// @returns BadUsage naming the setting, the value and the accepted values
 Status checkValue(const Setting& setting, const SettingValue& value);
 
-/// Checks every setting of a request, and that they go together; computes nothing.
+/// Checks every setting of a request, and their combination; computes nothing.
 /// @returns BadUsage for the first invalid one, see checkValue()
 Status checkSettings(const EngraveRequest& request);
 

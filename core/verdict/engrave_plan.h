@@ -9,11 +9,11 @@
 
 namespace qrelief {
 
-/// Decides what an engraving consists of: carve as requested; if the code does not decode, or its print barely does,
-/// carve with the changes of changeToTryNext(); deliver the first carving that decodes, or else the carving as
-/// requested. If the mark is open (MarkRequest::isOpen) and no shadow decodes and prints well, carve an inlay, then
-/// paint; deliver the best. The host carries out each step and reports the outcome. Command, batch and page drive the
-/// same plan, so they deliver the same carving.
+/// The steps of an engraving: carve as requested; if the code does not decode, or its print barely does, carve with the
+/// changes of changeToTryNext(); deliver the first carving that decodes, or else the carving as requested. If the mark
+/// is open (MarkRequest::isOpen) and no shadow code decodes and prints well, carve an inlay, then paint; deliver the
+/// best. The host carries out each step and reports the outcome. Command, batch and page drive the same plan, so they
+/// deliver the same carving.
 class EngravePlan {
  public:
   enum class Step {
@@ -31,7 +31,7 @@ class EngravePlan {
   EngravePlan(EngraveRequest request, Options options);
 
   Step step() const { return step_; }
-  /// Returns the number of the carving that the step is about: 0 for the carving as requested.
+  /// Returns the number of the carving that the step concerns: 0 for the carving as requested.
   int attempt() const { return step_ == Step::Deliver ? kept_.number : current_.number; }
   /// Returns the number of the best carving so far, to keep for delivery.
   int kept() const { return kept_.number; }
@@ -53,7 +53,7 @@ class EngravePlan {
   void printed(const Verdict& verdict, const PrintedEvidence& evidence);
 
  private:
-  enum class Phase { Design, Print, OtherMark };  // what the changes are to mend
+  enum class Phase { Design, Print, OtherMark };  // goal of the changes
   struct Attempt {
     int number = 0;
     EngraveRequest request;

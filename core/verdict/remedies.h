@@ -13,11 +13,11 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
 
 /// Returns remedies for a code that may not print: a larger code, another pattern, a finer nozzle, more depth, thinner
 /// layers, another place. Suggests the largest nozzles and layers on the market that suffice.
-/// @param wasPrinted  true: the simulated print did not read well. Then more depth comes first, with which 20 of 25
-///                    such prints read at least barely (bench/printing)
+/// @param wasPrinted  true: the simulated print did not read well. Then more depth comes first: with it, 20 of 25 such
+///                    prints read at least barely (bench/printing)
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted);
 
-/// Returns the remedy of another place for the code.
+/// Returns the remedy "choose another spot".
 Remedy anotherSpot();
 
 }  // namespace qrelief

@@ -20,7 +20,7 @@ const char* levelName(Level level);
 /// A suggestion that the user can apply with one press.
 struct Remedy {
   Message message;      ///< "Allow 45 mm"
-  std::string setting;  ///< key of the setting to change; empty: another place has to be chosen
+  std::string setting;  ///< key of the setting to change; empty: the user chooses another spot
   std::string value;    ///< the setting's new value, as in settings files; empty: its default
 };
 
@@ -39,7 +39,7 @@ struct Aspect {
 /// Decoding results of the pictures of frontalPictures().
 struct ReadingEvidence {
   ReadingCount count;
-  std::string text;     ///< text that a try gave: the wanted one if any did, else another; empty: none
+  std::string text;     ///< decoded text: the wanted one if any try gave it, else another; empty: none
   bool traced = false;  ///< true: light traced path by path; false: light computed on height maps
 };
 
@@ -74,7 +74,7 @@ struct Verdict {
 /// @param texts  text of each try, empty for none; a mirrored code counts as none
 ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced = false);
 
-/// Returns the grades of the luminance that carving ended with, not of a picture.
+/// Grades the luminances at the end of the depth search, not a picture.
 SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result);
 
 /// Judges a carved code, with remedies among the request's settings.
@@ -95,9 +95,9 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
 /// Returns the change to try next, if the request allows one; none: nothing is left to try.
 ///
 /// - If the code does not read: first carve for the design alone, then try the next deeper presets. Carving for the
-///   print deepens some modules more than walls let others be, which can spoil the design.
-/// - If the code reads but its print barely does: try the next deeper preset. A deeper preset does not mend a print
-///   that does worse than barely.
+///   print makes some modules deeper than walls allow for others, which can spoil the design.
+/// - If the code reads but its print barely does: try the next deeper preset. If the print does not even barely read, a
+///   deeper preset does not help.
 ///
 /// @param printed  null: the print is not known
 std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,

@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Light that a matte surface sends out, equal in all directions. 1 = an unoccluded surface under the sky alone.
+/// Light that a matte surface reflects, equal in all directions. 1 = an unoccluded surface under the sky alone.
 struct SurfaceLight {
   double sky = 0;   ///< under the sky alone, all bounces
   double lamp = 0;  ///< light added by the lamp, all bounces

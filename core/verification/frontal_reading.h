@@ -29,8 +29,8 @@ inline constexpr std::array<FrontalView, 6> kFrontalViews = {{{8, Vec2(0, 0), 0.
 struct ReadingCount {
   int tries = 0, reads = 0;
 
-  /// Returns how many tries must succeed: at least two in five. When one decoder succeeds this often, most other
-  /// decoders read the code, too.
+  /// Returns the number of tries that must succeed: at least two in five. When one decoder succeeds this often, most
+  /// other decoders read the code, too.
   static int needed(int tries) { return (2 * tries + 4) / 5; }
   int needed() const { return needed(tries); }
   bool enough() const { return tries > 0 && reads >= needed(); }

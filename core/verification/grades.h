@@ -33,7 +33,7 @@ struct Grade {
   double grade = 0;  ///< 4 = A … 0 = F
 };
 
-/// Grades after ISO/IEC 15415 for printed symbols, and ISO/IEC 29158 for direct part marks, of a *simulated* picture. A
+/// Grades by ISO/IEC 15415 for printed symbols, and ISO/IEC 29158 for direct part marks, of a *simulated* picture. A
 /// real verifier's light, lens and calibration are not simulated, so use the grades to compare carvings; they are not a
 /// certificate. Axial and grid nonuniformity come from the projection alone and are 0, so they are not listed.
 struct SymbolGrades {

@@ -13,8 +13,8 @@ namespace qrelief {
 inline constexpr double kLeastInkContrast = 0.2, kGoodInkContrast = 0.4;
 
 /// Diffuse reflectances of the two materials of a code in colour, 0 < r ≤ 1. The defaults are black on white: a black
-/// plastic sends back little more than the 4 % that its surface reflects (Fresnel, refractive index 1.5), and a plastic
-/// filled with titanium white about 85 %.
+/// plastic reflects little more than the 4 % of its surface (Fresnel, refractive index 1.5), and a plastic filled with
+/// titanium white reflects about 85 %.
 struct Ink {
   double dark = 0.05;   ///< of the dark modules
   double light = 0.85;  ///< of the body, with light modules and quiet zone

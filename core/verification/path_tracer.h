@@ -36,7 +36,7 @@ struct CellLight {
 };
 
 /// Computes the light that sky and lamps bring to the surface by path tracing the mesh itself. Follows every bounce and
-/// samples the lamps at each (traceLight). This is the yardstick for LuminancePass. It is independent of the maps: it
+/// samples the lamps at each (traceLight). This is the reference for LuminancePass. It is independent of the maps: it
 /// uses only the mesh and the eye.
 ///
 /// Each path starts at a point of the cell (Halton points, shifted at random per estimate), goes from the eye to the

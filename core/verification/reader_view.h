@@ -47,7 +47,7 @@ struct ReaderViewOptions {
 /// @param luminance  linear, options.texels² values, row 0 at the bottom, 1 = unoccluded
 ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options);
 
-/// Renders the mesh itself, not the map that the depth search worked on, so that the output of the embedding is judged.
+/// Renders the mesh itself, to judge the output of the embedding and not the map that the depth search worked on.
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                                     const ReaderViewOptions& options,
                                     std::shared_ptr<const LuminancePrograms> programs = nullptr);

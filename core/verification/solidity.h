@@ -13,7 +13,7 @@ namespace qrelief {
 /// A defect that keeps a mesh from being a solid.
 struct SolidityFinding {
   Message message;         ///< the defect and its count; to be quoted within another message
-  std::optional<Vec3> at;  ///< place of the first, mm; none if the whole mesh is meant
+  std::optional<Vec3> at;  ///< place of the first, mm; none if it concerns the whole mesh
 };
 
 /// Defects that a slicer would find in a mesh read back from a file.

@@ -7,13 +7,13 @@
 
 namespace qrelief {
 
-/// Tilts and azimuths to try, to find how far from the side and from how far away a code decodes.
+/// Tilts and azimuths to try, to find the largest tilt at which a code decodes.
 inline constexpr std::array kTiltsDeg = {5.0, 10.0, 15.0, 30.0, 45.0};
 inline constexpr std::array kAzimuthsDeg = {0.0, 90.0, 180.0, 270.0};
 /// Resolutions to try, in pixels per module, from the nearest to the farthest.
 inline constexpr std::array kDistancesPx = {10.0, 8.0, 6.5, 5.0, 4.0, 3.3, 2.6, 2.0};
 
-/// Returns how far away a phone may be for a module to be this many pixels wide in its video: 1920 pixels across 65°.
+/// Returns the distance at which a module is this many pixels wide in a phone's video: 1920 pixels across 65°.
 double videoDistanceMm(double moduleMm, double pixelsPerModule);
 
 /// One picture for the decoder: tilted, or from the front and far away.

@@ -11,7 +11,7 @@ const asFile = (name, bytes) => ({ name, mimeType: 'model/stl', buffer: Buffer.f
 export const saddleMesh = saddle(24);
 export const saddleFile = asFile('my saddle.stl', writeStl(saddleMesh, 'test'));
 
-/** A file that announces more triangles than it contains. */
+/** A file that declares more triangles than it contains. */
 export const truncatedFile = asFile('cut off.stl', writeStl(saddleMesh, 'test').subarray(0, 10_000));
 
 const whole = pyramid();

@@ -265,9 +265,9 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   c->add_flag("--merge", o->merge, "join the manifests of all shares and list missing and repeated rows");
   c->add_flag("--retry-failed", o->retryFailed, "retry failed rows, and overwrite files that have changed");
   c->add_flag("--stream", o->stream,
-              "read requests from standard input, one a line, and answer each with its line of the manifest");
+              "read requests from standard input, one per line, and answer each with its line of the manifest");
   c->add_flag("--reports", o->reports, "also write a report for each row, as FILE.json");
-  c->add_flag("--quiet", o->quiet, "print no progress");
+  c->add_flag("--quiet", o->quiet, "do not show progress");
   o->flags.addAll(*c);
   o->fileFlags.add(*c);
   return [o] { return runBatch(*o); };

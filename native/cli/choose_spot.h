@@ -9,7 +9,7 @@
 namespace qrelief {
 
 /// Completes a request without a centre: sets the best spot for the requested size, or the spot with the largest size,
-/// and prints where it is.
+/// and prints its position.
 /// @param scaleToMm  of the file; the position is printed in the file's units
 /// @param to         stream to print to
 Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet,

@@ -12,13 +12,13 @@
 
 namespace qrelief {
 
-/// Exit statuses, fixed by the contract.
+/// Exit statuses. Scripts rely on them.
 enum ExitStatus { kEngraved = 0, kCheckFailed = 1, kBadUsage = 2, kBadInput = 3, kNoSolution = 4, kInternalError = 5 };
 
 int exitStatusOf(ErrorKind code);
 
 /// Prints "qrelief: error: FILE: MESSAGE" and the hint to stderr. @returns the error's exit status
-/// @param file  that the command works on; left out if it is empty or the request itself makes no sense
+/// @param file  the command's input; not printed if it is empty or the request itself makes no sense
 int printError(const Error& error, std::string_view file = {});
 
 /// Prints "qrelief: warning: FILE: MESSAGE" and the hint to stderr.

@@ -201,7 +201,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_flag(
       "--try-prints", o->tryPrints,
       "if the print does not decode reliably, engrave for other orientations and finer processes and list the results");
-  c->add_flag("--quiet", o->quiet, "print no progress");
+  c->add_flag("--quiet", o->quiet, "do not show progress");
   return [o] { return engraveModel(*o); };
 }
 

@@ -69,7 +69,7 @@ int describe(const InfoOptions& options) {
     fmt::print("{}: {}\n", severityName(finding.severity), sentence(finding.message));
     if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  hint: {}\n", helps);
   }
-  fmt::print("{}\n", engravable ? "closed solid: ready to engrave" : "not a closed solid: mend it before you engrave");
+  fmt::print("{}\n", engravable ? "closed solid: ready to engrave" : "not a closed solid: repair it before engraving");
   if (!options.json.empty())
     if (const Status written = writeFileAtomically(options.json, json.dump(2) + "\n"); !written)
       return printError(written.error());

@@ -105,7 +105,7 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const Spot& spot = result.spots[i];
     fmt::print(
-        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°, decodes from up to "
+        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at every rotation), worst angle {:.0f}°, decodes from up to "
         "{:.0f}° off "
         "axis\n",
         i + 1, joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
@@ -165,7 +165,7 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
     o->flags.add(*c, key);
   c->add_option("--views", request.views, fmt::format("number of viewing directions tried [{}]", request.views))
       ->check(CLI::Range(200, 10000));
-  c->add_flag("--quiet", o->quiet, "print no progress");
+  c->add_flag("--quiet", o->quiet, "do not show progress");
   return [o] { return findSpots(*o); };
 }
 

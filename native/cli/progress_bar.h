@@ -6,7 +6,7 @@
 
 namespace qrelief {
 
-/// Shows progress on stderr: one line that is redrawn on a terminal, one plain line a stage otherwise.
+/// Shows progress on stderr: on a terminal one line that is redrawn, otherwise one plain line per stage.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);

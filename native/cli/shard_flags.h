@@ -18,8 +18,8 @@ struct GivenShard {
 /// SLURM_ARRAY_TASK_ID, _MIN and _COUNT, AWS Batch's AWS_BATCH_JOB_ARRAY_INDEX and _SIZE, or JOB_COMPLETION_INDEX of
 /// Kubernetes' Indexed Jobs. Kubernetes does not say how many there are, so it needs `shards`.
 /// @param flag    value of --shard; may be empty
-/// @param shards  value of --shards; 0: not given. Overrides the environment's count, because the engine takes a
-///                partial rerun of an array for an array of its own; shares then count from 0
+/// @param shards  value of --shards; 0: not given. Overrides the environment's count, because a scheduler treats a
+///                partial rerun of an array as a new array; shares then count from 0
 /// @returns BadUsage for an invalid share
 Result<GivenShard> shardFrom(const std::string& flag, std::size_t shards);
 

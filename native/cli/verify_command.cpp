@@ -75,7 +75,7 @@ std::string rangeOf(const ReadingSummary& reading) {
   const auto tilt = [](double deg) { return deg > 0 ? fmt::format("tilted up to {:g}°", deg) : "straight ahead only"; };
   if (reading.tiltDeg) add(tilt(*reading.tiltDeg));
   if (reading.tiltDegLamp) add("with a lamp " + tilt(*reading.tiltDegLamp));
-  if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels a module", *reading.pixelsPerModule));
+  if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels per module", *reading.pixelsPerModule));
   if (reading.blurModules) add(fmt::format("blurred by up to {:g} modules", *reading.blurModules));
   return words;
 }
@@ -178,7 +178,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);
-  c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
+  c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the surface before engraving, mm")
       ->delimiter(',')
       ->expected(3);
   for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
@@ -194,7 +194,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
       "--try-prints", o->tryPrints,
       "if the print does not decode reliably, simulate other orientations and finer processes and list the results");
   c->add_option("--json", o->json, "write all results as JSON");
-  c->add_flag("--quiet", o->quiet, "print no progress");
+  c->add_flag("--quiet", o->quiet, "do not show progress");
   return [o] { return verifyModel(*o); };
 }
 

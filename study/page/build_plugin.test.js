@@ -113,6 +113,6 @@ test('the line that figures mark is the core’s', () => {
   assert.match(core, /needed\(int tries\) \{ return \(2 \* tries \+ 4\) \/ 5; \}/);
   assert.match(
     readFileSync(new URL('../README.md', import.meta.url), 'utf8'),
-    new RegExp(`: ${kTries}; ${kNeeded} are needed`),
+    new RegExp(`makes ${kTries}\\. A code passes with ${kNeeded}`),
   );
 });

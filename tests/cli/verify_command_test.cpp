@@ -33,7 +33,7 @@ TEST_F(VerifyCommandTest, PassesWhatEngraveWroteAndReportsProblemsOfOtherModels)
   const Outcome wall = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json", path("wall.json"),
                             "--process", "fdm-0.4/0.12", "--build-up", "0,1,0", "--quick", "--quiet"});
   EXPECT_EQ(wall.status, 0) << wall.err;
-  EXPECT_NE(wall.out.find("as an upright wall (0.4 mm nozzle, 0.12 mm layers)"), std::string::npos) << wall.out;
+  EXPECT_NE(wall.out.find("upright (0.4 mm nozzle, 0.12 mm layers)"), std::string::npos) << wall.out;
   EXPECT_EQ(nlohmann::json::parse(contentOf(path("wall.json")))["verification"]["printed"]["facingDeg"], 90);
   const Outcome unprinted = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json",
                                  path("unprinted.json"), "--process", "none", "--quick", "--quiet"});

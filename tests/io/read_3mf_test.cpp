@@ -167,7 +167,7 @@ TEST(ThreeMfReader, IgnoresItemsThatAreNotModels) {
   EXPECT_EQ(sentence(soup->warnings[0]),
             "1 of 2 items of the 3MF file is not a model (a support, for example) and was skipped");
   EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")),
-              HasSubstr("The 1 item of the 3MF file has no triangle"));
+              HasSubstr("The only item of the 3MF file contains no model"));
 }
 
 TEST(ThreeMfReader, LeavesModifiersOfBambuStudioOut) {

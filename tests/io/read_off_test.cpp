@@ -49,8 +49,8 @@ TEST(OffReader, NamesTheLineOfAnIndexOutOfRange) {
 }
 
 TEST(OffReader, RefusesCountsThatTheFileCannotHold) {
-  EXPECT_THAT(errorOf("OFF\n4000000000 1 0\n0 0 0\n"), HasSubstr("announces 4000000000 vertices"));
-  EXPECT_THAT(errorOf("OFF\n0 9223372036854775807 0\n"), HasSubstr("announces"));
+  EXPECT_THAT(errorOf("OFF\n4000000000 1 0\n0 0 0\n"), HasSubstr("declares 4000000000 vertices"));
+  EXPECT_THAT(errorOf("OFF\n0 9223372036854775807 0\n"), HasSubstr("declares"));
   EXPECT_THAT(errorOf("OFF\n-3 1 0\n"), HasSubstr("number of vertices"));
 }
 
@@ -84,7 +84,7 @@ TEST(OffReader, NamesTheOnlyFaceWithFewerThanThreeCorners) {
 
 TEST(OffReader, RefusesMoreCornersThanTheFileHasBytes) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4294967295 0 1"),
-            "Line 6 of the OFF file: face 1 of 1: it announces 4294967295 corners, but only 4 bytes follow");
+            "Line 6 of the OFF file: face 1 of 1: it declares 4294967295 corners, but only 4 bytes follow");
 }
 
 TEST(OffReader, NamesALineThatIsNotAVertex) {

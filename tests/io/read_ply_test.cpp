@@ -89,7 +89,7 @@ TEST(PlyReader, RefusesCountsThatTheFileCannotHold) {
                                            kFaces,
                                        format) +
                                 kThreePoints)),
-                HasSubstr("announces 9000000000000000000 elements \"vertex\""));
+                HasSubstr("declares 9000000000000000000 elements \"vertex\""));
 }
 
 TEST(PlyReader, RefusesAListLongerThanTheFile) {
@@ -99,11 +99,11 @@ TEST(PlyReader, RefusesAListLongerThanTheFile) {
   for (const int b : {0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0}) bytes.push_back(static_cast<std::uint8_t>(b));
   const std::string place = std::to_string(bytes.size() - 8);
   EXPECT_EQ(errorOf(bytes), "Element \"face\" 1 of 1 of the PLY file, byte " + place +
-                                ": a list announces 4294967295 values, which take at least 17179869180 bytes, but only "
+                                ": a list declares 4294967295 values, which take at least 17179869180 bytes, but only "
                                 "4 bytes are left");
   EXPECT_EQ(errorOf(bytesOf(header(kVertices + "element face 1\nproperty list uint int vertex_indices\n") +
                             kThreePoints + "4294967295 0 1 2\n")),
-            "Element \"face\" 1 of 1 of the PLY file, line 13: a list announces 4294967295 values, which take at least "
+            "Element \"face\" 1 of 1 of the PLY file, line 13: a list declares 4294967295 values, which take at least "
             "8589934590 bytes, but only 7 bytes are left");
 }
 
@@ -113,7 +113,7 @@ TEST(PlyReader, RefusesAnIgnoredListLongerThanTheFile) {
   for (const int b : {0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0}) bytes.push_back(static_cast<std::uint8_t>(b));
   bytes.resize(bytes.size() + 40, 0);
   EXPECT_THAT(errorOf(bytes), HasSubstr("Element \"vertex\" 1 of 3 of the PLY file, byte "));
-  EXPECT_THAT(errorOf(bytes), HasSubstr("a list announces 4294967295 values"));
+  EXPECT_THAT(errorOf(bytes), HasSubstr("a list declares 4294967295 values"));
 }
 
 TEST(PlyReader, NamesTheFirstIndexOutOfRangeEvenIfLaterOnesAreLarger) {

@@ -99,9 +99,9 @@ TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
 TEST(StlReader, RefusesZeroFacetsAndReportsTrailingBytes) {
   Bytes bytes = binaryTetrahedron();
   setCount(bytes, 0);
-  EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, but 200 bytes follow, room for 4 facets");
+  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, but 200 bytes follow, room for 4 facets");
   bytes.resize(84);
-  EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, and none follows");
+  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, and none follows");
 }
 
 TEST(StlReader, ReportsThatRandomBytesAreNotStl) {
@@ -145,7 +145,7 @@ TEST(StlReader, WarnsAboutBytesAfterTheLastFacet) {
   const auto soup = readStl(bytes, {});
   ASSERT_TRUE(soup);
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(sentence(soup->warnings[0]), "7 bytes after the last of the 4 announced facets were ignored");
+  EXPECT_EQ(sentence(soup->warnings[0]), "7 bytes after the last of the 4 declared facets were ignored");
 }
 
 TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {

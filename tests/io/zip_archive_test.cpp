@@ -136,7 +136,7 @@ TEST(ZipArchive, RefusesFilesThatOverlap) {
 }
 
 TEST(ZipArchive, RefusesTwoFilesWithTheSameName) {
-  EXPECT_THAT(errorOf(zip_file::zip({{"a.txt", "x"}, {"A.TXT", "y"}})), HasSubstr("two files of the name"));
+  EXPECT_THAT(errorOf(zip_file::zip({{"a.txt", "x"}, {"A.TXT", "y"}})), HasSubstr("two files named"));
 }
 
 TEST(ZipArchive, RefusesAFileThatIsNotAtItsOffset) {

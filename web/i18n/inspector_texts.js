@@ -13,19 +13,19 @@ const kGerman = {
   Settings: 'Werte',
 
   'Facet normal': 'Normale des Dreiecks',
-  'angle between facet and line to the reader': 'Winkel zwischen Dreieck und Linie zum Betrachter',
+  'angle between facet and line to the viewer': 'Winkel zwischen Dreieck und Linie zum Betrachter',
   'Smooth normal': 'Geglättete Normale',
-  'the same, of the interpolated normals': 'dasselbe, der interpolierten Normalen',
+  'the same for the interpolated normals': 'dasselbe für die interpolierten Normalen',
   Height: 'Höhe',
-  'over the QR plane, towards the reader': 'über der QR-Ebene, zum Betrachter hin',
+  'over the QR plane, towards the viewer': 'über der QR-Ebene, zum Betrachter hin',
   Distance: 'Entfernung',
-  "from the reader's eye, along the ray": 'vom Auge des Betrachters, entlang des Strahls',
+  "from the viewer's eye, along the ray": 'vom Auge des Betrachters, entlang des Strahls',
   'Back distance': 'Entfernung der Rückseite',
-  'from the eye to where the ray leaves': 'vom Auge bis dorthin, wo der Strahl austritt',
+  'from the eye to the exit of the ray': 'vom Auge bis zum Austritt des Strahls',
   Thickness: 'Dicke',
   'of the material along the ray': 'des Materials entlang des Strahls',
   'Wall limit': 'Grenze durch die Wand',
-  'deepest a submodule may become': 'größte mögliche Tiefe eines Teilmoduls',
+  'greatest depth of a submodule': 'größte mögliche Tiefe eines Teilmoduls',
   Depth: 'Tiefe',
   'carved, along the ray': 'graviert, entlang des Strahls',
   Luminance: 'Leuchtdichte',
@@ -33,9 +33,9 @@ const kGerman = {
   'Excess G': 'Überschuss G',
   'AL·(c - 1) + LS: above 0 is too bright': 'AL·(c - 1) + LS: über 0 ist zu hell',
   Sky: 'Himmel',
-  'share of the sky that is seen': 'sichtbarer Anteil des Himmels',
+  'visible fraction of the sky': 'sichtbarer Anteil des Himmels',
   'Sky past walls': 'Himmel hinter Wänden',
-  "the same past the pockets' walls alone": 'dasselbe, verdeckt allein von den Wänden der Taschen',
+  'the same, hidden only by pocket walls': 'dasselbe, nur von den Wänden der Taschen verdeckt',
   Lamps: 'Lampen',
   'direct light of the lamps': 'direktes Licht der Lampen',
 
@@ -44,15 +44,15 @@ const kGerman = {
   'pass %d of {}': 'Durchgang %d von {}',
   'pass {}': 'Durchgang {}',
   'whole range': 'ganzer Bereich',
-  'without 1 % at either end': 'ohne 1 % an jedem Ende',
-  'range by hand': 'Bereich von Hand',
+  'without 1 % at each end': 'ohne 1 % an jedem Ende',
+  'manual range': 'eigener Bereich',
   'point at the map to read a value': 'auf die Karte zeigen, um einen Wert zu lesen',
   'row {}, column {}: {}': 'Zeile {}, Spalte {}: {}',
   All: 'Alles',
   'x, y, z as colours': 'x, y, z als Farben',
   nothing: 'nichts',
   '{} values': '{} Werte',
-  'Click a submodule here or on the model to see what the search knows of it.':
+  'Click a submodule here or on the model to see its values in the search.':
     'Ein Teilmodul hier oder am Modell anklicken, um seine Werte in der Suche zu sehen.',
   'Submodule row {}, column {}: {}{}': 'Teilmodul Zeile {}, Spalte {}: {}{}',
   'quiet zone': 'Ruhezone',
@@ -64,14 +64,14 @@ const kGerman = {
   format: 'Formatangabe',
   version: 'Versionsangabe',
   ', carved': ', graviert',
-  ', of a dark module, left standing': ', eines dunklen Moduls, stehen gelassen',
+  ', in a dark module, not carved': ', in einem dunklen Modul, nicht graviert',
   ', light': ', hell',
   depth: 'Tiefe',
   limit: 'Grenze',
   'dark enough': 'dunkel genug',
   'too bright, limited': 'zu hell, begrenzt',
   'too bright': 'zu hell',
-  'This map is there when the engraving is done.': 'Diese Karte ist da, sobald fertig graviert ist.',
+  'This map appears when the engraving is done.': 'Diese Karte erscheint, sobald fertig graviert ist.',
   'Nothing to see yet: press Engrave.': 'Noch nichts zu sehen: „Gravieren“ drücken.',
 
   '{}: {} passes': '{}: {} Durchgänge',
@@ -87,23 +87,23 @@ const kGerman = {
   'Depth at pass {}': 'Tiefe bei Durchgang {}',
   '{} of {} carved submodules too bright, by {} at most; deepest {}; took {:.0f} ms':
     '{} von {} gravierten Teilmodulen zu hell, um höchstens {}; am tiefsten {}; dauerte {:.0f} ms',
-  'View: {} × {}, {} pictures averaged, {:.0f} ms a frame in motion':
+  'View: {} × {}, {} pictures averaged, {:.0f} ms per frame in motion':
     'Ansicht: {} × {}, {} Bilder gemittelt, {:.0f} ms je Bild in Bewegung',
   'Code: {:.2f} mm, modules {:.3f} mm, {} directions tried':
     'Code: {:.2f} mm, Module {:.3f} mm, {} Richtungen versucht',
-  'Times of the stages and passes are here after an engraving.':
-    'Zeiten der Schritte und Durchgänge stehen hier nach einer Gravur.',
+  'The times of stages and passes appear here after an engraving.':
+    'Die Zeiten der Schritte und Durchgänge erscheinen hier nach einer Gravur.',
   size: 'Größe',
   'depth search': 'Tiefensuche',
   embedding: 'Einbetten',
   checks: 'Prüfen',
-  'Stages, by the clock': 'Schritte, nach der Uhr',
-  'Passes are timed from the next engraving on, as the inspector was closed during the last.':
-    'Durchgänge werden ab der nächsten Gravur gemessen, da der Inspektor bei der letzten geschlossen war.',
+  'Stages, wall-clock time': 'Schritte, verstrichene Zeit',
+  'Passes are timed from the next engraving on, because the inspector was closed during the last one.':
+    'Durchgänge werden ab der nächsten Gravur gemessen, weil der Inspektor bei der letzten geschlossen war.',
   'Passes, GPU time by timer queries': 'Durchgänge, GPU-Zeit durch Timer-Abfragen',
   'Passes, CPU time only': 'Durchgänge, nur CPU-Zeit',
-  'This browser has no timer queries. CPU time ends when the calls return; what the graphics processor still has to do then counts as reading back.':
-    'Dieser Browser hat keine Timer-Abfragen. Die CPU-Zeit endet, wenn die Aufrufe zurückkehren; was der Grafikprozessor dann noch zu tun hat, zählt als Zurücklesen.',
+  "This browser has no timer queries. CPU time ends when the calls return; the GPU's remaining work then counts as read-back.":
+    'Dieser Browser hat keine Timer-Abfragen. Die CPU-Zeit endet, wenn die Aufrufe zurückkehren; die übrige Arbeit der GPU zählt dann als Zurücklesen.',
   pass: 'Durchgang',
   runs: 'Läufe',
 
@@ -113,12 +113,12 @@ const kGerman = {
   'page: {}': 'Seite: {}',
   on: 'an',
   off: 'aus',
-  'Everything is as the page says. What is changed here counts for Engrave again alone.':
+  'All settings are as on the page. Changes here apply only to Engrave again.':
     'Alles ist wie auf der Seite. Änderungen hier gelten nur für „Neu gravieren“.',
-  "One is changed here, for Engrave again alone: the page's own Engrave leaves it out.":
-    'Ein Wert ist hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite lässt ihn aus.',
-  "{} are changed here, for Engrave again alone: the page's own Engrave leaves them out.":
-    '{} Werte sind hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite lässt sie aus.',
+  "One setting is changed here, only for Engrave again: the page's Engrave ignores it.":
+    'Ein Wert ist hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite beachtet ihn nicht.',
+  "{} settings are changed here, only for Engrave again: the page's Engrave ignores them.":
+    '{} Werte sind hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite beachtet sie nicht.',
   direction: 'Richtung',
   fast: 'schnell',
   "paper's steps": 'Schritte der Arbeit',

@@ -44,9 +44,8 @@ export const batch = {
     engraveFirst: 'Engrave the first part',
     heading: 'All parts',
     askForFirst: 'Engrave the first part and look at it, then engrave all the others like it.',
-    firstDoesNotPass:
-      'The first part does not pass its checks. Change the settings or the place, and engrave it again.',
-    ready: 'The first part is good. All others get the same place, size and settings.',
+    firstDoesNotPass: 'The first part does not pass its checks. Change the settings or the spot, and engrave it again.',
+    ready: 'The first part is good. All others get the same spot, size and settings.',
     printEvery: 'Simulate the print of every … part',
     printEveryHint:
       'Every part is test-decoded and checked to be a solid. To simulate its print, too, takes several times as long; enter 1 for every part.',

@@ -65,7 +65,7 @@ export const code = {
     'place.longitude': 'Longitude (°)',
     'place.longitudeHint': 'East is +, like 13.3777',
     'place.query': 'Search for',
-    'place.queryHint': 'Maps on Android search for it there; others ignore it',
+    'place.queryHint': 'Map apps on Android search for it there; others ignore it',
     'place.degrees': 'Enter degrees as a decimal, like 52.5163',
     'place.range': 'Enter a value from −{most} to {most}',
 
@@ -104,7 +104,7 @@ export const code = {
     'symbol.full': 'One more byte, and the modules get smaller',
     'symbol.last': 'There is no larger QR code',
     'symbol.picture': 'QR code, {size} × {size} modules',
-    'symbol.fill': 'How full it is',
+    'symbol.fill': 'Bytes used',
     'symbol.none': 'No code yet',
     'symbol.small': 'At {symbol} each module is {module}; a {nozzle} nozzle needs about {least} for this pattern.',
     'symbol.larger': 'Make the code {needed} wide.',
@@ -119,7 +119,7 @@ export const code = {
     'shorter.mecard': 'As a MeCard it needs version {version}, with modules {percent} % larger',
     'shorter.event': 'As a bare event it needs version {version}, with modules {percent} % larger',
     'shorter.use': 'Use it',
-    'shorter.link': 'Your own short link to it makes the modules larger',
+    'shorter.link': 'A short link of your own makes the modules larger',
   },
   de: {
     kind: 'Art des Inhalts',
@@ -186,7 +186,7 @@ export const code = {
     'place.longitude': 'Länge (°)',
     'place.longitudeHint': 'Osten ist +, wie 13,3777',
     'place.query': 'Suchen nach',
-    'place.queryHint': 'Karten auf Android suchen dort danach, andere beachten es nicht',
+    'place.queryHint': 'Karten-Apps auf Android suchen dort danach, andere beachten es nicht',
     'place.degrees': 'Grad als Dezimalzahl angeben, wie 52,5163',
     'place.range': 'Einen Wert von −{most} bis {most} angeben',
 
@@ -228,7 +228,7 @@ export const code = {
     'symbol.full': 'Ein Byte mehr, und die Module werden kleiner',
     'symbol.last': 'Einen größeren Code gibt es nicht',
     'symbol.picture': 'QR-Code, {size} × {size} Module',
-    'symbol.fill': 'Wie voll er ist',
+    'symbol.fill': 'Belegte Bytes',
     'symbol.none': 'Noch kein Code',
     'symbol.small':
       'Bei {symbol} misst ein Modul {module}; eine Düse von {nozzle} braucht bei diesem Muster etwa {least}.',
@@ -244,6 +244,6 @@ export const code = {
     'shorter.mecard': 'Als MeCard braucht er Version {version}, mit {percent} % größeren Modulen',
     'shorter.event': 'Als bloßer Termin braucht er Version {version}, mit {percent} % größeren Modulen',
     'shorter.use': 'Nehmen',
-    'shorter.link': 'Ein eigener Kurzlink dorthin macht die Module größer',
+    'shorter.link': 'Ein eigener Kurzlink macht die Module größer',
   },
 };

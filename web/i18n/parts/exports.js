@@ -12,7 +12,7 @@ export const exports = {
     settingsTitle: 'All your settings, as a file that you can drop onto this page again',
     secret: 'The settings contain the Wi-Fi password: keep the file to yourself',
     settingsUsed: 'Using the settings from {file}.',
-    settingsOtherModel: 'Using the settings from {file}, made for {model}: choose the place on this model.',
+    settingsOtherModel: 'Using the settings from {file}, made for {model}: choose the spot on this model.',
   },
   de: {
     settings: 'Einstellungen speichern',

@@ -29,7 +29,7 @@ export const figures = {
     'direction-depth-balanced': 'Balanced depth',
     'direction-pca': 'Principal components',
     'direction-optimal': 'Best',
-    'size-guaranteed_mm': 'At any rotation',
+    'size-guaranteed_mm': 'At every rotation',
     'size-upright_mm': 'Upright',
     'size-turned_45_mm': 'Turned by 45°',
     'pattern-none': 'Whole',
@@ -117,11 +117,11 @@ export const figures = {
       'The authors tried a few sizes on real prints and removed strings by hand; here sizes shrink in steps of a tenth, and the simulated print has no strings.',
 
     guaranteedSizeAlt:
-      'Three plots of the edge of the largest code on each model, by the method that finds its direction: at any rotation, upright, and turned by 45 degrees.',
+      'Three plots of the edge of the largest code on each model, by the method that finds its direction: at every rotation, upright, and turned by 45 degrees.',
     guaranteedSizeShown:
       'Edge of the largest code without its quiet zone, which must fit as well; figures 13 and 14 of the paper.',
     sizesSame:
-      'If the depth counts as well as the normals, the size at any rotation changes by less than {percent} % {cases}.',
+      'If depth counts in addition to the normals, the size at every rotation changes by less than {percent} % {cases}.',
     sizesMost: 'It helps most on the model “{model}”, by {percent} %.',
     sizesLeast: 'On the model “{model}” it costs {percent} %.',
     sizesOptimal:
@@ -130,9 +130,9 @@ export const figures = {
     sizesPaper:
       'In the paper the depth allows larger codes on strongly curved places and makes no difference on flat or wavy places; its models and places differ from ours.',
 
-    patternDepthsAlt: 'A plot for each model: mean depth by module pattern, a sign for each finder pattern.',
+    patternDepthsAlt: 'A plot for each model: mean depth by module pattern, a marker for each finder pattern.',
     patternDepthsShown:
-      'Mean engraved depth, by module pattern (rows) and finder pattern (signs), found by the published steps at our default contrast; figures 15 and 16 of the paper.',
+      'Mean engraved depth, by module pattern (rows) and finder pattern (markers), found by the published steps at our default contrast; figures 15 and 16 of the paper.',
     patternsLoose:
       'The modules of two patterns, square and thin plus, do not connect. These patterns are the shallowest {cases} if the finders have the pattern of the modules, {whole} with whole finders, and {thick} with thick-plus finders. In the paper they are the shallowest on every model.',
     patternsDiamond:
@@ -158,7 +158,7 @@ export const figures = {
     methodsWhy:
       'The methods stop at different darkness. Peng’s limit is a fifth of a grey scale that was fitted to photographs, which requires much more contrast than a fifth of the light. Our limit, used here for Papp 2022 too, is a fraction of the light itself, computed for the exact sky with the light that the walls reflect. Floors are steps here, not the meshes of the originals.',
     methodsLamp:
-      'Under their lamp, as designed, codes for one lamp read {peng} if engraved by Peng 2020 and {ours} if engraved by QRelief: a low lamp lights curved ground unevenly, and it does not reach ground that slopes steeply away from it.',
+      'Under their lamp, as designed, codes for one lamp read {peng} if engraved by Peng 2020 and {ours} if engraved by QRelief: a low lamp lights curved surfaces unevenly and does not reach surfaces that slope steeply away from it.',
     methodsAllRead: 'As printed every method reads in the median.',
     methodsUnread: 'As printed these methods do not read in the median: {list}.',
 
@@ -167,12 +167,12 @@ export const figures = {
     frontierPrintedShown:
       'Reads as printed against mean depth, a line for each method from its shallowest to its deepest setting; the thick line is the app. The depth is on a logarithmic scale; dashes mark the reads that a code needs.',
     frontierDefault:
-      'At no more depth, our default reads at least as often as the best of the other methods for the sky {cases}; reads between the settings of a method are interpolated.',
+      'At no greater depth, our default reads at least as often as the best of the other methods for the sky {cases}; reads between the settings of a method are interpolated.',
     frontierFinders:
-      'Our default engraves thick pluses and whole finders. At no more depth, its codes read at least as often as codes with patterned finders {cases}.',
-    frontierLost: 'These read more often at no more depth: {list}.',
+      'Our default engraves thick pluses and whole finders. At no greater depth, its codes read at least as often as codes with patterned finders {cases}.',
+    frontierLost: 'These read more often at no greater depth: {list}.',
     frontierBy: '{method} {cases}',
-    frontierLamp: 'Peng 2020, decoded under its own lamp, reads more often at no more depth {cases}.',
+    frontierLamp: 'Peng 2020, decoded under its own lamp, reads more often at no greater depth {cases}.',
     frontierShallowest:
       'Under the sky the shallowest engraving that reaches {needed} of {tries} reads is ours {cases}.',
     frontierPaper:
@@ -184,7 +184,7 @@ export const figures = {
     equalDepthList: 'Medians over the models, of the medians over the texts: our default {reads}; {list}.',
     equalDepthBy: '{method} {reads} (more often than the default {cases})',
     equalDepthSpread:
-      'From text to text the reads of one method on one model differ by {spread} tries (median of the differences between most and fewest), so a single text decides little.',
+      'From text to text the reads of one method on one model differ by {spread} tries (median of the differences between most and fewest), so a single text proves little.',
     frontierDesignedAlt:
       'A plot for each model: reads as designed against mean depth, a line for each method from shallow to deep.',
     frontierDesignedShown: 'As above, for the surface as designed.',
@@ -229,7 +229,7 @@ export const figures = {
     anglesWhole:
       'Whole modules engraved for a lamp at {oneAt}° read {one}; whole modules engraved for a lamp at {otherAt}° read {other}.',
     anglesPaper:
-      'In the paper these codes tolerate a lamp up to {oneHigher}° and {otherHigher}° higher ({onePaper}° and {otherPaper}° in its measure) and any lower lamp. Here the first holds {higher} and the second {lower}; with the very lamp they were engraved for they read {own}.',
+      'In the paper these codes tolerate a lamp up to {oneHigher}° and {otherHigher}° higher ({onePaper}° and {otherPaper}° in its measure) and any lower lamp. Here the first holds {higher} and the second {lower}; with the lamp that they were engraved for they read {own}.',
     anglesPattern:
       'Square modules engraved for these lamps read {one} and {other}; in the paper no code with patterns that was engraved for a lamp could be read.',
     anglesWith: 'with lamps at {list}',
@@ -287,7 +287,7 @@ export const figures = {
     strengthsSides:
       '{pattern} modules become shallower than under the sky alone with a lamp at {shallower} and deeper with one at {deeper}, whatever its strength.',
     strengthsWhy:
-      'The elevation decides, not the strength. The paper’s lamp is at {elevation}°, between the two, where small differences in the light decide.',
+      'The elevation matters, not the strength. The paper’s lamp is at {elevation}°, between the two, where small differences in the light decide.',
 
     contrastSweepAlt:
       'A plot for each of two models: mean depth against contrast, a line for each module pattern, and dashed lines at the depths of Peng 2019 and Peng 2020.',
@@ -310,15 +310,15 @@ export const figures = {
       'With modules of 1.2 mm our default reads in {reads} tries as printed, at a depth of {depth} mm, in the median.',
     paperModuleOthers: 'The other methods for the sky: {list}.',
     paperModuleOther: '{method} {reads} at {depth} mm',
-    paperModuleDefault: 'No other method reads more often than our default at no more depth: this holds {cases}.',
+    paperModuleDefault: 'No other method reads more often than our default at no greater depth: this holds {cases}.',
 
     defaultChoiceAlt:
-      'Plots for four module widths: reads as printed against mean depth, and against maximum depth, a sign for each pattern tried. A circle marks the default.',
+      'Plots for four module widths: reads as printed against mean depth, and against maximum depth, a marker for each pattern tried. A circle marks the default.',
     defaultChoiceShown:
-      'Reads as printed against mean depth (above) and maximum depth (below) of the settings that remained after a search of 59 random draws, on the four models that were not used to choose the default: means of lying, upright and slanted prints. The circle marks the default; signs are module pattern / finder pattern.',
+      'Reads as printed against mean depth (above) and maximum depth (below) of the settings that remained after a search of 59 random draws, on the four models that were not used to choose the default: means of lying, upright and slanted prints. The circle marks the default; markers are module pattern / finder pattern.',
     choiceReads: 'On these four models the default reads in {list}.',
     choiceReadsAt: '{reads} tries at {depth} mm with modules of {width} mm',
-    choiceFrontier: 'No other choice reads more often at no more mean depth on {list}.',
+    choiceFrontier: 'No other choice reads more often at no greater mean depth on {list}.',
     choiceFrontierAt: '{holds} of {of} models with modules of {width} mm',
     choiceOthers: 'Without diamonds this holds on {list}.',
     choiceBetter: '{pattern} modules with finders “{finders}” read more often on average with modules of {list}.',
@@ -382,7 +382,7 @@ export const figures = {
     galleryMissing: 'This build has no pictures: script/gallery makes them.',
 
     symbolFlipsAlt:
-      'Two plots, for the search of 2019 and for ours: mean depth without flips, with the flips of Peng 2019 and with ours, a sign for each model.',
+      'Two plots, for the search of 2019 and for ours: mean depth without flips, with the flips of Peng 2019 and with ours, a marker for each model.',
     symbolFlipsShown:
       'Mean depth of whole modules at error correction H, when dark modules in wide dark areas are flipped to light and decoders restore them.',
     flipsCount:
@@ -431,7 +431,7 @@ export const figures = {
     'finder-none': 'Ganz',
     'finder-diamond': 'Raute',
     'finder-thick-plus': 'Dickes Plus',
-    'finder-thick-plus-sharp': 'Dickes Plus, spitz',
+    'finder-thick-plus-sharp': 'Dickes Plus, eckig',
     'carvedAt-sky': 'Nur für den Himmel graviert',
     'carvedAt-8': 'Lampe auf 8°',
     'carvedAt-33': 'Lampe auf 33°',
@@ -494,7 +494,7 @@ export const figures = {
     leastOne:
       '{process}: Das kleinste lesbare Modul ist {module} mm groß, {pose} (Module: {pattern}, Suchmuster: {finders}).',
     leastThick:
-      'Im Artikel hat das dicke Plus das kleinste Modul und das dünne das größte; hier ist das des dicken {thin} mindestens so klein wie das des dünnen.',
+      'Im Artikel hat das dicke Plus die kleinsten Module und das dünne die größten; hier sind die Module des dicken Plus {thin} mindestens so klein wie die Module des dünnen.',
     leastFinders:
       'Auch erlauben dort ganze Suchmuster kleinere Module als Suchmuster im Muster der Module; hier sind ihre Module {cases} mindestens so klein.',
     leastPrint: 'Stehend sind die Module {standing} mindestens so klein wie liegend, mit der feineren Düse {finer}.',
@@ -531,7 +531,7 @@ export const figures = {
     patternsFinders:
       'Die Suchmuster des Artikels, Raute und dickes Plus, machen Codes {cases} flacher als ganze Suchmuster; untereinander unterscheiden sie sich um höchstens {apart} mm.',
     patternsWhole:
-      'Mit Suchmustern im Muster der Module ist im Artikel kein Code lesbar. Hier sind es solche Codes {cases} im Entwurf und {printed} im Druck.',
+      'Mit Suchmustern im Muster der Module ist im Artikel kein Code lesbar. Hier sind solche Codes {cases} im Entwurf und {printed} im Druck lesbar.',
     patternsReads:
       'Flacher ist nicht besser: Im Druck werden im Median {thin} Versuche beim dünnen Plus gelesen, {square} beim Quadrat, {diamond} bei der Raute, {thick} beim dicken Plus und {whole} bei ganzen Modulen.',
 
@@ -547,19 +547,19 @@ export const figures = {
     methodsWhy:
       'Die Verfahren hören bei verschiedener Dunkelheit auf. Pengs Grenze ist ein Fünftel einer Grauskala, die an Fotos angepasst wurde; sie verlangt viel mehr Kontrast als ein Fünftel des Lichts. Unsere Grenze, die hier auch für Papp 2022 gilt, ist ein Anteil am Licht selbst, berechnet für den genauen Himmel und mit dem Licht, das die Wände zurückwerfen. Die Böden sind hier Stufen und nicht die Netze der Originale.',
     methodsLamp:
-      'Codes für eine Lampe werden unter ihr im Entwurf {peng} gelesen, wenn Peng 2020 sie graviert, {ours}, wenn QRelief: Eine niedrige Lampe beleuchtet gewölbten Grund ungleichmäßig, und Grund, der steil von ihr abfällt, gar nicht.',
-    methodsAllRead: 'Im Druck sind sie alle im Median lesbar.',
-    methodsUnread: 'Im Median sind diese im Druck nicht lesbar: {list}.',
+      'Unter ihrer Lampe sind Codes für eine Lampe im Entwurf {peng} lesbar, wenn Peng 2020 sie graviert, und {ours}, wenn QRelief sie graviert: Eine niedrige Lampe beleuchtet gewölbte Flächen ungleichmäßig und Flächen, die steil von ihr abfallen, gar nicht.',
+    methodsAllRead: 'Im Druck ist jedes Verfahren im Median lesbar.',
+    methodsUnread: 'Im Druck sind diese Verfahren im Median nicht lesbar: {list}.',
 
     frontierPrintedAlt:
       'Ein Diagramm je Modell: gelesene Versuche im Druck über der mittleren Tiefe, eine Linie je Verfahren von flach bis tief.',
     frontierPrintedShown:
-      'Gelesene Versuche im Druck über der mittleren Tiefe, eine Linie je Verfahren von der flachsten bis zur tiefsten Einstellung; die dicke Linie ist die App. Die Tiefe ist logarithmisch aufgetragen; gestrichelt ist, was ein Code braucht.',
+      'Gelesene Versuche im Druck über der mittleren Tiefe, eine Linie je Verfahren von der flachsten bis zur tiefsten Einstellung; die dicke Linie ist die App. Die Tiefe ist logarithmisch aufgetragen; gestrichelt ist die Zahl der Versuche, die ein Code braucht.',
     frontierDefault:
       'Mit unserer üblichen Einstellung wird {cases} mindestens so oft gelesen wie mit dem besten der anderen Verfahren für den Himmel bei höchstens gleicher Tiefe; zwischen den Einstellungen eines Verfahrens wird interpoliert.',
     frontierFinders:
       'Üblich sind dicke Plus und ganze Suchmuster. Solche Codes werden {cases} bei höchstens gleicher Tiefe mindestens so oft gelesen wie Codes mit gemusterten Suchmustern.',
-    frontierLost: 'Öfter bei höchstens gleicher Tiefe: {list}.',
+    frontierLost: 'Bei höchstens gleicher Tiefe werden öfter gelesen: {list}.',
     frontierBy: '{method} {cases}',
     frontierLamp: 'Mit Peng 2020, unter der eigenen Lampe, wird bei höchstens gleicher Tiefe {cases} öfter gelesen.',
     frontierShallowest:
@@ -595,14 +595,14 @@ export const figures = {
       'Das sind grobe Zeiten unserer Programme, während anderer Arbeit auf einem Rechner ohne Grafikkarte gemessen. Papps und unsere Suche zeichnen dort in Software; die von Peng und Kikuchi verfolgen Strahlen, Peng 2019 weit weniger als das Original.',
 
     lightErrorsAlt:
-      'Zwei Diagramme mit einer Zeile je Verfahren: wie weit seine eigene Schätzung des Lichts von der verfolgter Strahlen abweicht, als Betrag und mit Vorzeichen.',
+      'Zwei Diagramme mit einer Zeile je Verfahren: wie weit seine eigene Schätzung des Lichts vom Ergebnis der Strahlverfolgung abweicht, als Betrag und mit Vorzeichen.',
     lightErrorsShown:
-      'Unterschied zwischen dem Licht, das ein Verfahren in den gravierten Teilmodulen annimmt, und dem Licht, das verfolgte Strahlen auf dem gravierten Netz finden, als Anteil des Lichts auf einer freien Fläche. Negativ: Das Verfahren nimmt zu wenig Licht an.',
+      'Unterschied zwischen dem Licht, das ein Verfahren in den gravierten Teilmodulen annimmt, und dem Licht, das die Strahlverfolgung auf dem gravierten Netz findet, als Anteil des Lichts auf einer freien Fläche. Negativ: Das Verfahren nimmt zu wenig Licht an.',
     errorsRange: '{least} ist mit {leastError} im Median am genauesten, {most} mit {mostError} am ungenauesten.',
     errorsOursDark: 'QRelief liegt um {size} daneben und nimmt die Taschen im Mittel um {mean} zu dunkel an.',
     errorsOursBright: 'QRelief liegt um {size} daneben und nimmt die Taschen im Mittel um {mean} zu hell an.',
     errorsWhy:
-      'Kikuchi und Peng 2019 messen den sichtbaren Teil des Himmels; das ist eine andere Größe als Licht und kein Fehler ihrer Programme. Papp 2021, Papp 2022 und die gleiche Tiefe verwenden hier unser Modell des Lichts. Für Codes für eine Lampe ist das Licht unter dieser Lampe verfolgt. Der Artikel hat keinen solchen Vergleich.',
+      'Kikuchi und Peng 2019 messen den sichtbaren Teil des Himmels; das ist eine andere Größe als Licht und kein Fehler ihrer Programme. Papp 2021, Papp 2022 und die gleiche Tiefe verwenden hier unser Modell des Lichts. Bei Codes für eine Lampe wird das Licht unter dieser Lampe verfolgt. Der Artikel hat keinen solchen Vergleich.',
 
     lampDepthsAlt:
       'Ein Diagramm je Modell: mittlere Tiefe ohne Lampe, mit einer und mit zweien, für quadratische und für ganze Module.',
@@ -619,7 +619,7 @@ export const figures = {
     lightAnglesShown:
       'Gelesene Versuche auf einer Platte unter dem Himmel und einer Lampe, nach der Höhe dieser Lampe über dem Code. Jede Linie ist ein Licht, für das graviert wurde; Abbildung 22 des Artikels.',
     anglesWhole:
-      'Ganze Module, die für eine Lampe auf {oneAt}° graviert sind, lassen sich {one} lesen, die für eine auf {otherAt}° {other}.',
+      'Ganze Module, die für eine Lampe auf {oneAt}° graviert sind, lassen sich {one} lesen, ganze Module für eine Lampe auf {otherAt}° {other}.',
     anglesPaper:
       'Im Artikel vertragen sie eine um bis zu {oneHigher}° und {otherHigher}° höhere Lampe ({onePaper}° und {otherPaper}° in seinem Maß) und jede tiefere; hier gilt das erste {higher}, das zweite {lower}, und mit eben der Lampe, für die sie graviert sind, lassen sie sich {own} lesen.',
     anglesPattern:
@@ -635,7 +635,7 @@ export const figures = {
     robustnessShown:
       'Nach Modulmuster / Suchmuster: die größte Unschärfe (Standardabweichung in Modulen), die wenigsten Pixel je Modul und die größte Neigung, mit denen ein Code im Entwurf noch lesbar ist; Abschnitt 8 des Artikels.',
     robustPairs:
-      'Von zwei Mustern verträgt das, das mehr graviert, in {holds} von {of} Paaren mindestens so viel Unschärfe, über Suchmuster und Modelle zusammengenommen.',
+      'Von zwei Mustern verträgt das Muster, das mehr graviert, in {holds} von {of} Paaren mindestens so viel Unschärfe, über Suchmuster und Modelle zusammengenommen.',
     robustBlur: 'Mediane der Unschärfe in Modulen: {list}.',
     robustOf: '{pattern} {blur}',
     robustOurs: 'QRelief verträgt mit dicken Plus im Median {blur} Module Unschärfe und {tilt}° Neigung.',
@@ -656,11 +656,11 @@ export const figures = {
     asideOnlyFront: 'nur von vorn',
     asideUnread: 'nicht einmal von vorn',
     asideLayouts:
-      'Projizierte werden {cases}, in denen eine der beiden Arten gelesen wird, mindestens so weit von der Seite gelesen wie gewickelte.',
+      'Projizierte Codes werden {cases}, in denen eine der beiden Arten gelesen wird, mindestens so weit von der Seite gelesen wie gewickelte.',
     asideFront:
       'Von vorn werden projizierte Codes {projected} gelesen, solche dazwischen {halfway}, gewickelte {wrapped}.',
     asideMarks:
-      'Von Version {version} an hat ein Code sechs Ausrichtungsmuster statt eines, und sie zeigen, wie er sich biegt: Bei jedem Bogen lesen solche Codes von weiter seitlich: {list}.',
+      'Von Version {version} an hat ein Code sechs Ausrichtungsmuster statt eines, und sie zeigen, wie er sich biegt: Bei jedem Bogen sind solche Codes weiter von der Seite lesbar: {list}.',
     asidePaper:
       'Die Codes sind gemalt; die Abbildung zeigt also die Wirkung der gebogenen Fläche allein, unabhängig von der Gravur. Der Artikel hat keinen solchen Versuch.',
 
@@ -718,7 +718,7 @@ export const figures = {
     choiceBetter:
       'Module mit dem Muster „{pattern}“ und Suchmuster „{finders}“ lassen sich mit Modulen von {list} im Mittel öfter lesen.',
     choiceWhy:
-      'Rauten sind trotzdem nicht die Voreinstellung. Im Mittel lasen 3,1 von fünf Decoder-Familien jeden von neun Drucken mit Rauten aus den Bahnen eines Slicers; die Drucke mit der früheren Voreinstellung lasen 3,8. Alle Versuche hier macht ein einziger Decoder.',
+      'Rauten sind trotzdem nicht die Voreinstellung. Im Mittel lasen 3,1 von fünf Decoder-Familien jeden von neun Drucken mit Rauten aus den Bahnen eines Slicers; bei den Drucken mit der früheren Voreinstellung waren es 3,8. Alle Versuche hier macht ein einziger Decoder.',
 
     claimPaper: 'Der Artikel sagt',
     claimHere: 'Hier',
@@ -741,7 +741,7 @@ export const figures = {
     claimTime: 'Die Suche dauert kürzer als die von Peng 2019 und 2020.',
     claimLampPattern: 'Lampen machen Codes mit Mustern tiefer.',
     claimLampWhole: 'Lampen machen Codes mit ganzen Modulen flacher.',
-    claimAngles: 'Ein Code, der für eine Lampe graviert ist, lässt sich unter einer 15° bis 30° höheren lesen.',
+    claimAngles: 'Ein Code, der für eine Lampe graviert ist, lässt sich unter einer 15° bis 30° höheren Lampe lesen.',
     claimRobust: 'Muster, die mehr gravieren, vertragen mindestens so viel Unschärfe.',
     'section-module': 'Kleinstes Modul',
     'section-size': 'Größen',

@@ -17,7 +17,7 @@ export const guide = {
 
     size: 'Size',
     sizeWhat:
-      'The width of a module, the smallest square of the code, decides. The authors of the paper behind QRelief printed the default pattern with a 0.4 mm nozzle and decoded it with modules of 0.6 mm and more; their other prints have modules of 1.2 mm, which leaves a margin. For another nozzle, scale both widths.',
+      'The width of a module, the smallest square of the code, matters most. The authors of the paper behind QRelief printed the default pattern with a 0.4 mm nozzle and decoded it with modules of 0.6 mm and more; their other prints have modules of 1.2 mm, which leaves a margin. For another nozzle, scale both widths.',
     sizeShort: 'A short text needs fewer modules, so each can be larger. Shorten a link before you enlarge the code.',
     sizeTable: 'Width of the code with a 0.4 mm nozzle',
     letters: 'Text up to',
@@ -25,7 +25,7 @@ export const guide = {
     modules: 'Modules',
     smallest: 'Smallest that decoded',
     comfortable: 'With a margin',
-    sizeMargin: 'Keep a quiet zone of four modules free around the code. QRelief finds a place with room for it.',
+    sizeMargin: 'Keep a quiet zone of four modules free around the code. QRelief finds a spot with room for it.',
 
     printer: 'Nozzle and layers',
     printerTell:
@@ -70,7 +70,7 @@ export const guide = {
     lightPreset:
       'Under “How deep”, choose “Shallow” for even light from the front, “Balanced” if there is also a lamp, and “Robust” for poor light and wider angles.',
     lightPhone:
-      'Hold the phone straight in front of the code, about 25 cm away. The code is engraved for this distance; you can set another. Seen from the side, a code on a curved surface is distorted, however deep it is: a smaller code or a flatter place forgives more.',
+      'Hold the phone straight in front of the code, about 25 cm away. The code is engraved for this distance; you can set another. Seen from the side, a code on a curved surface is distorted, however deep it is: a smaller code or a flatter spot forgives more.',
     lightOne:
       'The shallowest codes use the shadow of one lamp: under “Pattern, depth, printer”, set “Darken by” to “Shadow of one lamp”. Such a code reads reliably only while one light, such as a phone’s lamp or the sun, shines from the side that the result names. To set its position, choose “Light of one lamp” under “Light”.',
 
@@ -81,7 +81,7 @@ export const guide = {
       'Open a list as CSV, as spreadsheets save it, with a column “text”, or number the parts. Before anything is engraved, QRelief names the lines with problems, such as two parts with the same text or a text that is too long. All codes have the size that the longest text needs.',
     partsFirst: 'Engrave the first part and look at it. Print it first if you can.',
     partsAll:
-      'Then engrave all parts. You can work on meanwhile, and go on after you close or reload the page. QRelief test-decodes every part; a part that does not decode is left out, and the table says why.',
+      'Then engrave all parts. You can do other work meanwhile, and go on after you close or reload the page. QRelief test-decodes every part; a part that does not decode is left out, and the table says why.',
     partsManifest:
       'The ZIP contains a model for each part and a manifest, manifest.csv, with the text, the file and the test results of every part.',
 
@@ -113,7 +113,7 @@ export const guide = {
     description:
       'Einen QR-Code, der in ein 3D-Modell graviert ist, so drucken, dass Handys ihn lesen: Größe, Düse, Schichten, Lage, Material, Licht und eine Prüfplatte.',
     heading: 'So wird es gedruckt',
-    lead: 'Ein eingravierter Code ist dort dunkel, wo wenig Licht hinkommt. Er liest sich gut, wenn der Drucker die Taschen sauber herstellt und das Licht von allen Seiten kommt.',
+    lead: 'Ein eingravierter Code ist dort dunkel, wo wenig Licht hinkommt. Er ist gut lesbar, wenn der Drucker die Taschen sauber herstellt und das Licht von allen Seiten kommt.',
 
     steps: 'Vom Modell zum Druck',
     stepPlace:
@@ -158,7 +158,7 @@ export const guide = {
 
     printed: 'Der simulierte Druck',
     printedWhat:
-      'Nach dem Gravieren simuliert QRelief den Druck: Jede Schicht wird so gelegt, wie die Düse es kann, das Ergebnis beleuchtet und gelesen. Module, die zu hell gedruckt würden, sind vorher tiefer graviert worden. Verfahren und Ausrichtung stehen unter „Muster, Tiefe, Drucker“. Die Bilder zeigen die Prüfplatte, wie ein Handy sie sieht; ginge ein Modul verloren, zeigte es ein Rahmen.',
+      'Nach dem Gravieren simuliert QRelief den Druck: Jede Schicht wird so gelegt, wie die Düse es kann, dann das Ergebnis beleuchtet und gelesen. Module, die im Druck zu hell würden, hat QRelief vorher vertieft. Verfahren und Ausrichtung stehen unter „Muster, Tiefe, Drucker“. Die Bilder zeigen die Prüfplatte, wie ein Handy sie sieht; ginge ein Modul verloren, zeigte es ein Rahmen.',
     printedStanding:
       'Düse 0,4 mm, Schichten 0,2 mm, stehend: Jede Schicht hinterlässt eine Rille, und die Ränder der Taschen sind Stufen.',
     printedLying:
@@ -191,7 +191,7 @@ export const guide = {
       'Eine Liste als CSV öffnen, wie Tabellenprogramme sie speichern, mit einer Spalte „text“, oder die Teile nummerieren. Bevor etwas graviert wird, nennt QRelief die Zeilen mit Fehlern, etwa zwei Teile mit gleichem Text oder einen zu langen Text. Alle Codes haben die Größe, die der längste Text braucht.',
     partsFirst: 'Das erste Teil gravieren, ansehen und am besten drucken.',
     partsAll:
-      'Dann alle gravieren. Das läuft neben anderer Arbeit und geht weiter, wenn die Seite inzwischen geschlossen oder neu geladen wurde. Jedes Teil wird probeweise gelesen; ein unlesbares Teil bleibt weg, und die Tabelle sagt, warum.',
+      'Dann alle gravieren. Anderes lässt sich währenddessen tun, und nach dem Schließen oder Neuladen der Seite geht es weiter. Jedes Teil wird probeweise gelesen; ein unlesbares Teil wird weggelassen, und die Tabelle sagt, warum.',
     partsManifest:
       'Das ZIP enthält für jedes Teil ein Modell und eine Übersicht, manifest.csv, mit Text, Datei und Prüfergebnissen jedes Teils.',
 

@@ -27,14 +27,14 @@ export const method = {
     size: '2. Size',
     sizeWhat:
       'Around the point, the eye sees a connected part of the surface; it ends where the surface turns away or another part covers it. The largest square in the silhouette of this part is the largest code. Its quiet zone must fit as well.',
-    guaranteed: 'Fits at any rotation',
+    guaranteed: 'Fits at every rotation',
     chosen: 'Engraved here',
     module: 'One module',
 
     occlusion: '3. Occlusion and depth',
     occlusionWhat:
       'Every wall runs along a ray from the eye, so the engraved code is a single height map. At each texel the GPU searches the map for the horizon in many directions; the sky above the horizon lights the texel. If the floor of a module is still too bright compared with its surroundings, the module goes deeper, in a few passes, until all modules are dark enough or a wall would become too thin.',
-    light: 'The light that arrives, at the final depths.',
+    light: 'The light on the floors, at the final depths.',
     depths: 'The final depths; each square is a fifth of a module wide.',
     passes: 'Passes',
     meanDepth: 'Mean depth',
@@ -52,7 +52,7 @@ export const method = {
     reading: '5. Decoding',
     readingWhat:
       'Finally QRelief draws the engraved model as a phone sees it, and an independent decoder has to find the text in this picture.',
-    photo: 'The view of the phone.',
+    photo: 'The phone’s view.',
     readsAs: 'Decoded: {text}',
     notRead: 'This picture did not decode.',
 
@@ -94,7 +94,7 @@ export const method = {
     occlusion: '3. Verdeckung und Tiefe',
     occlusionWhat:
       'Jede Wand verläuft entlang eines Strahls vom Auge, also ist der gravierte Code eine einzige Höhenkarte. Für jeden Punkt der Karte sucht die Grafikkarte in vielen Richtungen den Horizont; der Himmel darüber beleuchtet den Punkt. Ist der Boden eines Moduls im Vergleich zu seiner Umgebung noch zu hell, wird das Modul tiefer, in wenigen Durchgängen, bis alle dunkel genug sind oder eine Wand zu dünn würde.',
-    light: 'Das Licht, das ankommt, bei den endgültigen Tiefen.',
+    light: 'Das Licht auf den Böden, bei den endgültigen Tiefen.',
     depths: 'Die endgültigen Tiefen; jedes Quadrat ist ein Fünftel eines Moduls breit.',
     passes: 'Durchgänge',
     meanDepth: 'Mittlere Tiefe',
@@ -102,7 +102,7 @@ export const method = {
 
     embedding: '4. Das neue Netz',
     embeddingWhat:
-      'QRelief projiziert die Facetten unter dem Code und die Umrisse der Taschen auf eine Ebene, zerlegt sie in Dreiecke und hebt diese entlang der Strahlen auf die Fläche zurück; Böden und Wände folgen. Alle anderen Facetten bleiben Bit für Bit, wie sie sind. Das Ergebnis wird geschrieben, wieder gelesen und als Körper geprüft.',
+      'QRelief projiziert die Dreiecke unter dem Code und die Umrisse der Taschen auf eine Ebene, zerlegt sie neu und hebt die neuen Dreiecke entlang der Strahlen auf die Fläche zurück; dann kommen Böden und Wände dazu. Alle anderen Dreiecke bleiben Bit für Bit, wie sie sind. Das Ergebnis wird geschrieben, wieder gelesen und als Körper geprüft.',
     trianglesBefore: 'Dreiecke vorher',
     trianglesAfter: 'Dreiecke nachher',
     solid: 'Geprüft',

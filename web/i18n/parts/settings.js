@@ -25,7 +25,7 @@ export const settings = {
     markHint:
       'A code on a wall costs about one filament change per layer, a code that faces up on the printer only a few.',
     colours: 'Colours',
-    reflectanceHint: 'Fraction of the light that each material sends back: black plastic 0.05, white plastic 0.85.',
+    reflectanceHint: 'Fraction of the light that each material reflects: black plastic 0.05, white plastic 0.85.',
     patternDepthPrinter: 'Pattern, depth, printer',
     wallPrinter: 'Wall, printer',
     pattern: 'Pattern',
@@ -80,7 +80,7 @@ export const settings = {
     expertHint: 'Für Vergleiche mit Veröffentlichungen; für einen guten Code sind sie unnötig.',
     lightGroup: 'Licht',
     lightHint:
-      'Der Code wird für gleichmäßiges Licht graviert, solange hier keine Lampen stehen; sonst wird er für sie graviert und unter ihnen gelesen. Richtung: gegen den Uhrzeigersinn um den Code, von rechts aus. Stärke: 1 ist so stark wie der Himmel.',
+      'Der Code wird für gleichmäßiges Licht graviert, solange hier keine Lampen angegeben sind; sonst wird er für sie graviert und unter ihnen geprüft. Richtung: gegen den Uhrzeigersinn um den Code, von rechts aus. Stärke: 1 ist so stark wie der Himmel.',
     lampCount: 'Der Code steht in',
     evenLight: 'Gleichmäßigem Licht',
     oneLamp: 'Licht einer Lampe',

@@ -74,7 +74,7 @@ export const view = {
     section: 'Schnitt',
     sectionPosition: 'Lage des Schnitts',
     depths: 'Tiefen',
-    sizesLegend: 'Größter Code, der passt und druckt',
+    sizesLegend: 'Größter Code, der passt und sich drucken lässt',
     depthsLegend: 'Tiefe der Gravur',
     searchLight: 'Licht',
     searchDepths: 'Tiefen',
