@@ -183,18 +183,18 @@ class Rewriter {
     const ChangedRun* inlaid = nullptr;
     for (const ChangedRun* change : changes)
       if (change->inlay) inlaid = change;
-    moveRanges(key.second, changes, mesh->triangles.size(), inlaid);
+    if (const Status moved = moveRanges(key.second, changes, mesh->triangles.size(), inlaid); !moved) return moved;
     if (inlaid && family_ == Family::Bambu) return addPart(*inlaid, *mesh);
     return {};
   }
 
   /// Moves the ranges of PrusaSlicer's volumes of a mesh, and adds the inlay as a volume.
   /// @param triangles  of the mesh, before
-  void moveRanges(std::uint32_t object, const std::vector<const ChangedRun*>& changes, std::size_t triangles,
-                  const ChangedRun* inlaid) {
+  Status moveRanges(std::uint32_t object, const std::vector<const ChangedRun*>& changes, std::size_t triangles,
+                    const ChangedRun* inlaid) {
     const std::string* text = textOf(kPrusaSettings);
     const auto element = text ? findElement(*text, "object", object) : std::nullopt;
-    if (!element) return;
+    if (!element) return {};
     /// Returns the new number of the first or last triangle of a volume.
     const auto newNumber = [&](std::size_t triangle, bool isLast) {
       std::size_t result = triangle;
@@ -205,15 +205,18 @@ class Rewriter {
       }
       return result;
     };
+    std::vector<VolumeRange> ranges;
     XmlTags tags(*text);
     while (const auto tag = tags.next()) {
       if (tag->begin < element->inside || tag->begin >= element->insideEnd || !tag->starts("volume")) continue;
+      ranges.push_back({numberFrom(tag->attribute("firstid")), numberFrom(tag->attribute("lastid"))});
       for (const XmlTag::Attribute& a : tag->attributes())
         if (a.name == "firstid" || a.name == "lastid")
           edit(kPrusaSettings, {a.valueBegin, a.valueBegin + a.value.size(),
                                 std::to_string(newNumber(numberFrom(a.value), a.name == "lastid"))});
     }
-    if (!inlaid || family_ != Family::Prusa) return;
+    if (!divideMesh(ranges, triangles)) return anew(message("rewrite-encoding"));
+    if (!inlaid || family_ != Family::Prusa) return {};
     const std::size_t first = newNumber(triangles, false);
     edit(kPrusaSettings, {element->insideEnd, element->insideEnd,
                           fmt::format(" <volume firstid=\"{}\" lastid=\"{}\">\n"
@@ -222,6 +225,7 @@ class Rewriter {
                                       "   <metadata type=\"volume\" key=\"extruder\" value=\"{}\"/>\n  </volume>\n ",
                                       first, first + inlaid->inlay->mesh.triangles.size() - 1,
                                       escapedXml(inlaid->inlay->name), filament_)});
+    return {};
   }
 
   /// Adds the inlay as an object behind a component, and as a part of Bambu Studio's settings.

@@ -41,8 +41,8 @@ struct ChangedRun {
 /// @param slicer   the program that will open the file
 /// @returns NoSolution with the reason why the file must be written anew: a mesh that several items share; a second
 ///          filament, but the model settings of PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the object,
-///          or the file is to be for another program; text that is not UTF-8; other triangles when the file is
-///          read back
+///          or the file is to be for another program; text that is not UTF-8; volumes of PrusaSlicer that do not
+///          divide the mesh; other triangles when the file is read back
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
                                              Slicer slicer);
 

@@ -221,6 +221,14 @@ TEST(Rewrite3mf, SaysWhyAFileMustBeWrittenAnew) {
   const auto plain = zip_file::threeMf(zip_file::modelPart(box, "<item objectid=\"1\"/>"));
   EXPECT_EQ(whyNot(plain, false), "can be written");
   EXPECT_THAT(whyNot(plain, true), HasSubstr("no settings"));
+  for (const char* range : {R"(firstid="5" lastid="8")", R"(firstid="8" lastid="12")", R"(firstid="9" lastid="8")"}) {
+    auto parts = unzipped(prusaProject());
+    std::string& settings = parts["Metadata/Slic3r_PE_model.config"];
+    settings = replaced(settings, R"(firstid="8" lastid="11")", range);
+    const auto overlapping =
+        zip_file::threeMf(parts["3D/3dmodel.model"], {{"Metadata/Slic3r_PE_model.config", settings}});
+    EXPECT_THAT(whyNot(overlapping, false), HasSubstr("unusual form")) << range;
+  }
 }
 
 TEST(Rewrite3mf, TurnsTrianglesOfMirroredMeshesBack) {
