@@ -8,6 +8,7 @@ namespace {
 
 constexpr Colour kBodyColour = {235, 235, 230};
 constexpr Colour kInlayColour = {25, 25, 30};
+constexpr const char *kBodyMaterial = "Model", *kInlayMaterial = "QR code";
 
 /// Returns the index of the object with the carved part. Parts without triangles have no object.
 std::size_t carvedObject(const EngraveResult& result) {
@@ -38,12 +39,13 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   ModelObject& carved = objects[carvedObject(result)];
   ModelBody& body = carved.bodies.front();
   body.colour = kBodyColour;
-  if (!result.painted.empty()) body.paint = FacetPaint{kInlayColour, paintedOfCarvedPart(result)};
+  body.material = kBodyMaterial;
+  if (!result.painted.empty()) body.paint = FacetPaint{kInlayColour, paintedOfCarvedPart(result), kInlayMaterial};
   if (hasInlay) carved.bodies.push_back(codeBody(*result.inlay));
   return objects;
 }
 
-ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour}; }
+ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour, {}, kInlayMaterial}; }
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {
