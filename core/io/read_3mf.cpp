@@ -313,7 +313,7 @@ class Builder {
     const std::size_t triangles = object.triangles.size();
     if (triangles == 0) return;
     const auto known = volumes_.ranges.find(run.object);
-    if (known == volumes_.ranges.end() || !isDivision(known->second, triangles))
+    if (known == volumes_.ranges.end() || !divideMesh(known->second, triangles))
       return addTriangles(object, run, 0, triangles);
     const std::vector<VolumeRange>& ranges = known->second;
     std::vector<std::size_t> volumeOf(triangles, ranges.size());  // ranges.size(): in no volume
@@ -328,17 +328,6 @@ class Builder {
       else
         ++modifiers_;
     }
-  }
-
-  /// Returns true if every range lies within the mesh and all together have at most its number of triangles.
-  static bool isDivision(const std::vector<VolumeRange>& ranges, std::size_t triangles) {
-    std::size_t sum = 0;
-    for (const VolumeRange& range : ranges) {
-      if (range.first > range.last || range.last >= triangles) return false;
-      sum += range.last - range.first + 1;
-      if (sum > triangles) return false;
-    }
-    return true;
   }
 
   /// Adds triangles `first` to `end` of a mesh, with the positions that they need.

@@ -171,14 +171,14 @@ class Rewriter {
       if (change->inlay) inlaid = change;
       if (!change->painted.empty()) painted = change;
     }
-    std::size_t materials = 0;
-    if (family_ == Family::Plain && (inlaid || painted)) materials = addMaterials(key);
-    const PaintAttributes paint = painted ? paintAttributes(materials) : PaintAttributes();
+    std::size_t group = 0;
+    if (family_ == Family::Plain && (inlaid || painted)) group = addMaterials(key);
+    const PaintAttributes paint = painted ? paintAttributes(group) : PaintAttributes();
     edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
     removeSlices(key);
-    moveRanges(key.second, changes, mesh->triangles.size(), inlaid);
+    if (const Status moved = moveRanges(key.second, changes, mesh->triangles.size(), inlaid); !moved) return moved;
     if (!inlaid || family_ == Family::Prusa) return {};
-    return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, materials);
+    return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, group);
   }
 
   /// Takes the slices away from an object whose shape changes: they show what it was before.
@@ -190,42 +190,48 @@ class Rewriter {
         edit(key.first, {begin + a.begin, begin + a.end, ""});
   }
 
-  /// @param materials  of addMaterials()
-  PaintAttributes paintAttributes(std::size_t materials) const {
+  /// @param group  the code's colour group, of addMaterials()
+  PaintAttributes paintAttributes(std::size_t group) const {
     const std::string code = filamentCode(filament_);
     const std::string prusa = fmt::format(" {}=\"{}\"", kPrusaPaint, code);
     const std::string bambu = fmt::format(" {}=\"{}\"", kBambuPaint, code);
     if (family_ == Family::Prusa) return {prusa, {}};
     if (family_ == Family::Bambu) return {bambu, {}};
-    return {prusa + bambu + fmt::format(" pid=\"{}\" p1=\"1\"", materials),
-            fmt::format(" xmlns:slic3rpe=\"{}\"", kPrusaSpace)};
+    return {prusa + bambu + fmt::format(" pid=\"{}\" p1=\"0\"", group), fmt::format(" xmlns:slic3rpe=\"{}\"", kPrusaSpace)};
   }
 
-  /// Adds a group of both materials, and gives an object the first one if it has no property yet.
-  /// @returns the group's id
+  /// Adds a colour group for each of both materials, and their names. Gives an object the first group if it has no
+  /// property yet. Nothing refers to the names: Bambu Studio takes every `pid` for a colour group.
+  /// @returns the code's colour group
   std::size_t addMaterials(const MeshKey& key) {
     const std::string_view text = *textOf(key.first);
     const XmlSpan object = *findElement(text, "object", key.second);
     const XmlTag tag = *XmlTags(text.substr(object.begin)).next();
-    const std::size_t id = nextId();
-    std::string bases;
-    for (const Material& material : materials_)
-      bases += fmt::format("<{0}base name=\"{1}\" displaycolor=\"#{2:02X}{3:02X}{4:02X}\"/>", prefixOf(tag),
-                           escapedXml(material.name), material.colour[0], material.colour[1], material.colour[2]);
+    const std::string_view prefix = prefixOf(tag);
+    std::string groups, bases;
+    std::array<std::size_t, 2> ids{};
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      ids[i] = nextId();
+      const auto& [name, colour] = materials_[i];
+      const std::string hex = fmt::format("#{:02X}{:02X}{:02X}FF", colour[0], colour[1], colour[2]);
+      groups += fmt::format("<m:colorgroup xmlns:m=\"{}\" id=\"{}\"><m:color color=\"{}\"/></m:colorgroup>\n",
+                            kMaterialSpace, ids[i], hex);
+      bases += fmt::format("<{}base name=\"{}\" displaycolor=\"{}\"/>", prefix, escapedXml(name), hex);
+    }
     edit(key.first, {object.begin, object.begin,
-                     fmt::format("<{0}basematerials id=\"{1}\">{2}</{0}basematerials>\n", prefixOf(tag), id, bases)});
+                     groups + fmt::format("<{0}basematerials id=\"{1}\">{2}</{0}basematerials>\n", prefix, nextId(), bases)});
     const std::size_t end = object.begin + tag.raw.size() - 1;
-    if (!tag.attribute("pid")) edit(key.first, {end, end, fmt::format(" pid=\"{}\" pindex=\"0\"", id)});
-    return id;
+    if (!tag.attribute("pid")) edit(key.first, {end, end, fmt::format(" pid=\"{}\" pindex=\"0\"", ids[0])});
+    return ids[1];
   }
 
   /// Moves the ranges of PrusaSlicer's volumes of a mesh, and adds the inlay as a volume.
   /// @param triangles  of the mesh, before
-  void moveRanges(std::uint32_t object, const std::vector<const ChangedRun*>& changes, std::size_t triangles,
-                  const ChangedRun* inlaid) {
+  Status moveRanges(std::uint32_t object, const std::vector<const ChangedRun*>& changes, std::size_t triangles,
+                    const ChangedRun* inlaid) {
     const std::string* text = textOf(kPrusaSettings);
     const auto element = text ? findElement(*text, "object", object) : std::nullopt;
-    if (!element) return;
+    if (!element) return {};
     /// Returns the new number of the first or last triangle of a volume.
     const auto newNumber = [&](std::size_t triangle, bool isLast) {
       std::size_t result = triangle;
@@ -236,15 +242,18 @@ class Rewriter {
       }
       return result;
     };
+    std::vector<VolumeRange> ranges;
     XmlTags tags(*text);
     while (const auto tag = tags.next()) {
       if (tag->begin < element->inside || tag->begin >= element->insideEnd || !tag->starts("volume")) continue;
+      ranges.push_back({numberFrom(tag->attribute("firstid")), numberFrom(tag->attribute("lastid"))});
       for (const XmlTag::Attribute& a : tag->attributes())
         if (a.name == "firstid" || a.name == "lastid")
           edit(kPrusaSettings, {a.valueBegin, a.valueBegin + a.value.size(),
                                 std::to_string(newNumber(numberFrom(a.value), a.name == "lastid"))});
     }
-    if (!inlaid || family_ != Family::Prusa) return;
+    if (!divideMesh(ranges, triangles)) return anew(message("rewrite-encoding"));
+    if (!inlaid || family_ != Family::Prusa) return {};
     const std::size_t first = newNumber(triangles, false);
     edit(kPrusaSettings, {element->insideEnd, element->insideEnd,
                           fmt::format(" <volume firstid=\"{}\" lastid=\"{}\">\n"
@@ -253,6 +262,7 @@ class Rewriter {
                                       "   <metadata type=\"volume\" key=\"extruder\" value=\"{}\"/>\n  </volume>\n ",
                                       first, first + inlaid->inlay->mesh.triangles.size() - 1,
                                       escapedXml(inlaid->inlay->name), filament_)});
+    return {};
   }
 
   /// Adds a component next to that of a run's mesh, in the item's object: in the start part, or in the mesh's own part
@@ -316,7 +326,7 @@ class Rewriter {
 
   /// Adds the inlay as an object to a file without settings, and the settings of all slicers. If the item is the mesh
   /// itself, it becomes an object with two components.
-  Status addBody(const ChangedRun& change, const MeshText& body, std::size_t materials) {
+  Status addBody(const ChangedRun& change, const MeshText& body, std::size_t group) {
     const ThreeMfRun& run = runOf(change);
     const std::string_view text = *textOf(run.part);
     const std::size_t start = findElement(text, "object", run.object)->begin;
@@ -328,9 +338,9 @@ class Rewriter {
     const std::size_t inlay = nextId();
     std::size_t whole = run.itemObject;
     std::string objects = withOwnUuid(
-        fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\" pid=\"{3}\" pindex=\"1\" xmlns:cura=\"{4}\"{5}>"
+        fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\" pid=\"{3}\" pindex=\"0\" xmlns:cura=\"{4}\"{5}>"
                     "\n{6}{7}</{0}object>",
-                    body.prefix, inlay, escapedXml(change.inlay->name), materials, kCuraSpace, uuid,
+                    body.prefix, inlay, escapedXml(change.inlay->name), group, kCuraSpace, uuid,
                     curaExtruder(2, body.prefix), wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
         inlay);
     if (whole == run.object) {

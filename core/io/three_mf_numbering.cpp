@@ -12,12 +12,26 @@ bool isPainted(const ModelObject& object) {
                      [](const ModelBody& b) { return b.paint.has_value(); });
 }
 
+/// Returns the name of a colour's material; empty if nothing names it.
+std::string materialOf(const Colour& colour, std::span<const ModelObject> objects) {
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies) {
+      if (body.colour == colour && !body.material.empty()) return body.material;
+      if (body.paint && body.paint->colour == colour && !body.paint->material.empty()) return body.paint->material;
+    }
+  return {};
+}
+
 bool isForBambu(Slicer slicer) { return slicer == Slicer::OrcaSlicer || slicer == Slicer::BambuStudio; }
 
 }  // namespace
 
 Numbering::Numbering(std::span<const ModelObject> objectsToWrite, const WriteOptions& options) {
   colours = coloursOf(objectsToWrite);
+  for (const Colour& colour : colours) {
+    const std::string name = materialOf(colour, objectsToWrite);
+    materials.push_back(name.empty() ? fmt::format("Filament {}", materials.size() + 1) : name);
+  }
   std::size_t nextId = colours.size() + 1;
   for (const ModelObject& object : objectsToWrite) {
     NumberedObject numbered;
@@ -39,6 +53,7 @@ Numbering::Numbering(std::span<const ModelObject> objectsToWrite, const WriteOpt
     numbered.id = numbered.hasComponents || numbered.isInOneMesh ? nextId++ : numbered.bodies.front().id;
     objects.push_back(std::move(numbered));
   }
+  materialsId = nextId;
 }
 
 bool Numbering::hasPaint() const {

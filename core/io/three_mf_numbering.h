@@ -27,11 +27,15 @@ struct NumberedObject {
   std::string path;  ///< part file of the bodies, with a leading slash; empty: the root model
 };
 
-/// Places and numbers of everything in a 3MF file: one colour group for each colour from 1 on, then bodies and objects.
+/// Places and numbers of everything in a 3MF file: one colour group for each colour from 1 on, then bodies and objects,
+/// then the base materials.
 /// Ids are unique in the whole package, because slicers look some up without their part.
 struct Numbering {
   std::vector<Colour> colours;  ///< coloursOf(); empty if nothing has a colour
+  /// Names of the colours' materials: the first that a body or paint of the colour has, else "Filament 1" and so on.
+  std::vector<std::string> materials;
   std::vector<NumberedObject> objects;
+  std::size_t materialsId = 0;
 
   Numbering(std::span<const ModelObject> objectsToWrite, const WriteOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
@@ -21,12 +22,16 @@ bool contains(const std::array<std::string_view, N>& kinds, std::string_view kin
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-/// Returns a number from an attribute; 0 if there is none, which no object has.
-std::uint32_t numberOf(const XmlElement& element, std::string_view name) {
+/// Returns a number from an attribute; none if it is missing, negative or too large.
+std::optional<std::uint32_t> numberOf(const XmlElement& element, std::string_view name) {
   const auto text = element.attribute(name);
   const auto number = text ? parseInteger(*text) : std::nullopt;
-  return number && *number >= 0 && *number <= 0x7fffffff ? static_cast<std::uint32_t>(*number) : 0;
+  if (!number || *number < 0 || *number > 0x7fffffff) return std::nullopt;
+  return static_cast<std::uint32_t>(*number);
 }
+
+/// Returns an object's id; 0, which no object has, if there is none.
+std::uint32_t idOf(const XmlElement& element) { return numberOf(element, "id").value_or(0); }
 
 /// Reads both programs' files, whose elements and keys have different names.
 class VolumeHandler : public XmlHandler {
@@ -35,7 +40,7 @@ class VolumeHandler : public XmlHandler {
 
   Status startElement(const XmlElement& element) override {
     if (element.name == "object")
-      object_ = numberOf(element, "id");
+      object_ = idOf(element);
     else if (element.name == "part")
       takePart(element);
     else if (element.name == "volume")
@@ -51,13 +56,14 @@ class VolumeHandler : public XmlHandler {
     range_ = nullptr;
     ++count_;
     if (contains(kBambuKinds, element.attribute("subtype").value_or("")))
-      volumes_.notModels.insert({object_, numberOf(element, "id")});
+      volumes_.notModels.insert({object_, idOf(element)});
   }
 
   void takeRange(const XmlElement& element) {
     ++count_;
     auto& ranges = volumes_.ranges[object_];
-    ranges.push_back({numberOf(element, "firstid"), numberOf(element, "lastid"), true});
+    const auto first = numberOf(element, "firstid"), last = numberOf(element, "lastid");
+    ranges.push_back(first && last ? VolumeRange{*first, *last} : VolumeRange{1, 0});
     range_ = &ranges.back();
   }
 
@@ -74,6 +80,17 @@ class VolumeHandler : public XmlHandler {
 };
 
 }  // namespace
+
+bool divideMesh(std::span<const VolumeRange> ranges, std::size_t triangles) {
+  std::vector<VolumeRange> sorted(ranges.begin(), ranges.end());
+  std::sort(sorted.begin(), sorted.end(), [](const VolumeRange& a, const VolumeRange& b) { return a.first < b.first; });
+  std::size_t end = 0;  // of the ranges so far
+  for (const VolumeRange& range : sorted) {
+    if (range.first < end || range.first > range.last || range.last >= triangles) return false;
+    end = range.last + 1;
+  }
+  return true;
+}
 
 ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBytes, std::vector<Message>& warnings) {
   ThreeMfVolumes volumes;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,14 @@ inline constexpr std::string_view kPrusaSettings = "Metadata/Slic3r_PE_model.con
 
 /// A range of a mesh's triangles, as PrusaSlicer divides it into volumes.
 struct VolumeRange {
-  std::size_t first = 0, last = 0;  ///< both included
+  std::size_t first = 0, last = 0;  ///< both included; first > last if the file has no such numbers
   bool isModel = true;              ///< false: a modifier, negative volume, support blocker or enforcer
 };
+
+/// Returns true if every range lies within a mesh and no two overlap. Triangles may be in no range.
+///
+/// Cost: O(n log n) in the number of ranges.
+bool divideMesh(std::span<const VolumeRange> ranges, std::size_t triangles);
 
 /// The volumes of a 3MF file that slicers use without printing them.
 struct ThreeMfVolumes {

@@ -115,6 +115,7 @@ class Package {
       text.add(FMT_COMPILE(" <metadata name=\"slic3rpe:MmPaintingVersion\">1</metadata>\n"));
     text.add(FMT_COMPILE(" <resources>\n"));
     if (hasColourGroups()) putColourGroups(text);
+    if (hasColourGroups() && options_.slicer == Slicer::Any) putMaterials(text);
     for (const NumberedObject& object : numbering_.objects) putObject(object, text);
     text.add(FMT_COMPILE(" </resources>\n <build>\n"));
     for (const NumberedObject& object : numbering_.objects) putItem(object, text);
@@ -140,6 +141,17 @@ class Package {
                            "  </m:colorgroup>\n"),
                i + 1, red, green, blue);
     }
+  }
+
+  /// Names the colours' materials. Bodies do not refer to them: Bambu Studio takes every `pid` for a colour group.
+  void putMaterials(PartText& text) const {
+    text.add(FMT_COMPILE("  <basematerials id=\"{}\">\n"), numbering_.materialsId);
+    for (std::size_t i = 0; i < numbering_.colours.size(); ++i) {
+      const auto& [red, green, blue] = numbering_.colours[i];
+      text.add(FMT_COMPILE("   <base name=\"{}\" displaycolor=\"#{:02X}{:02X}{:02X}FF\"/>\n"),
+               escapedXml(numbering_.materials[i]), red, green, blue);
+    }
+    text.add(FMT_COMPILE("  </basematerials>\n"));
   }
 
   void putObject(const NumberedObject& object, PartText& text) const {

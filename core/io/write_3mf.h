@@ -9,11 +9,11 @@ namespace qrelief {
 ///
 /// Colours become filaments: the first for the first colour, and so on. Each slicer looks for them in a different
 /// place, and `slicer` chooses (docs/decisions/0044):
-/// - Any: bodies are components, each with a colour group of one colour (`m:colorgroup` of the materials
-///   extension, with exactly that prefix), an extruder in Metadata/model_settings.config and in
-///   Metadata/Slic3r_PE_model.config, and `cura:extruder_nr`. PrusaSlicer asks whether meshes at several heights are
-///   parts of one object. Objects with painted facets have a part file of their own, and each painted facet has the
-///   attributes of all programs and its colour.
+/// - Any: bodies are components. Each has a colour group of one colour (`m:colorgroup` of the materials extension, with
+///   exactly that prefix), an extruder in Metadata/model_settings.config and in Metadata/Slic3r_PE_model.config, and
+///   `cura:extruder_nr`. PrusaSlicer asks whether meshes at several heights are parts of one object. Objects with
+///   painted facets have a part file of their own, and each painted facet has the attributes of all programs and its
+///   colour. `basematerials` of the core specification name the materials of the colours, in the same order.
 /// - PrusaSlicer: one mesh for each object, which Metadata/Slic3r_PE_model.config divides into volumes, each with its
 ///   extruder. Nothing is asked. Painted facets have `slic3rpe:mmu_segmentation`.
 /// - OrcaSlicer, BambuStudio: one part file for each object, which the root model refers to by components, because some

@@ -21,6 +21,7 @@ using Colour = std::array<std::uint8_t, 3>;
 struct FacetPaint {
   Colour colour;
   std::vector<std::uint32_t> triangles;  ///< indices into the body's triangles, ascending, each once
+  std::string material = {};             ///< name of the colour's material, UTF-8; only in 3MF for any slicer
 };
 
 /// The part of an object that is printed in one material, except for its painted facets.
@@ -29,6 +30,7 @@ struct ModelBody {
   Mesh mesh;                             ///< mm, at least one triangle
   std::optional<Colour> colour;          ///< if only other bodies have a colour, this one gets the first of theirs
   std::optional<FacetPaint> paint = {};  ///< needs a colour of the body, too; only 3MF and OBJ can hold it
+  std::string material = {};             ///< name of the colour's material, UTF-8; only in 3MF for any slicer
 };
 
 /// One thing on the build plate: a body, or several that keep their relative positions and are printed together, such

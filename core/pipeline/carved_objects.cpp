@@ -8,7 +8,7 @@ namespace {
 
 constexpr Colour kBodyColour = {235, 235, 230};
 constexpr Colour kInlayColour = {25, 25, 30};
-constexpr const char* kCodeName = "QR code";
+constexpr const char *kBodyMaterial = "Model", *kInlayMaterial = "QR code";
 
 /// Returns the index of the object with the carved part. Parts without triangles have no object.
 std::size_t carvedObject(const EngraveResult& result) {
@@ -39,14 +39,17 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   ModelObject& carved = objects[carvedObject(result)];
   ModelBody& body = carved.bodies.front();
   body.colour = kBodyColour;
-  if (!result.painted.empty()) body.paint = FacetPaint{kInlayColour, paintedOfCarvedPart(result)};
+  body.material = kBodyMaterial;
+  if (!result.painted.empty()) body.paint = FacetPaint{kInlayColour, paintedOfCarvedPart(result), kInlayMaterial};
   if (hasInlay) carved.bodies.push_back(codeBody(*result.inlay));
   return objects;
 }
 
-ModelBody codeBody(const Mesh& inlay) { return {kCodeName, inlay, kInlayColour}; }
+ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour, {}, kInlayMaterial}; }
 
-std::array<Material, 2> filamentMaterials() { return {{{"model", kBodyColour}, {kCodeName, kInlayColour}}}; }
+std::array<Material, 2> filamentMaterials() {
+  return {{{kBodyMaterial, kBodyColour}, {kInlayMaterial, kInlayColour}}};
+}
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {

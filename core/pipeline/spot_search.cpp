@@ -71,6 +71,8 @@ std::vector<Message> concernsAt(const Spot& spot, const SpotSearchRequest& reque
   if (!spot.prints)
     concerns.push_back(message("spot-too-small-to-print", with::lengthMm<"nozzle">(request.nozzleMm),
                                with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
+  if (!spot.takesPockets)
+    concerns.push_back(message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
   if (spot.facesDown) concerns.push_back(message("faces-down"));
   if (isUneven(spot)) concerns.push_back(message("spot-lit-unevenly"));
   return concerns;
@@ -110,6 +112,7 @@ struct SpotSearchJob::State {
   // Order of the candidates: first the `likely` ones, which take the size according to the map, with the `deferred`
   // doubtful ones last among them; then all others. The first `screened` have been checked.
   std::size_t likely = 0, screened = 0, deferred = 0;
+  std::size_t recalled = 0;    // candidates before this one were recalled: tested until enough spots print
   bool withDirection = false;  // true during the second try at a candidate
   std::optional<PlacementSearch> search;
   Spot offered;                   // the spot being tested
@@ -121,8 +124,13 @@ struct SpotSearchJob::State {
   double fraction = kMapShare;  // progress of the job, once spots are tested
 
   std::size_t goodSpots() const {  // counts small ones, too: later spots are hardly larger
+    return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(), [](const Spot& spot) {
+      return spot.takesPockets && !spot.facesDown && !isUneven(spot);
+    }));
+  }
+  std::size_t printableSpots() const {
     return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
-                                                  [](const Spot& spot) { return !spot.facesDown && !isUneven(spot); }));
+                                                  [](const Spot& spot) { return spot.prints && !spot.facesDown; }));
   }
   /// Returns the number of spots to find: more than requested if their layers are to be compared.
   std::size_t wantedSpots() const { return request.count * (request.colourPrinter ? kMoreForColour : 1); }
@@ -142,6 +150,8 @@ struct SpotSearchJob::State {
   double lightOn(const ProjectionFrame& frame, double symbolMm) const;
   bool isDoubtful(const SpotCandidate& spot) const;
   bool screen();
+  bool recallDeferred();
+  bool isEnough() const;
   void beginTest();
   Status testOnce();
   Status take(const Placement& placement);
@@ -186,7 +196,7 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   options.enoughMm = std::max(wantedMm(), request.placement.maxSizeMm) * outer;
   candidates = spotCandidates(map(), options);
   candidate = 0;
-  screened = deferred = 0;
+  screened = deferred = recalled = 0;
   withDirection = false;
   const double takes = fixed() && stage != Stage::FindingLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
@@ -225,6 +235,29 @@ bool SpotSearchJob::State::screen() {
   std::rotate(at, at + 1, candidates.begin() + static_cast<std::ptrdiff_t>(likely));
   ++deferred;
   return true;
+}
+
+/// Puts the deferred candidates that are large enough to print before all others, if no spot so far is large enough.
+/// @returns false if there are none
+bool SpotSearchJob::State::recallDeferred() {
+  if (stage != Stage::Testing || deferred == 0 || candidate >= likely || printableSpots() > 0) return false;
+  const auto at = [&](std::size_t i) { return candidates.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto first = at(std::max(candidate, likely - deferred));
+  const auto end = std::stable_partition(first, at(likely), [&](const SpotCandidate& spot) {
+    return spot.sizeMm >= kMapMayErr * request.leastPrintableMm * outer;
+  });
+  deferred = 0;
+  recalled = screened = candidate + static_cast<std::size_t>(end - first);
+  std::rotate(at(candidate), first, end);
+  return recalled > candidate;
+}
+
+/// Returns true if no more candidates must be tested.
+bool SpotSearchJob::State::isEnough() const {
+  if (candidate >= candidates.size()) return true;
+  if (stage == Stage::FindingLargest) return candidate >= kLargestTried;
+  if (candidate < recalled) return printableSpots() >= wantedSpots();
+  return hasEnough() || candidate >= mostTries();
 }
 
 void SpotSearchJob::State::beginTest() {
@@ -270,7 +303,8 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   }
   const auto wall = measureWall(*model, placement, request.modules, request.leastDepthMm, request.minWallMm);
   if (!wall) return tl::unexpected(wall.error());
-  if (wall->takes) {
+  if (wall->takes || (request.offersThinWalls && stage == Stage::Testing)) {
+    offered.takesPockets = wall->takes;
     offered.unevenLight = lightOn(placement.frame, placement.symbolMm);
     offered.prints = offered.symbolMm >= request.leastPrintableMm;
     offered.concerns = concernsAt(offered, request);
@@ -288,8 +322,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
 }
 
 Status SpotSearchJob::State::testOnce() {
-  const bool enough = stage == Stage::Testing ? hasEnough() || candidate >= mostTries() : candidate >= kLargestTried;
-  if (candidate >= candidates.size() || enough) return finishTests();
+  if (isEnough() && !recallDeferred()) return finishTests();
   if (!search && screen()) return {};
   if (!search) beginTest();
   const Result<bool> found = search->step();
@@ -315,7 +348,7 @@ Status SpotSearchJob::State::finishTests() {
   // Doubts in order of importance.
   const auto doubts = [](const Spot& spot) {
     const int doublings = spot.colourLayers > 0 ? std::ilogb(spot.colourLayers) : 0;  // twice the layers count
-    return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), doublings, spot.needsDirection);
+    return std::tuple(!spot.prints, !spot.takesPockets, spot.facesDown, isUneven(spot), doublings, spot.needsDirection);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const Spot& a, const Spot& b) {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
@@ -411,6 +444,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
   search.placement = searchedPlacement(request, symbol.size);
   search.modules = symbol.size;
   search.minWallMm = request.depth.minWallMm;
+  search.offersThinWalls = request.marking.isOpen;
   if (request.marking.mark == Mark::Inlay)
     search.leastDepthMm =
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));

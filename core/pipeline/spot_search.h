@@ -21,10 +21,11 @@ struct SpotSearchRequest {
   /// As for engraving; `centreMm` is ignored. SizeMode::Fixed finds spots for that size; all other modes find the spots
   /// for the largest code.
   PlacementRequest placement;
-  int modules = 21;           ///< along the symbol's edge; fewer modules need a relatively wider quiet zone
-  double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
-  double leastDepthMm = 0.3;  ///< spots whose wall is too thin for pockets of this depth are left out, > 0
-  std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
+  int modules = 21;              ///< along the symbol's edge; fewer modules need a relatively wider quiet zone
+  double minWallMm = 0.8;        ///< material that must remain behind a floor, ≥ 0
+  double leastDepthMm = 0.3;     ///< spots whose wall is too thin for pockets of this depth are left out, > 0
+  bool offersThinWalls = false;  ///< true: they come last instead, for a mark that may become paint
+  std::size_t count = 5;         ///< spots to find, 1 … kMaxSpots
   /// Pose of the model on the printer, to detect spots that face down (kSteepestOverhangDeg). None: no spot faces down.
   std::optional<BuildDirection> buildUp = {};
   double nozzleMm = 0.4;
@@ -52,6 +53,7 @@ struct Spot {
   bool facesDown = false;         ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;         ///< see pipeline/spot_light.h
   bool prints = true;             ///< not smaller than SpotSearchRequest::leastPrintableMm
+  bool takesPockets = true;       ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
   bool needsDirection = false;    ///< the request's method finds no direction that fits
   double symbolMm = 0;            ///< the size requested or found
   double largestMm = 0;           ///< largest size from that direction, at the requested rotation

@@ -105,9 +105,12 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
-/// Prints what was carved instead, if the code did not decode as requested.
+/// Prints what was carved instead, if the code could not be carved or did not decode as requested.
 void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
-  if (carved.depth.preset != asked.depth.preset)
+  if (carved.marking.mark != asked.marking.mark)
+    fmt::print("made as {}: as a shadow, the code or its print did not decode reliably\n",
+               markName(carved.marking.mark));
+  else if (carved.depth.preset != asked.depth.preset)
     fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
                presetName(carved.depth.preset), presetName(asked.depth.preset));
   else if (carved != asked)

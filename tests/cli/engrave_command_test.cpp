@@ -198,6 +198,8 @@ TEST_F(EngraveCommandTest, AnOpenMarkTakesAnInlayWhereWallsAreTooThinForAShadow)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(contentOf(path("out.json")));
   EXPECT_NE(report["mark"], "shadow");
+  EXPECT_NE(outcome.out.find("made as " + report["mark"].get<std::string>() + ": as a shadow,"), std::string::npos)
+      << outcome.out;
   EXPECT_EQ(report["verification"]["verdict"]["prints"]["level"], "good");
 }
 

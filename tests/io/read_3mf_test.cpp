@@ -218,10 +218,38 @@ TEST(ThreeMfReader, LeavesModifiersOfPrusaSlicerOut) {
     EXPECT_EQ(soup->source->runs.size(), 1u);
   }
   EXPECT_EQ(read(volume(0, 3, "modifier", "1") + volume(4, 11, "modifier", "0"))->triangles.size(), 8u);
-  // Ranges that overlap, end too late or are reversed divide nothing.
-  EXPECT_EQ(read(volume(0, 8, "modifier", "1") + volume(8, 11, "modifier", "0"))->triangles.size(), 12u);
-  EXPECT_EQ(read(volume(0, 12, "modifier", "1"))->triangles.size(), 12u);
-  EXPECT_EQ(read(volume(5, 4, "modifier", "1"))->triangles.size(), 12u);
+  // Ranges may come in any order. Triangles in no volume are models.
+  EXPECT_EQ(read(volume(8, 11, "modifier", "0") + volume(0, 3, "modifier", "1"))->triangles.size(), 8u);
+  EXPECT_EQ(read(volume(3, 5, "modifier", "1"))->triangles.size(), 9u);
+}
+
+TEST(ThreeMfReader, IgnoresVolumesOfPrusaSlicerThatDoNotDivideTheMesh) {
+  using Range = std::pair<std::string, std::string>;
+  const auto trianglesRead = [](const std::vector<Range>& ranges) {
+    std::string volumes;
+    for (const auto& [first, last] : ranges)
+      volumes += "<volume firstid=\"" + first + "\" lastid=\"" + last +
+                 "\"><metadata type=\"volume\" key=\"modifier\" value=\"1\"/></volume>";
+    const auto soup = read3mf(
+        threeMf(modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>"),
+                {{"Metadata/Slic3r_PE_model.config", "<config><object id=\"1\">" + volumes + "</object></config>"}}),
+        {});
+    EXPECT_TRUE(soup) << sentence(soup.error().message);
+    return soup ? soup->triangles.size() : 0;
+  };
+  EXPECT_EQ(trianglesRead({{"0", "2"}, {"5", "6"}}), 7u);
+  const std::vector<std::vector<Range>> invalid = {
+      {{"0", "4"}, {"4", "6"}},         // overlap in one triangle, and leave a gap
+      {{"5", "8"}, {"6", "7"}},         // one within the other
+      {{"3", "4"}, {"3", "4"}},         // the same twice
+      {{"0", "2"}, {"10", "12"}},       // ends after the last triangle
+      {{"0", "99999999999999999999"}},  // does not fit into a number
+      {{"0", "2"}, {"5", "4"}},         // reversed
+      {{"-3", "4"}},
+      {{"0", "-1"}},
+      {{"", "4"}}};
+  for (const std::vector<Range>& ranges : invalid)
+    EXPECT_EQ(trianglesRead(ranges), 12u) << ranges.front().first << ' ' << ranges.back().second;
 }
 
 TEST(ThreeMfReader, ReadsTheModelsOfAFileWhoseSettingsAreDamaged) {

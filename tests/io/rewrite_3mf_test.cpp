@@ -221,9 +221,11 @@ TEST(Rewrite3mf, AFileWithoutSettingsGetsThoseOfAnInlayAndKeepsTheRest) {
   EXPECT_EQ(after.size(), before.size() + 2);
   EXPECT_EQ(after["Thumbnails/lid.png"], before["Thumbnails/lid.png"]);
   EXPECT_THAT(after["[Content_Types].xml"], HasSubstr("Extension=\"config\""));
-  EXPECT_EQ(after["3D/3dmodel.model"], replaced(before["3D/3dmodel.model"], "objectid=\"7\"", "objectid=\"10\""));
-  EXPECT_THAT(after["3D/lid.model"], HasSubstr("<basematerials id=\"8\"><base name=\"model\" displaycolor=\"#FAF0E6\"/>"
-                                               "<base name=\"QR code\" displaycolor=\"#010203\"/></basematerials>"));
+  EXPECT_EQ(after["3D/3dmodel.model"], replaced(before["3D/3dmodel.model"], "objectid=\"7\"", "objectid=\"12\""));
+  EXPECT_THAT(after["3D/lid.model"], HasSubstr("id=\"9\"><m:color color=\"#010203FF\"/></m:colorgroup>"));
+  EXPECT_THAT(after["3D/lid.model"],
+              HasSubstr("<basematerials id=\"10\"><base name=\"model\" displaycolor=\"#FAF0E6FF\"/>"
+                        "<base name=\"QR code\" displaycolor=\"#010203FF\"/></basematerials>"));
   EXPECT_THAT(after["3D/lid.model"],
               HasSubstr("p:UUID=\"aaaaaaaa-61cb-4c03-9d28-80fed5dfa1dc\" pid=\"8\" pindex=\"0\">"));
   const auto bambu = slicer_rules::openInBambuStudio(*written);
@@ -252,7 +254,7 @@ TEST(Rewrite3mf, PaintOfAFileWithoutSettingsIsReadByAllSlicers) {
     if (name != "3D/lid.model") {
       EXPECT_EQ(after[name], text) << name;
     }
-  EXPECT_THAT(after["3D/lid.model"], HasSubstr(" pid=\"8\" p1=\"1\"/>"));
+  EXPECT_THAT(after["3D/lid.model"], HasSubstr(" pid=\"9\" p1=\"0\"/>"));
   const auto bambu = slicer_rules::openInBambuStudio(*written);
   const auto prusa = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_9);
   for (const auto& project : {bambu, prusa}) {
@@ -326,6 +328,14 @@ TEST(Rewrite3mf, SaysWhyAFileMustBeWrittenAnew) {
   const auto coloured = zip_file::threeMf(
       zip_file::modelPart(group + box, "<item objectid=\"1\"/>", fmt::format("xmlns:m=\"{}\"", kMaterialSpace)));
   EXPECT_THAT(whyNot(coloured, true), HasSubstr("no settings"));
+  for (const char* range : {R"(firstid="5" lastid="8")", R"(firstid="8" lastid="12")", R"(firstid="9" lastid="8")"}) {
+    auto parts = unzipped(prusaProject());
+    std::string& settings = parts["Metadata/Slic3r_PE_model.config"];
+    settings = replaced(settings, R"(firstid="8" lastid="11")", range);
+    const auto overlapping =
+        zip_file::threeMf(parts["3D/3dmodel.model"], {{"Metadata/Slic3r_PE_model.config", settings}});
+    EXPECT_THAT(whyNot(overlapping, false), HasSubstr("unusual form")) << range;
+  }
 }
 
 TEST(Rewrite3mf, AChangedObjectLosesItsSlices) {

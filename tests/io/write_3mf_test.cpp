@@ -80,6 +80,25 @@ std::vector<ModelObject> paintedPlate() {
           {"beside", {{"", shapes::translated(shapes::box({3, 3, 3}), {40, 0, 0}), {}}}}};
 }
 
+TEST(Write3mf, NamesTheMaterialsInAFileForAnySlicerOnly) {
+  std::vector<ModelObject> objects = inlaidPlate();
+  objects[0].bodies[0].material = "White & matte";
+  const std::string model = partOf(*write3mf(objects, {}), "3D/3dmodel.model");
+  EXPECT_THAT(model, HasSubstr("</m:colorgroup>\n  <basematerials id=\"7\">\n"
+                               "   <base name=\"White &amp; matte\" displaycolor=\"#FFFFFFFF\"/>\n"
+                               "   <base name=\"Filament 2\" displaycolor=\"#10000AFF\"/>\n  </basematerials>\n"));
+  for (const char* other : {"id=\"7\" ", "pid=\"7\""}) EXPECT_THAT(model, Not(HasSubstr(other)));
+  for (const Slicer slicer : {Slicer::PrusaSlicer, Slicer::OrcaSlicer, Slicer::BambuStudio})
+    EXPECT_THAT(partOf(*write3mf(objects, {.slicer = slicer}), "3D/3dmodel.model"), Not(HasSubstr("basematerials")));
+}
+
+TEST(Write3mf, NamesTheMaterialOfPaint) {
+  std::vector<ModelObject> objects = paintedPlate();
+  objects[0].bodies[0].paint->material = "QR code";
+  EXPECT_THAT(partOf(*write3mf(objects, {}), "3D/3dmodel.model"),
+              HasSubstr("<base name=\"QR code\" displaycolor=\"#10000AFF\"/>"));
+}
+
 using slicer_rules::Project;
 using slicer_rules::PrusaVersion;
 using ::testing::ElementsAre;

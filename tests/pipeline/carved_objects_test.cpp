@@ -63,6 +63,8 @@ TEST(CarvedObjects, TheInlayIsTheSecondBodyOfTheCarvedObjectInAnotherColour) {
     ASSERT_EQ(object.bodies.size(), 2u);
     expectSameMesh(object.bodies[1].mesh, *result.inlay);
     EXPECT_EQ(object.bodies[1].name, "QR code");
+    EXPECT_EQ(object.bodies[0].material, "Model");
+    EXPECT_EQ(object.bodies[1].material, "QR code");
     ASSERT_TRUE(object.bodies[0].colour && object.bodies[1].colour);
     EXPECT_NE(*object.bodies[0].colour, *object.bodies[1].colour);
   }

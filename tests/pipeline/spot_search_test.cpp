@@ -98,6 +98,24 @@ TEST_F(SpotSearchTest, WarnsAboutSpotsTooSmallForTheNozzle) {
   }
 }
 
+TEST_F(SpotSearchTest, PrefersAShadedSpotToEvenOnesThatAreTooSmallToPrint) {
+  // Ridges shade the top, the bottom faces down, and the sides are 10 mm high.
+  const Mesh model = shapes::plate(Vec2(60, 60), 10, 60, 4,
+                                   [](double x, double) { return std::abs(std::remainder(x, 8)) < 1.1 ? 1.6 : 0.0; });
+  SpotSearchRequest wanted = request(0);
+  wanted.count = 1;
+  wanted.leastPrintableMm = 15;
+  wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+  const auto found = findSpots(upload(model), wanted);
+  ASSERT_TRUE(found.has_value()) << sentence(found.error().message);
+  const Spot& best = found->spots.front();
+  EXPECT_TRUE(best.prints);
+  EXPECT_FALSE(best.facesDown);
+  EXPECT_GT(best.symbolMm, 15);
+  EXPECT_GT(best.direction.z, 0.9);
+  EXPECT_GT(best.unevenLight, kMostUnevenLight);
+}
+
 TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
   const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
   const auto found = findSpots(model, request(22));
@@ -196,6 +214,42 @@ TEST_F(SpotSearchTest, RefusesAThinShellAndReportsItsThickness) {
   SpotSearchRequest thinner = request(20);
   thinner.minWallMm = 0.4;
   EXPECT_TRUE(findSpots(model, thinner).has_value());
+}
+
+TEST_F(SpotSearchTest, OffersThinWallsLastIfTheMarkMayBecomePaint) {
+  EngraveRequest open;
+  open.code.text = "HELLO";
+  open.marking.isOpen = true;
+  const Symbol symbol = *encodeSymbol(open.code.text, open.code.symbol);
+  EXPECT_TRUE(spotSearchFor(open, symbol).offersThinWalls);
+  open.marking.isOpen = false;
+  EXPECT_FALSE(spotSearchFor(open, symbol).offersThinWalls);
+
+  SpotSearchRequest wanted = request(20);
+  wanted.offersThinWalls = true;
+  const auto thin = findSpots(
+      upload(shapes::together(shapes::icosphere(40, 5), shapes::insideOut(shapes::icosphere(39.2, 5)))), wanted);
+  ASSERT_TRUE(thin.has_value()) << sentence(thin.error().message);
+  for (const Spot& spot : thin->spots) {
+    EXPECT_FALSE(spot.takesPockets);
+    ASSERT_FALSE(spot.concerns.empty());
+    EXPECT_EQ(spot.concerns.front(), message("nothing-can-be-carved", with::lengthMm<"wall">(0.8)));
+  }
+  // The left half of the plate is 0.7 mm thick.
+  wanted.count = 8;
+  const auto both = findSpots(
+      upload(shapes::plate(Vec2(120, 60), 10, 120, 4, [](double x, double) { return x < 0 ? -9.3 : 0.0; })), wanted);
+  ASSERT_TRUE(both.has_value()) << sentence(both.error().message);
+  bool wasThin = false;
+  for (const Spot& spot : both->spots) {
+    if (std::abs(spot.centreMm.x) > 20) {
+      EXPECT_EQ(spot.takesPockets, spot.centreMm.x > 0) << spot.centreMm.x;
+    }
+    EXPECT_FALSE(wasThin && spot.takesPockets) << "a thick wall behind a thin one";
+    wasThin = wasThin || !spot.takesPockets;
+  }
+  EXPECT_TRUE(both->spots.front().takesPockets);
+  EXPECT_TRUE(wasThin);
 }
 
 TEST_F(SpotSearchTest, UsesTheRequestedDirection) {

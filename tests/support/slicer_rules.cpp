@@ -41,6 +41,7 @@ struct Resource {
   };
   std::vector<Component> components;
   unsigned pid = 0;
+  std::set<unsigned> pids;  ///< its own and those of its triangles
 };
 
 unsigned number(const std::string& text) { return text.empty() ? 0 : static_cast<unsigned>(std::stoul(text)); }
@@ -64,6 +65,9 @@ Resource resourceOf(const XmlNode& object) {
     resource.mesh.prusaPaint.push_back((*t)[std::string(kPrusaPaint)]);
     resource.mesh.bambuPaint.push_back((*t)[std::string(kBambuPaint)]);
   }
+  for (const XmlNode* t : mesh.first("triangles").all("triangle")) resource.pids.insert(number((*t)["pid"]));
+  resource.pids.insert(resource.pid);
+  resource.pids.erase(0);
   for (const XmlNode* c : object.first("components").all("component"))
     resource.components.push_back({(*c)["p:path"], number((*c)["objectid"]), transformOf((*c)["transform"])});
   return resource;
@@ -300,6 +304,10 @@ Project openInBambuStudio(std::span<const std::uint8_t> file) {
   for (const XmlNode* r : relationships.all("Relationship")) parts.insert((*r)["Target"].substr(1));
   const Resources resources = resourcesOf(files, parts);
   const auto groups = colourGroups(files, parts);
+  // [BBS] _handle_start_triangle of Bambu Studio: the pid of a triangle or its object is looked up in the colour groups
+  for (const auto& [key, resource] : resources)
+    for (const unsigned pid : resource.pids)
+      if (!groups.count(pid)) project.refused = "pid without a colour group";
   const XmlNode root = parsedXml(files.at(kRootModel));
   for (const XmlNode* item : root.first("build").all("item")) {
     const unsigned id = number((*item)["objectid"]);
