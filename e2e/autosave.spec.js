@@ -21,12 +21,12 @@ test('Work is offered and restored after a reload, but not if nothing changed or
   await test.step('discarded', async () => {
     await app.text.fill('WIFI:T:WPA;S:home;P:very secret;;');
     await app.sample.selectOption('Star');
-    await untilKept(page, (kept) => kept?.sampleId === 'star' && !JSON.stringify(kept).includes('secret'));
+    await untilKept(page, (work) => work?.sampleId === 'star' && !JSON.stringify(work).includes('secret'));
     await page.reload();
     await expect(offer).toHaveText('Continue with star.stl?');
     await page.getByRole('button', { name: 'Discard' }).click();
     await expect(offer).toHaveCount(0);
-    await untilKept(page, (kept) => kept === undefined);
+    await untilKept(page, (work) => work === undefined);
     await page.reload();
     await app.expectReady();
     await expect(offer).toHaveCount(0);
@@ -52,10 +52,10 @@ test('Work is offered and restored after a reload, but not if nothing changed or
     const centre = await app.centre();
     await untilKept(
       page,
-      (kept) =>
-        kept?.text === 'to be continued' &&
-        kept.values.rotate === '15' &&
-        kept.centreMm?.every(
+      (work) =>
+        work?.text === 'to be continued' &&
+        work.values.rotate === '15' &&
+        work.centreMm?.every(
           (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01,
         ),
     );

@@ -16,7 +16,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
     await app.expectReady();
     await app.sample.selectOption('Star');
     await expect(app.facts).toContainText('Star');
-    await untilKept(page, (kept) => kept?.sampleId === 'star');
+    await untilKept(page, (work) => work?.sampleId === 'star');
     await page.reload();
     await expect(page.getByRole('button', { name: 'Continue' })).toBeVisible();
     await app.expectReady();

@@ -99,13 +99,13 @@ const kOfTheModel = {
   },
 };
 
-/** Shows or hides buttons and legend over the view, whose colours the pictures would count. @param {Page} page @param {boolean} shown */
-const showOverlays = (page, shown) =>
+/** Shows or hides buttons and legend over the view, whose colours the pictures would count. @param {Page} page @param {boolean} areShown */
+const showOverlays = (page, areShown) =>
   page.locator('.tools, .legend, .view-cube').evaluateAll(
     (all, opacity) => {
       for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = opacity;
     },
-    shown ? '1' : '0',
+    areShown ? '1' : '0',
   );
 
 /**

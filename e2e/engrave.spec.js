@@ -29,9 +29,9 @@ function expectEngravedSolid(before, after, report) {
     expect(boxAfter.min[axis]).toBeCloseTo(boxBefore.min[axis], 4);
     expect(boxAfter.max[axis]).toBeCloseTo(boxBefore.max[axis], 4);
   }
-  const kept = triangleKeys(before);
-  const found = [...triangleKeys(after)].filter((key) => kept.has(key)).length;
-  expect(found).toBeGreaterThanOrEqual(report.mesh.keptTriangles);
+  const keysBefore = triangleKeys(before);
+  const unchanged = [...triangleKeys(after)].filter((key) => keysBefore.has(key)).length;
+  expect(unchanged).toBeGreaterThanOrEqual(report.mesh.keptTriangles);
 }
 
 /** Returns the triangles by their exact coordinates, each starting at its smallest corner. @param {Mesh} mesh */

@@ -43,16 +43,16 @@ export function readCallGraph(dot) {
  * @param {Set<string>} without  functions to stop at
  */
 function reached({ callees }, from, without) {
-  const found = new Set(from);
+  const names = new Set(from);
   const open = [...from];
   for (let name = open.pop(); name !== undefined; name = open.pop()) {
     for (const callee of callees.get(name) ?? []) {
-      if (found.has(callee) || without.has(callee)) continue;
-      found.add(callee);
+      if (names.has(callee) || without.has(callee)) continue;
+      names.add(callee);
       open.push(callee);
     }
   }
-  return found;
+  return names;
 }
 
 /**

@@ -91,7 +91,7 @@ std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string&
   auto job = PrintedViewJob::create(carved_, request);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
-  return answer(Progress{message("printing"), 0, false});
+  return answer(job_->progress());
 }
 
 std::string PrintedCode::advance() {

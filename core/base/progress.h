@@ -8,16 +8,17 @@ namespace qrelief {
 
 /// Progress of a job.
 struct Progress {
-  Message stage;        ///< current stage, such as "finding-depth"
+  Message stage;        ///< stage of the next step, such as "finding-depth"
   double fraction = 0;  ///< of the whole job, 0 … 1, never decreases
   bool done = false;
 };
 
 /// Advances a job to its end.
-/// @param job   has advance()
-/// @param tell  is called with the progress after each step
+/// @param job   has progress() and advance()
+/// @param tell  is called with the progress before the first step and after each
 template <class Job, class Tell>
 Status advanceToEnd(Job& job, const Tell& tell) {
+  tell(job.progress());
   for (;;) {
     const Result<Progress> progress = job.advance();
     if (!progress) return tl::unexpected(progress.error());
@@ -27,7 +28,7 @@ Status advanceToEnd(Job& job, const Tell& tell) {
 }
 
 /// Runs a job to its end.
-/// @param job  has advance() and takeResult()
+/// @param job  has progress(), advance() and takeResult()
 template <class Job>
 auto runToEnd(Job& job) -> Result<decltype(job.takeResult())> {
   if (const Status ended = advanceToEnd(job, [](const Progress&) {}); !ended) return tl::unexpected(ended.error());

@@ -197,7 +197,8 @@ class Rewriter {
     const std::string bambu = fmt::format(" {}=\"{}\"", kBambuPaint, code);
     if (family_ == Family::Prusa) return {prusa, {}};
     if (family_ == Family::Bambu) return {bambu, {}};
-    return {prusa + bambu + fmt::format(" pid=\"{}\" p1=\"0\"", group), fmt::format(" xmlns:slic3rpe=\"{}\"", kPrusaSpace)};
+    return {prusa + bambu + fmt::format(" pid=\"{}\" p1=\"0\"", group),
+            fmt::format(" xmlns:slic3rpe=\"{}\"", kPrusaSpace)};
   }
 
   /// Adds a colour group for each of both materials, and their names. Gives an object the first group if it has no
@@ -218,8 +219,9 @@ class Rewriter {
                             kMaterialSpace, ids[i], hex);
       bases += fmt::format("<{}base name=\"{}\" displaycolor=\"{}\"/>", prefix, escapedXml(name), hex);
     }
-    edit(key.first, {object.begin, object.begin,
-                     groups + fmt::format("<{0}basematerials id=\"{1}\">{2}</{0}basematerials>\n", prefix, nextId(), bases)});
+    edit(key.first,
+         {object.begin, object.begin,
+          groups + fmt::format("<{0}basematerials id=\"{1}\">{2}</{0}basematerials>\n", prefix, nextId(), bases)});
     const std::size_t end = object.begin + tag.raw.size() - 1;
     if (!tag.attribute("pid")) edit(key.first, {end, end, fmt::format(" pid=\"{}\" pindex=\"0\"", ids[0])});
     return ids[1];

@@ -48,9 +48,9 @@ struct Material {
 /// @param slicer   the program that will open the file
 /// @param materials  of both filaments
 /// @returns NoSolution with the reason why the file must be written anew: several items share a mesh; the text is not
-///          UTF-8; volumes of PrusaSlicer do not divide the mesh; other triangles when the file is read back; or, with a second filament, the model settings of
-///          PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the object, or the file is meant for another
-///          program, or it has colour groups but no such settings
+///          UTF-8; volumes of PrusaSlicer do not divide the mesh; other triangles when the file is read back; or, with
+///          a second filament, the model settings of PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the
+///          object, or the file is meant for another program, or it has colour groups but no such settings
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
                                              Slicer slicer, const std::array<Material, 2>& materials);
 

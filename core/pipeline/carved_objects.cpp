@@ -47,9 +47,7 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
 
 ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour, {}, kInlayMaterial}; }
 
-std::array<Material, 2> filamentMaterials() {
-  return {{{kBodyMaterial, kBodyColour}, {kInlayMaterial, kInlayColour}}};
-}
+std::array<Material, 2> filamentMaterials() { return {{{kBodyMaterial, kBodyColour}, {kInlayMaterial, kInlayColour}}}; }
 
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm) {

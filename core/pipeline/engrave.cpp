@@ -38,40 +38,28 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
   return features;
 }
 
-Progress EngraveJob::State::progress() {
-  auto [doing, share] = [&]() -> std::pair<Message, double> {
-    switch (stage) {
-      case Stage::Placing:
-        return {message("finding-direction-and-size"), 0.05};
-      case Stage::Mapping:
-        return {message("measuring-surface"), 0.15};
-      case Stage::Searching: {
-        const double done = search->doneFraction();
-        if (!request.isForPrint()) return {message("finding-depth"), 0.25 + 0.45 * done};
-        return {message("finding-depth"), isPrinted ? 0.55 + 0.15 * done : 0.25 + 0.15 * done};
-      }
-      case Stage::Printing:
-        return {message("printing"), 0.45};
-      case Stage::Embedding:
-        return {message("carving-mesh"), request.isForPrint() && !isPrinted ? 0.4 : 0.7};
-      case Stage::Writing:
-      case Stage::Checking:
-        return {message("checking-solid"), 0.8};
-      case Stage::Viewing:
-      case Stage::Done:
-        break;
-    }
-    return {message("looking-at-result"), stage == Stage::Done ? 1 : 0.9};
-  }();
-  fraction = std::max(fraction, share);
-  return {std::move(doing), fraction, stage == Stage::Done};
+/// Weights are times in ms of the page's samples on a processor (--report, timingsMs).
+JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
+  const bool isForPrint = request.isForPrint(), isInColour = request.marking.isInColour();
+  return {{"finding-direction-and-size", 20, &State::place, !isPlaced},
+          {"measuring-surface", 50, &State::map, !isInColour},
+          {"measuring-surface", 10, &State::mapMark, isInColour},
+          {"finding-depth", 70, &State::searchOnce, isForPrint},
+          {"carving-mesh", 60, &State::embed, isForPrint},
+          {"printing", 300, &State::print, isForPrint},
+          {"finding-depth", 200, &State::searchOnce, !isInColour},
+          {"carving-mesh", isInColour ? 4.0 : 60.0, &State::embed},
+          {"checking-solid", isInColour ? 4.0 : 10.0, &State::write},
+          {"checking-solid", isInColour ? 20.0 : 250.0, &State::check},
+          {"looking-at-result", 250, &State::view}};
 }
 
-Status EngraveJob::State::place() {
+Result<StageStep> EngraveJob::State::place() {
   const Result<bool> placed = placing->step();
   if (!placed) return tl::unexpected(placed.error());
-  if (*placed) take(*placing);
-  return {};
+  if (!*placed) return StageStep();
+  take(*placing);
+  return kStageDone;
 }
 
 void EngraveJob::State::take(const PlacementSearch& found) {
@@ -80,7 +68,6 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   result.timingsMs.size = found.sizeMs();
   asked = request;
   if (!request.marking.isInColour()) decidePatterns(false);
-  stage = Stage::Mapping;
 }
 
 void EngraveJob::State::decidePatterns(bool areWallsThin) {
@@ -109,10 +96,10 @@ Status EngraveJob::State::measurePlace(bool withLight) {
   return {};
 }
 
-Status EngraveJob::State::map() {
+Result<StageStep> EngraveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
-  if (const Status known = measurePlace(true); !known) return known;
+  if (const Status known = measurePlace(true); !known) return tl::unexpected(known.error());
   std::vector<double> limits = limitsOfMask();
   if (!asked.code.finderPattern && request.code.finderPattern == FinderPattern::None &&
       wallsAreThinForWholeFinders(symbol, limits, placement.moduleMm)) {
@@ -126,11 +113,10 @@ Status EngraveJob::State::map() {
   if (!started) return tl::unexpected(started.error());
   search = std::move(*started);
   result.timingsMs.surface = millisecondsSince(start);
-  stage = Stage::Searching;
-  return {};
+  return kStageDone;
 }
 
-Status EngraveJob::State::embed() {
+Result<StageStep> EngraveJob::State::embed() {
   const auto start = Clock::now();
   if (result.label.empty()) {
     auto label = labelPockets(request, model->prepared.mesh, result.placement, symbol.size, result.markDepthMm);
@@ -148,12 +134,11 @@ Status EngraveJob::State::embed() {
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
   result.timingsMs.embed += millisecondsSince(start);
-  stage = request.isForPrint() && !isPrinted ? Stage::Printing : Stage::Writing;
-  return {};
+  return kStageDone;
 }
 
 /// Simulates the print, a piece at a time, and starts a second search if the print lacks contrast.
-Status EngraveJob::State::print() {
+Result<StageStep> EngraveJob::State::print() {
   const auto start = Clock::now();
   if (!printing) {
     VerifyRequest printed = verifyRequestOf(request, result);
@@ -172,11 +157,9 @@ Status EngraveJob::State::print() {
         contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.depth.contrastAsked()));
     printing.reset();
     embedded = {};
-    isPrinted = true;
-    stage = Stage::Searching;
   }
   result.timingsMs.forPrint += millisecondsSince(start);
-  return {};
+  return StageStep{progress->fraction, progress->done};
 }
 
 EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -193,7 +176,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (const Status good = checkEngraving(*model, request, *symbol); !good) return tl::unexpected(good.error());
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<State>(State::stagesOf(request, known.placed != nullptr));
   state->model = std::move(model);
   state->request = std::move(request);
   state->programs = known.programs;
@@ -211,54 +194,18 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
 }
 
-Progress EngraveJob::progress() const { return state_->progress(); }
+Progress EngraveJob::progress() const { return state_->stages.progress(); }
 
-Result<Progress> EngraveJob::advance() {
-  using Stage = State::Stage;
-  State& s = *state_;
-  Status done;
-  switch (s.stage) {
-    case Stage::Placing:
-      done = s.place();
-      break;
-    case Stage::Mapping:
-      done = s.request.marking.isInColour() ? s.mapMark() : s.map();
-      break;
-    case Stage::Searching:
-      done = s.searchOnce();
-      break;
-    case Stage::Embedding:
-      done = s.embed();
-      break;
-    case Stage::Printing:
-      done = s.print();
-      break;
-    case Stage::Writing:
-      done = s.write();
-      break;
-    case Stage::Checking:
-      done = s.check();
-      break;
-    case Stage::Viewing:
-      s.view();
-      break;
-    case Stage::Done:
-      assert(false && "advance() after done");
-      break;
-  }
-  if (!done) return tl::unexpected(done.error());
-  return s.progress();
-}
+Result<Progress> EngraveJob::advance() { return state_->stages.advance(*state_); }
 
 EngraveResult EngraveJob::takeResult() {
-  assert(state_->stage == State::Stage::Done);
+  assert(state_->stages.done());
   return std::move(state_->result);
 }
 
 const EngraveResult* EngraveJob::writtenResult() const {
-  using Stage = State::Stage;
-  const bool isWritten = state_->stage == Stage::Checking || state_->stage == Stage::Viewing;
-  return isWritten ? &state_->result : nullptr;
+  const bool isWritten = !state_->result.stl.empty();
+  return isWritten && !state_->stages.done() ? &state_->result : nullptr;
 }
 
 InspectorMaps EngraveJob::inspectorMaps() const {

@@ -34,7 +34,7 @@ Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
 }  // namespace
 
 /// Writes the file and reads it back: the result is exactly what a slicer will read.
-Status EngraveJob::State::write() {
+Result<StageStep> EngraveJob::State::write() {
   const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
@@ -44,16 +44,16 @@ Status EngraveJob::State::write() {
   result.request = request;
   result.painted = std::move(embedded.painted);
   result.timingsMs.verify += millisecondsSince(start);
-  stage = Stage::Checking;
-  return {};
+  return kStageDone;
 }
 
-Status EngraveJob::State::check() {
+Result<StageStep> EngraveJob::State::check() {
   const auto start = Clock::now();
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
-  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
+  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound)
+    return tl::unexpected(sound.error());
   if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
     const auto whole = checkSolidity(result.mesh);
     if (!whole) return tl::unexpected(whole.error());
@@ -68,14 +68,13 @@ Status EngraveJob::State::check() {
     if (const Status made = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
                                                                 : addInlay(*model, request.depth.surface, result);
         !made)
-      return made;
+      return tl::unexpected(made.error());
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
-  stage = Stage::Viewing;
-  return {};
+  return kStageDone;
 }
 
-void EngraveJob::State::view() {
+Result<StageStep> EngraveJob::State::view() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
   ReaderViewOptions options;
@@ -104,7 +103,7 @@ void EngraveJob::State::view() {
   result.readerOptions = options;
   result.readerView.pixelsPerModule = pixels;
   result.timingsMs.verify += millisecondsSince(start);
-  stage = Stage::Done;
+  return kStageDone;
 }
 
 }  // namespace qrelief

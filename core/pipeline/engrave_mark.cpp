@@ -19,17 +19,16 @@ Symbol markedSymbol(const EngraveResult& result) {
 }
 
 /// Chooses the modules to mark, and the depth of an inlay. Neither needs light.
-Status EngraveJob::State::mapMark() {
+Result<StageStep> EngraveJob::State::mapMark() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
   mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   marked = paintedModules(symbol, placement.symbolMm);
   result.depths = {marked.size, marked.symbolMm, std::vector<double>(marked.depthMm.size(), 0)};
   if (request.marking.mark == Mark::Inlay)
-    if (const Status chosen = chooseInlay(); !chosen) return chosen;
+    if (const Status chosen = chooseInlay(); !chosen) return tl::unexpected(chosen.error());
   result.timingsMs.surface = millisecondsSince(start);
-  stage = Stage::Embedding;
-  return {};
+  return kStageDone;
 }
 
 Status EngraveJob::State::chooseInlay() {

@@ -13,11 +13,11 @@ void EngraveJob::State::startRecord(std::span<const double> limitMm) {
   }
 }
 
-Status EngraveJob::State::searchOnce() {
+Result<StageStep> EngraveJob::State::searchOnce() {
   const auto start = Clock::now();
   search->step(request.depth.recordSearch ? &result.search : nullptr);
   result.timingsMs.depthSearch += millisecondsSince(start);
-  if (!search->finished()) return {};
+  if (!search->finished()) return StageStep{search->doneFraction()};
   result.depths = search->depths();
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
@@ -26,8 +26,7 @@ Status EngraveJob::State::searchOnce() {
   if (summarise(result.depths).maxMm == 0)
     return fail(ErrorKind::NoSolution,
                 message("nothing-can-be-carved", with::lengthMm<"wall">(request.depth.minWallMm)));
-  stage = Stage::Embedding;
-  return {};
+  return kStageDone;
 }
 
 }  // namespace qrelief

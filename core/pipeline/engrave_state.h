@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/job_stages.h"
 #include "carving/embed.h"
 #include "pipeline/cell_layout.h"
 #include "pipeline/engrave.h"
@@ -13,16 +15,13 @@
 
 namespace qrelief {
 
-/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
+/// The job's state.
 struct EngraveJob::State {
-  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Writing, Checking, Viewing, Done };
-
+  JobStages<State> stages;
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
   EngraveRequest asked;  // before open patterns are filled in
   std::shared_ptr<const LuminancePrograms> programs;
-  Stage stage = Stage::Placing;
-  double fraction = 0;
 
   Symbol symbol;
   SubmoduleMask mask;
@@ -37,25 +36,29 @@ struct EngraveJob::State {
   std::unique_ptr<DepthSearchRun> search;
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
-  bool isPrinted = false;  // true once the print has been taken into account
   EngraveResult result;
 
-  Status place();
+  explicit State(JobStages<State> toDo) : stages(std::move(toDo)) {}
+
+  /// Returns the stages of a request.
+  /// @param isPlaced  the placement is known
+  static JobStages<State> stagesOf(const EngraveRequest& request, bool isPlaced);
+
+  Result<StageStep> place();
   void take(const PlacementSearch& found);
   void decidePatterns(bool areWallsThin);
   std::vector<double> limitsOfMask() const;
   Status measurePlace(bool withLight);
-  Status map();
-  Status mapMark();
+  Result<StageStep> map();
+  Result<StageStep> mapMark();
   Status chooseInlay();
-  Status searchOnce();
-  Status embed();
-  Status print();
-  Status write();
-  Status check();
-  void view();
+  Result<StageStep> searchOnce();
+  Result<StageStep> embed();
+  Result<StageStep> print();
+  Result<StageStep> write();
+  Result<StageStep> check();
+  Result<StageStep> view();
   void startRecord(std::span<const double> limitMm);
-  Progress progress();
 };
 
 }  // namespace qrelief

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/job_stages.h"
 #include "light/height_light.h"
 #include "math/angle.h"
 #include "printing/printed_ink.h"
@@ -44,18 +45,19 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .ink = request.ink};
 }
 
-/// The job's state. Stages are listed in order; each advance() does one stage.
+/// The job's state.
 struct PrintedViewJob::State {
-  enum class Stage { Printing, Light, Done };
-
   const Mesh* model;
   PrintedViewRequest request;
-  Stage stage = Stage::Printing;
+  JobStages<State> stages{{"printing", request.mark == Mark::Shadow ? 9.0 : 1.0, &State::print},
+                          {"lighting-print", 1, &State::light}};
   HeightMap printed;
   Mesh outside;      // of a body with its inlay
   Symbol marked;     // of a code in colour: the modules in the second colour
   double bedMm = 0;  // height of the model's lowest point
   PrintedView result;
+
+  State(const Mesh& mesh, const PrintedViewRequest& wanted) : model(&mesh), request(wanted) {}
 
   int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
   /// Returns the edge of the printed area, in modules.
@@ -64,8 +66,8 @@ struct PrintedViewJob::State {
     return request.isRough ? kRoughness : request.mark != Mark::Shadow ? kColourRoughness : 1;
   }
   const Mesh& shape();
-  Status print();
-  void light();
+  Result<StageStep> print();
+  Result<StageStep> light();
   void addInk(std::vector<float>& luminance, const PictureGrid& grid) const;
 };
 
@@ -83,7 +85,7 @@ const Mesh& PrintedViewJob::State::shape() {
   return outside;
 }
 
-Status PrintedViewJob::State::print() {
+Result<StageStep> PrintedViewJob::State::print() {
   auto surface = printSurface(shape(), {.process = request.process,
                                         .frame = request.frame,
                                         .extentMm = request.symbolMm / request.symbol.size * printedModules(),
@@ -91,8 +93,7 @@ Status PrintedViewJob::State::print() {
                                         .roughness = roughness()});
   if (!surface) return tl::unexpected(surface.error());
   printed = surface->heightMap();
-  stage = Stage::Light;
-  return {};
+  return kStageDone;
 }
 
 /// Multiplies a picture by the reflectances of the printed materials.
@@ -109,7 +110,7 @@ void PrintedViewJob::State::addInk(std::vector<float>& luminance, const PictureG
       .apply(luminance, grid.pixelMm);
 }
 
-void PrintedViewJob::State::light() {
+Result<StageStep> PrintedViewJob::State::light() {
   LightOptions options{.sampling = {.points = 1, .directions = kDirections},
                        .reachMm = printed.size * printed.patchMm * std::numbers::sqrt2,
                        .everyPatchMm = kEveryPatch * printed.patchMm,
@@ -135,7 +136,7 @@ void PrintedViewJob::State::light() {
       request.symbol, isInverted ? withoutInversion(result.submodules, request.ink) : result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
-  stage = Stage::Done;
+  return kStageDone;
 }
 
 PrintedViewJob::PrintedViewJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -144,35 +145,15 @@ PrintedViewJob::~PrintedViewJob() = default;
 Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh, const PrintedViewRequest& request) {
   const double length = glm::length(request.buildUp);
   if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
-  auto state = std::make_unique<State>();
-  state->model = &mesh;
-  state->request = request;
-  return std::unique_ptr<PrintedViewJob>(new PrintedViewJob(std::move(state)));
+  return std::unique_ptr<PrintedViewJob>(new PrintedViewJob(std::make_unique<State>(mesh, request)));
 }
 
-Result<Progress> PrintedViewJob::advance() {
-  using Stage = State::Stage;
-  State& s = *state_;
-  Message doing = message("lighting-print");
-  double fraction = 1;
-  switch (s.stage) {
-    case Stage::Printing:
-      doing = message("printing");
-      if (const Status printed = s.print(); !printed) return tl::unexpected(printed.error());
-      fraction = 0.8;
-      break;
-    case Stage::Light:
-      s.light();
-      break;
-    case Stage::Done:
-      assert(false && "advance() after done");
-      break;
-  }
-  return Progress{std::move(doing), fraction, s.stage == Stage::Done};
-}
+Progress PrintedViewJob::progress() const { return state_->stages.progress(); }
+
+Result<Progress> PrintedViewJob::advance() { return state_->stages.advance(*state_); }
 
 PrintedView PrintedViewJob::takeResult() {
-  assert(state_->stage == State::Stage::Done);
+  assert(state_->stages.done());
   return std::move(state_->result);
 }
 

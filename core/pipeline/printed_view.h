@@ -49,6 +49,9 @@ class PrintedViewJob {
   static Result<std::unique_ptr<PrintedViewJob>> create(const Mesh& mesh, const PrintedViewRequest& request);
   ~PrintedViewJob();
 
+  /// Returns the next stage and the fraction of the job that is done.
+  Progress progress() const;
+
   /// Does the next piece of work. Do not call it again after an error or `done`.
   Result<Progress> advance();
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/clock.h"
+#include "base/job_stages.h"
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "pipeline/default_patterns.h"
@@ -26,8 +27,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSliceMs = 30;    // time to draw views in one piece of work
-constexpr double kMapShare = 0.6;  // of the progress
+constexpr double kSliceMs = 30;     // time to draw views in one piece of work
 constexpr double kMapMayErr = 0.9;  // test spots whose size in the map is this share of the size needed, or 1/√2 of it,
                                     // as some spots fit at one rotation only
 constexpr double kMostSlopeDeg = 70;         // steeper codes fitted but did not decode; the map's own limit is 65°
@@ -99,11 +99,10 @@ int centreDecimals(double scaleToMm) {
 }
 
 struct SpotSearchJob::State {
-  enum class Stage { Mapping, Testing, FindingLargest, Done };
-
   std::shared_ptr<const EngravableModel> model;
   SpotSearchRequest request;
-  Stage stage = Stage::Mapping;
+  JobStages<State> stages{{"looking-from-all-sides", 60, &State::drawViews}, {"testing-spots", 40, &State::testOnce}};
+  bool findsLargest = false;  // true once the requested size has been found to fit nowhere
   std::optional<SizeMapSearch> mapping;
   double outer = 1;  // request.outerFactor()
 
@@ -121,7 +120,6 @@ struct SpotSearchJob::State {
   double thickestMm = 0;        // the thickest of these walls
   std::optional<Spot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
-  double fraction = kMapShare;  // progress of the job, once spots are tested
 
   std::size_t goodSpots() const {  // counts small ones, too: later spots are hardly larger
     return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(), [](const Spot& spot) {
@@ -144,7 +142,7 @@ struct SpotSearchJob::State {
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
   double mostInMap() const;
   void startMap(double leastMm);
-  void drawViews();
+  Result<StageStep> drawViews();
   void propose(double leastSizeMm);
   bool facesDown(const ProjectionFrame& frame) const;
   double lightOn(const ProjectionFrame& frame, double symbolMm) const;
@@ -153,10 +151,10 @@ struct SpotSearchJob::State {
   bool recallDeferred();
   bool isEnough() const;
   void beginTest();
-  Status testOnce();
+  Result<StageStep> testOnce();
   Status take(const Placement& placement);
   void nextTry();
-  Status finishTests();
+  Result<StageStep> finishTests();
   Error nothingFound() const;
   double testedShare() const;
 };
@@ -176,17 +174,16 @@ void SpotSearchJob::State::startMap(double leastMm) {
   mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
 }
 
-void SpotSearchJob::State::drawViews() {
+Result<StageStep> SpotSearchJob::State::drawViews() {
   const auto start = Clock::now();
   while (millisecondsSince(start) < kSliceMs) {
     if (!mapping->step()) continue;
     result.map = mapping->takeMap();
     mapping.reset();
-    const bool searchesLargest = stage == Stage::FindingLargest;
-    propose(fixed() && !searchesLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
-    if (!searchesLargest) stage = Stage::Testing;
-    return;
+    propose(fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
+    return kStageDone;
   }
+  return StageStep{mapping->doneFraction()};
 }
 
 void SpotSearchJob::State::propose(double leastSizeMm) {
@@ -198,7 +195,7 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   candidate = 0;
   screened = deferred = recalled = 0;
   withDirection = false;
-  const double takes = fixed() && stage != Stage::FindingLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
+  const double takes = fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
                                               [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
   likely = static_cast<std::size_t>(unlikely - candidates.begin());
@@ -226,7 +223,7 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
 /// @returns false if the next candidate needs no screening
 bool SpotSearchJob::State::screen() {
   const bool isLooked = screened > candidate || candidate >= likely - deferred;
-  if (isLooked || stage != Stage::Testing || screened + deferred >= mostTries()) return false;
+  if (isLooked || findsLargest || screened + deferred >= mostTries()) return false;
   if (!isDoubtful(candidates[candidate])) {
     screened = candidate + 1;
     return true;
@@ -240,7 +237,7 @@ bool SpotSearchJob::State::screen() {
 /// Puts the deferred candidates that are large enough to print before all others, if no spot so far is large enough.
 /// @returns false if there are none
 bool SpotSearchJob::State::recallDeferred() {
-  if (stage != Stage::Testing || deferred == 0 || candidate >= likely || printableSpots() > 0) return false;
+  if (findsLargest || deferred == 0 || candidate >= likely || printableSpots() > 0) return false;
   const auto at = [&](std::size_t i) { return candidates.begin() + static_cast<std::ptrdiff_t>(i); };
   const auto first = at(std::max(candidate, likely - deferred));
   const auto end = std::stable_partition(first, at(likely), [&](const SpotCandidate& spot) {
@@ -255,7 +252,7 @@ bool SpotSearchJob::State::recallDeferred() {
 /// Returns true if no more candidates must be tested.
 bool SpotSearchJob::State::isEnough() const {
   if (candidate >= candidates.size()) return true;
-  if (stage == Stage::FindingLargest) return candidate >= kLargestTried;
+  if (findsLargest) return candidate >= kLargestTried;
   if (candidate < recalled) return printableSpots() >= wantedSpots();
   return hasEnough() || candidate >= mostTries();
 }
@@ -272,7 +269,7 @@ void SpotSearchJob::State::beginTest() {
   direction = placement.direction;
   const double pocketMm = placement.pockets.depth(wantedMm() / request.modules);
   placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
-  if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
+  if (findsLargest) placement.sizeMode = SizeMode::Free;
   search.emplace(model->prepared, *model->renderer, request.modules, placement);
   ++result.tried;
 }
@@ -296,19 +293,19 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.largestMm =
       std::min(std::max(wantedMm(), request.placement.maxSizeMm), orientedSize(placement.patch.silhouette) / outer);
   offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
-  const bool tooTight = fixed() && stage == Stage::Testing && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
+  const bool tooTight = fixed() && !findsLargest && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
   if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
     nextTry();
     return {};
   }
   const auto wall = measureWall(*model, placement, request.modules, request.leastDepthMm, request.minWallMm);
   if (!wall) return tl::unexpected(wall.error());
-  if (wall->takes || (request.offersThinWalls && stage == Stage::Testing)) {
+  if (wall->takes || (request.offersThinWalls && !findsLargest)) {
     offered.takesPockets = wall->takes;
     offered.unevenLight = lightOn(placement.frame, placement.symbolMm);
     offered.prints = offered.symbolMm >= request.leastPrintableMm;
     offered.concerns = concernsAt(offered, request);
-    if (stage == Stage::Testing)
+    if (!findsLargest)
       result.spots.push_back(offered);
     else if (!largest || offered.symbolMm > largest->symbolMm)
       largest = offered;
@@ -321,26 +318,32 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   return {};
 }
 
-Status SpotSearchJob::State::testOnce() {
+Result<StageStep> SpotSearchJob::State::testOnce() {
   if (isEnough() && !recallDeferred()) return finishTests();
-  if (!search && screen()) return {};
+  if (!search && screen()) return StageStep{testedShare()};
   if (!search) beginTest();
   const Result<bool> found = search->step();
-  if (found) return *found ? take(search->placement()) : Status();
-  if (found.error().kind != ErrorKind::NoSolution) return tl::unexpected(found.error());
-  nextTry();
-  return {};
+  if (!found && found.error().kind != ErrorKind::NoSolution) return tl::unexpected(found.error());
+  if (!found) {
+    nextTry();
+  } else if (*found) {
+    if (const Status taken = take(search->placement()); !taken) return tl::unexpected(taken.error());
+  }
+  return StageStep{testedShare()};
 }
 
-Status SpotSearchJob::State::finishTests() {
-  if (stage == Stage::FindingLargest) return tl::unexpected(nothingFound());
+Result<StageStep> SpotSearchJob::State::finishTests() {
+  if (findsLargest) return tl::unexpected(nothingFound());
   if (result.spots.empty()) {
-    stage = Stage::FindingLargest;
-    if (result.map.viewsDropped > 0)
-      startMap(unaskedLeastMm(*model));  // dropped views may take a smaller code
+    findsLargest = true;
+    const bool draws = result.map.viewsDropped > 0;  // these views may take a smaller code
+    stages.add({"finding-largest-size", 60, &State::drawViews, draws});
+    stages.add({"finding-largest-size", 10, &State::testOnce});
+    if (draws)
+      startMap(unaskedLeastMm(*model));
     else
       propose(0);
-    return {};
+    return kStageDone;
   }
   const auto rank = [&](const Spot& spot) {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
@@ -354,8 +357,7 @@ Status SpotSearchJob::State::finishTests() {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
   });
   if (result.spots.size() > request.count) result.spots.resize(request.count);
-  stage = Stage::Done;
-  return {};
+  return kStageDone;
 }
 
 Error SpotSearchJob::State::nothingFound() const {
@@ -407,35 +409,14 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
   return std::unique_ptr<SpotSearchJob>(new SpotSearchJob(std::move(state)));
 }
 
-Result<Progress> SpotSearchJob::advance() {
-  State& s = *state_;
-  assert(s.stage != State::Stage::Done);
-  switch (s.stage) {
-    case State::Stage::Mapping:
-      s.drawViews();
-      return Progress{message("looking-from-all-sides"), kMapShare * (s.mapping ? s.mapping->doneFraction() : 1),
-                      false};
-    case State::Stage::Testing:
-      if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
-      if (s.stage == State::Stage::Done) return Progress{message("testing-spots"), 1, true};
-      s.fraction = std::max(s.fraction, kMapShare + (1 - kMapShare) * std::min(1.0, s.testedShare()));
-      return Progress{message("testing-spots"), s.fraction, false};
-    case State::Stage::FindingLargest:
-      if (s.mapping)
-        s.drawViews();
-      else if (const Status tested = s.testOnce(); !tested)
-        return tl::unexpected(tested.error());
-      return Progress{message("finding-largest-size"), 1, false};
-    case State::Stage::Done:
-      break;
-  }
-  return fail(ErrorKind::Internal, message("advance-after-done"));
-}
+Progress SpotSearchJob::progress() const { return state_->stages.progress(); }
+
+Result<Progress> SpotSearchJob::advance() { return state_->stages.advance(*state_); }
 
 const SizeMap& SpotSearchJob::map() const { return state_->map(); }
 
 SpotSearchResult SpotSearchJob::takeResult() {
-  assert(state_->stage == State::Stage::Done);
+  assert(state_->stages.done());
   return std::move(state_->result);
 }
 

@@ -82,6 +82,9 @@ class SpotSearchJob {
                                                        SpotSearchRequest request);
   ~SpotSearchJob();
 
+  /// Returns the next stage and the fraction of the job that is done.
+  Progress progress() const;
+
   /// Does the next piece of work. Do not call it again after an error or `done`.
   /// @returns at the end, NoSolution if there is no spot; the message names the largest size that fits somewhere
   Result<Progress> advance();

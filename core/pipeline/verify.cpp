@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "base/job_stages.h"
 #include "math/angle.h"
 #include "mesh/weld.h"
 #include "pipeline/engrave.h"
@@ -95,17 +96,17 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
   return welded(corners, soup.triangles);
 }
 
-/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
+/// The job's state.
 struct VerifyJob::State {
-  enum class Stage { Solid, Shape, Light, Reading, Done };
-
   Mesh mesh;                 // of a code in colour: the outer surface
   std::optional<Mesh> body;  // of a model that waits for its inlay
   Symbol marked;             // of a code in colour: the modules found to be dark
   VerifyRequest request;
   std::vector<Decoder> decoders;
-  Stage stage = Stage::Solid;
-  double fraction = 0;
+  JobStages<State> stages{{"checking-solid", 110, &State::checkSolid},  // weights: times of the page's samples in ms
+                          {"measuring-carving", 35, &State::measureShape},
+                          {"tracing-light", request.isTraced ? 2700.0 : 220.0, &State::bake},
+                          {"reading-pictures", request.ranges ? 10000.0 : 110.0, &State::read}};
   RayTree tree;
   std::optional<BakedLight> light;
   int bakedRows = 0;
@@ -123,13 +124,13 @@ struct VerifyJob::State {
   bool isInColour() const { return request.mark != Mark::Shadow; }
 
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
-  Status checkSolid();
-  void measureShape();
+  Result<StageStep> checkSolid();
+  Result<StageStep> measureShape();
   void prepareLight();
   void lightMesh();
-  bool bake();
+  Result<StageStep> bake();
   SymbolGrades gradeInk() const;
-  bool read();
+  Result<StageStep> read();
 };
 
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
@@ -142,15 +143,14 @@ const Mesh& VerifyJob::State::outerSurface() {
   return mesh;
 }
 
-Status VerifyJob::State::checkSolid() {
+Result<StageStep> VerifyJob::State::checkSolid() {
   auto solidity = checkSolidity(body ? *body : mesh);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
-  stage = Stage::Shape;
-  return {};
+  return kStageDone;
 }
 
-void VerifyJob::State::measureShape() {
+Result<StageStep> VerifyJob::State::measureShape() {
   if (!isInColour()) result.profile = profileCarving(tree, request.frame, request.symbol, request.symbolMm);
   const CarvingProfile& profile = result.profile;
   if (profile.pose == SymbolPose::AsWanted && profile.meanDepthMm > kFlatMm) {
@@ -159,6 +159,7 @@ void VerifyJob::State::measureShape() {
     if (std::isfinite(wall)) result.features->wallMm = wall;
   }
   prepareLight();
+  return kStageDone;
 }
 
 void VerifyJob::State::prepareLight() {
@@ -171,7 +172,6 @@ void VerifyJob::State::prepareLight() {
                             .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
                                     : request.ranges ? lampOf(kRoomLamp, request.frame, kRoomLampRadiusDeg)
                                                      : kNoLamp});
-  stage = Stage::Light;
 }
 
 /// Computes the light on the mesh as on a height map.
@@ -203,10 +203,9 @@ SymbolGrades VerifyJob::State::gradeInk() const {
       request.ink.light);
 }
 
-/// @returns true when done
-bool VerifyJob::State::bake() {
+Result<StageStep> VerifyJob::State::bake() {
   bakedRows += kRowsAStep;
-  if (!light->bakeRows(kRowsAStep)) return false;
+  if (!light->bakeRows(kRowsAStep)) return StageStep{static_cast<double>(bakedRows) / light->options().texels};
   if (request.isTraced)
     light->smooth();
   else
@@ -223,16 +222,14 @@ bool VerifyJob::State::bake() {
       SweepOptions{.ranges = request.ranges,
                    .underLamp = request.oneLight.has_value(),
                    .ink = isInColour() ? std::optional(InkMap(marked, request.symbolMm, request.ink)) : std::nullopt});
-  stage = Stage::Reading;
-  return true;
+  return kStageDone;
 }
 
-bool VerifyJob::State::read() {
-  if (!sweep->step()) return false;
+Result<StageStep> VerifyJob::State::read() {
+  if (!sweep->step()) return StageStep{sweep->doneFraction()};
   result.views = sweep->views();
   result.reading = sweep->summary();
-  stage = Stage::Done;
-  return true;
+  return kStageDone;
 }
 
 VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -249,41 +246,12 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }
 
-Result<Progress> VerifyJob::advance() {
-  using Stage = State::Stage;
-  State& s = *state_;
-  Message doing;
-  switch (s.stage) {
-    case Stage::Solid: {
-      doing = message("checking-solid");
-      if (const Status checked = s.checkSolid(); !checked) return tl::unexpected(checked.error());
-      s.fraction = 0.1;
-      break;
-    }
-    case Stage::Shape:
-      doing = message("measuring-carving");
-      s.measureShape();
-      s.fraction = 0.15;
-      break;
-    case Stage::Light:
-      doing = message("tracing-light");
-      s.bake();
-      s.fraction = 0.15 + 0.35 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
-      break;
-    case Stage::Reading:
-      doing = message("reading-pictures");
-      s.read();
-      s.fraction = 0.5 + 0.5 * s.sweep->doneFraction();
-      break;
-    case Stage::Done:
-      assert(false && "advance() after done");
-      break;
-  }
-  return Progress{std::move(doing), s.fraction, s.stage == Stage::Done};
-}
+Progress VerifyJob::progress() const { return state_->stages.progress(); }
+
+Result<Progress> VerifyJob::advance() { return state_->stages.advance(*state_); }
 
 VerifyResult VerifyJob::takeResult() {
-  assert(state_->stage == State::Stage::Done);
+  assert(state_->stages.done());
   return std::move(state_->result);
 }
 

@@ -77,6 +77,9 @@ class VerifyJob {
   static Result<std::unique_ptr<VerifyJob>> create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders);
   ~VerifyJob();
 
+  /// Returns the next stage and the fraction of the job that is done.
+  Progress progress() const;
+
   /// Does the next piece of work. Do not call it again after an error or `done`.
   Result<Progress> advance();
 

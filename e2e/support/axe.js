@@ -15,9 +15,9 @@ export async function expectNoViolations(page, state) {
     const { violations, passes, incomplete } = await axe.analyze();
     // Axe must have run checks. `incomplete` are the checks that it could not decide.
     expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);
-    const found = violations.flatMap(({ id, help, nodes }) =>
+    const faults = violations.flatMap(({ id, help, nodes }) =>
       nodes.map(({ html, failureSummary }) => `${id}: ${help}: ${html} ${failureSummary}`),
     );
-    expect.soft(found, `${state}, ${colorScheme}`).toEqual([]);
+    expect.soft(faults, `${state}, ${colorScheme}`).toEqual([]);
   }
 }

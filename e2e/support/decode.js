@@ -32,11 +32,11 @@ export async function decodePath(path, edge) {
       for (let i = begin; i < begin + Number(length) * kPixelsPerModule; i += 1) picture.data.fill(0, 4 * i, 4 * i + 3);
     }
   }
-  const [found] = await readBarcodes(/** @type {ImageData} */ (/** @type {unknown} */ (picture)), {
+  const [symbol] = await readBarcodes(/** @type {ImageData} */ (/** @type {unknown} */ (picture)), {
     formats: ['QRCode'],
     tryHarder: true,
   });
-  return found?.isValid ? found.text : '';
+  return symbol?.isValid ? symbol.text : '';
 }
 
 /**
@@ -46,8 +46,8 @@ export async function decodePath(path, edge) {
 export async function decodePng(png) {
   for (const tryDenoise of [false, true]) {
     // denoising closes the gaps between the squares of a pattern
-    const [found] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
-    if (found?.isValid) return found.text;
+    const [symbol] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
+    if (symbol?.isValid) return symbol.text;
   }
   return '';
 }

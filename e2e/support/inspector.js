@@ -21,18 +21,18 @@ export class Inspector {
 
   /** @returns {Promise<State | undefined>} */
   async state() {
-    const told = await this.page.locator('#view').getAttribute('data-inspector');
-    return told === null ? undefined : JSON.parse(told);
+    const json = await this.page.locator('#view').getAttribute('data-inspector');
+    return json === null ? undefined : JSON.parse(json);
   }
 
-  /** Waits until the state has the wanted value. @param {(state: State) => unknown} value @param {unknown} wanted */
-  async expectState(value, wanted) {
+  /** Waits until the state has the expected value. @param {(state: State) => unknown} value @param {unknown} expected */
+  async expectState(value, expected) {
     await expect
       .poll(async () => {
         const state = await this.state();
         return state && value(state);
       })
-      .toEqual(wanted);
+      .toEqual(expected);
   }
 
   /**

@@ -133,8 +133,8 @@ export const defaultChoice = {
       const better = (/** @type {Row[]} */ some) => betterThanDefault(choicesOf(some, settings.get(width)));
       const onOrAbove = (/** @type {Row[]} */ some) =>
         tally(groupBy(some, 'model').values(), (ofModel) => {
-          const found = better(ofModel);
-          return found && found.length === 0;
+          const choices = better(ofModel);
+          return choices && choices.length === 0;
         });
       const connected = ofWidth.filter(({ modules }) => modules !== kMisleading);
       const ours = choicesOf(tested(ofWidth), settings.get(width)).find(({ isDefault }) => isDefault);

@@ -91,14 +91,16 @@ export const robustness = {
   },
   find: (rows) => {
     const blur = byPattern(rows, 'blur_modules');
-    const shown = kCarved.filter((pattern) => blur[pattern] !== undefined);
+    const patterns = kCarved.filter((pattern) => blur[pattern] !== undefined);
     const pairs = moreCarvedSurvivesMore(blur);
     const unread = rows.filter((row) => row.blur_modules === null).length;
     const ours = rows.filter((row) => row.search === 'ours' && row.blur_modules !== null);
     return [
       said('robustPairs', { holds: pairs.holds, of: pairs.of }),
       said('robustBlur', {
-        list: shown.map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })),
+        list: patterns.map((pattern) =>
+          said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) }),
+        ),
       }),
       said('robustOurs', {
         blur: mm(median(ours.map((row) => row.blur_modules))),

@@ -11,7 +11,7 @@ import { typical } from './method_depths.js';
 export const secondsOf = (rows, method) => typical(rows, method, 'search_ms') / 1000;
 
 /** @param {number} seconds */
-const shown = (seconds) => ({ number: seconds, digits: seconds < 1 ? 2 : seconds < 10 ? 1 : 0 });
+const written = (seconds) => ({ number: seconds, digits: seconds < 1 ? 2 : seconds < 10 ? 1 : 0 });
 
 /** @type {import('../page/figure.js').Figure} */
 export const searchTimes = {
@@ -32,11 +32,11 @@ export const searchTimes = {
     return [
       said('timesRange', {
         fastest: name('method', fastest.method),
-        least: shown(fastest.seconds),
+        least: written(fastest.seconds),
         slowest: name('method', slowest.method),
-        most: shown(slowest.seconds),
+        most: written(slowest.seconds),
       }),
-      said(peng > papp ? 'timesPaperHolds' : 'timesPaperFails', { papp: shown(papp), peng: shown(peng) }),
+      said(peng > papp ? 'timesPaperHolds' : 'timesPaperFails', { papp: written(papp), peng: written(peng) }),
       said('timesWhy'),
     ];
   },

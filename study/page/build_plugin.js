@@ -89,10 +89,10 @@ export async function makeStudy(tables) {
     } = tables[figure.table];
     const path = `${kFolder}/${figure.table}.csv`;
     files.set(path, csv);
-    const found = figure.find(rows, rowsOf);
+    const values = figure.find(rows, rowsOf);
     markup.set(
       figure.name,
-      figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }),
+      figureMarkup({ figure, drawn, found: values, table: { path, cases, failed: cases - rows.length } }),
     );
   }
   markup.set('statements', statementsMarkup(rowsOf));
@@ -109,9 +109,9 @@ export async function makeStudy(tables) {
  */
 export const fillFigures = (html, markup) =>
   html.replace(/<div data-figure="(\w+)"><\/div>/g, (_, figure) => {
-    const found = markup.get(figure);
-    if (found === undefined) throw new Error(`There is no figure "${figure}"`);
-    return found;
+    const block = markup.get(figure);
+    if (block === undefined) throw new Error(`There is no figure "${figure}"`);
+    return block;
   });
 
 /**

@@ -33,11 +33,11 @@ test('a table becomes figures of both widths in both languages, sentences with i
       assert.doesNotMatch(svg, /NaN|undefined/);
     }
   }
-  const shown = markup.get('symbolFlips') ?? '';
-  assert.match(shown, /by 10 % and 20 %, with our search by 10 % and 20 %/);
-  assert.match(shown, /um 10 % und 20 % flacher/);
-  assert.match(shown, /1 of 13 cases could not be engraved and is left out/);
-  assert.match(shown, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
+  const content = markup.get('symbolFlips') ?? '';
+  assert.match(content, /by 10 % and 20 %, with our search by 10 % and 20 %/);
+  assert.match(content, /um 10 % und 20 % flacher/);
+  assert.match(content, /1 of 13 cases could not be engraved and is left out/);
+  assert.match(content, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
 });
 
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
@@ -48,7 +48,7 @@ test('where a table is missing or empty the figure is left out, and the page say
     Object.keys(figures),
     kFigures.map(({ name }) => name),
   );
-  for (const shown of Object.values(figures)) assert.match(shown, /has not been measured yet/);
+  for (const content of Object.values(figures)) assert.match(content, /has not been measured yet/);
   assert.match(decoderRates, /has not been measured yet/);
   assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
 });

@@ -400,7 +400,7 @@ TEST(PrepareModel, RefusesModelsWithoutArea) {
   line.triangles.push_back({1, 2, 0});
   EXPECT_EQ(refusalOf(line).code, "model-no-area");
   line.triangles = {{1, 1, 1}};
-  EXPECT_THAT(sentence(refusalOf(line)), HasSubstr("no extent"));
+  EXPECT_THAT(sentence(refusalOf(line)), HasSubstr("no size"));
 }
 
 TEST(PrepareModel, ReportsThatTheFacesOfASheetWithoutThicknessCancelOut) {

@@ -9,6 +9,7 @@
 #include "pipeline/printed_view.h"
 #include "qr/module_pattern.h"
 #include "settings/settings.h"
+#include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -96,14 +97,7 @@ class CarvedForPrintTest : public GlTest {
 
   /// Returns the stages of carving in their order.
   std::vector<std::string> stagesOf(const EngraveRequest& request) const {
-    const auto job = *EngraveJob::create(model_, request);
-    std::vector<std::string> stages = {job->progress().stage.code};
-    for (bool isDone = false; !isDone;) {
-      const Progress progress = *job->advance();
-      if (progress.stage.code != stages.back()) stages.push_back(progress.stage.code);
-      isDone = progress.done;
-    }
-    return stages;
+    return followJob(**EngraveJob::create(model_, request));
   }
 
   /// Returns the additional contrast that the print requires from the dark modules, on average.
@@ -166,25 +160,6 @@ TEST_F(CarvedForPrintTest, CarvesForTheDesignIfNoPrintCanBeSimulated) {
   for (const auto& change : changes) EXPECT_EQ(depthsBy(change, CarveFor::Print), depthsBy(change, CarveFor::Design));
   const auto none = [](EngraveRequest&) {};
   EXPECT_NE(depthsBy(none, CarveFor::Print), depthsBy(none, CarveFor::Design));
-}
-
-TEST_F(CarvedForPrintTest, ProgressNeverFallsAndPassesThePrint) {
-  request_.depth.carveFor = CarveFor::Print;
-  request_.placement.sizeMm = 12;
-  auto job = EngraveJob::create(model_, request_);
-  ASSERT_TRUE(job);
-  double before = 0;
-  bool printed = false;
-  for (;;) {
-    const auto progress = (*job)->advance();
-    ASSERT_TRUE(progress) << progress.error().message;
-    EXPECT_GE(progress->fraction, before);
-    before = progress->fraction;
-    printed = printed || progress->stage.code == "printing";
-    if (progress->done) break;
-  }
-  EXPECT_EQ(before, 1);
-  EXPECT_TRUE(printed);
 }
 
 TEST(CarveFor, IsThePrintByDefault) {

@@ -13,6 +13,7 @@
 #include "pipeline/default_patterns.h"
 #include "report/report.h"
 #include "support/brute_force.h"
+#include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -335,19 +336,16 @@ TEST_F(EngraveTest, ALampThatShinesIntoThePocketsDeepensThem) {
   EXPECT_NEAR(byLamp->luminance[0], 1, 0.01);
 }
 
-TEST_F(EngraveTest, ProgressNeverFallsAndEndsAtOne) {
-  auto job = EngraveJob::create(upload(shapes::icosphere(40, 5)), request({0, 0, 40}, 25));
-  ASSERT_TRUE(job.has_value());
-  double last = 0;
-  for (;;) {
-    const auto progress = (*job)->advance();
-    ASSERT_TRUE(progress.has_value()) << progress.error().message;
-    EXPECT_GE(progress->fraction, last);
-    EXPECT_FALSE(progress->stage.code.empty());
-    last = progress->fraction;
-    if (progress->done) break;
+TEST_F(EngraveTest, AKnownPlaceLeavesOutTheFirstStage) {
+  const auto model = upload(shapes::icosphere(40, 4));
+  const EngraveRequest wanted = request({0, 0, 40}, 25);
+  const Symbol symbol = *encodeSymbol(wanted.code.text, wanted.code.symbol);
+  PlacementSearch found(model->prepared, *model->renderer, symbol.size, searchedPlacement(wanted, symbol.size));
+  while (!*found.step()) {
   }
-  EXPECT_EQ(last, 1);
+  EXPECT_THAT(followJob(**EngraveJob::create(model, wanted, {.placed = &found})),
+              testing::ElementsAre("measuring-surface", "finding-depth", "carving-mesh", "checking-solid",
+                                   "looking-at-result"));
 }
 
 TEST_F(EngraveTest, IsDeterministic) {

@@ -14,6 +14,7 @@
 #include "report/report.h"
 #include "report/verify_report.h"
 #include "settings/settings.h"
+#include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "verification/baked_light.h"
@@ -62,6 +63,13 @@ class MarkTest : public GlTest {
     return *meshAsFound(shapes::soupOf(all), 1);
   }
 };
+
+TEST_F(MarkTest, ACodeInColourSkipsTheDepthSearch) {
+  for (const Mark mark : {Mark::Inlay, Mark::Paint})
+    EXPECT_THAT(followJob(**EngraveJob::create(sphere(), requestFor(mark))),
+                testing::ElementsAre("finding-direction-and-size", "measuring-surface", "carving-mesh",
+                                     "checking-solid", "looking-at-result"));
+}
 
 TEST_F(MarkTest, AnInlayIsEvenAndFillsTheModelUp) {
   const EngraveRequest request = requestFor(Mark::Inlay);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
 
 #include "messages/sentences.h"
 #include "pipeline/engrave.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
+#include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -275,22 +277,29 @@ TEST_F(SpotSearchTest, IsDeterministic) {
   }
 }
 
-TEST_F(SpotSearchTest, ProgressNeverFallsAndTheMapPrecedesTheSpots) {
-  auto job = SpotSearchJob::create(upload(shapes::icosphere(40, 4)), request(20));
-  ASSERT_TRUE(job.has_value());
+TEST_F(SpotSearchTest, TheMapPrecedesTheSpots) {
+  const auto model = upload(shapes::icosphere(40, 4));
+  EXPECT_THAT(followJob(**SpotSearchJob::create(model, request(20))),
+              testing::ElementsAre("looking-from-all-sides", "testing-spots"));
+  const auto job = *SpotSearchJob::create(model, request(20));
+  while (job->progress().stage.code != "testing-spots") ASSERT_TRUE(job->advance().has_value());
+  const std::vector<float>& sizes = job->map().sizeMm;
+  EXPECT_GT(*std::max_element(sizes.begin(), sizes.end()), 20);
+}
+
+TEST_F(SpotSearchTest, TheLargestSizeIsSoughtIfTheRequestedSizeFitsNowhere) {
+  const auto job = *SpotSearchJob::create(upload(shapes::icosphere(40, 4)), request(75));
+  std::vector<std::string> stages;
   double before = 0;
-  for (;;) {
-    const auto progress = (*job)->advance();
-    ASSERT_TRUE(progress.has_value());
-    EXPECT_GE(progress->fraction, before);
-    before = progress->fraction;
-    if (progress->stage.code == "testing-spots") {
-      const std::vector<float>& sizes = (*job)->map().sizeMm;
-      EXPECT_GT(*std::max_element(sizes.begin(), sizes.end()), 20);
-    }
-    if (progress->done) break;
-  }
-  EXPECT_EQ(before, 1);
+  const Status ended = advanceToEnd(*job, [&](const Progress& progress) {
+    if (stages.empty() || stages.back() != progress.stage.code) stages.push_back(progress.stage.code);
+    EXPECT_GE(progress.fraction, before);
+    EXPECT_LT(progress.fraction, 1);
+    before = progress.fraction;
+  });
+  EXPECT_THAT(stages, testing::ElementsAre("looking-from-all-sides", "testing-spots", "finding-largest-size"));
+  ASSERT_FALSE(ended.has_value());
+  EXPECT_EQ(ended.error().kind, ErrorKind::NoSolution);
 }
 
 TEST_F(SpotSearchTest, RefusesInvalidRequests) {

@@ -11,6 +11,7 @@
 #include "native/zxing_decoder.h"
 #include "report/report.h"
 #include "report/verify_report.h"
+#include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -61,17 +62,11 @@ class VerifyTest : public GlTest {
   static Verified verify(const Mesh& mesh, const VerifyRequest& request) {
     auto job = VerifyJob::create(mesh, request, zxingDecoders());
     EXPECT_TRUE(job.has_value());
-    double before = 0;
-    for (;;) {
-      const auto progress = (*job)->advance();
-      EXPECT_TRUE(progress.has_value());
-      EXPECT_GE(progress->fraction, before);
-      before = progress->fraction;
-      if (!progress->done) continue;
-      VerifyResult result = (*job)->takeResult();
-      Verdict verdict = judge(request, result);
-      return {std::move(result), std::move(verdict)};
-    }
+    EXPECT_THAT(followJob(**job),
+                testing::ElementsAre("checking-solid", "measuring-carving", "tracing-light", "reading-pictures"));
+    VerifyResult result = (*job)->takeResult();
+    Verdict verdict = judge(request, result);
+    return {std::move(result), std::move(verdict)};
   }
   static VerifyReportContext contextOf(const Verified& verified) {
     VerifyReportContext context;

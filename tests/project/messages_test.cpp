@@ -83,10 +83,10 @@ std::vector<std::string> complaintsAbout(const std::string& code, const Json& en
   return complaints;
 }
 
-/// Returns the codes of all messages made in the sources of some folders. A search for text suffices, because the
-/// compiler and the linter let no unknown code pass.
+/// Returns the codes of all messages made in the sources of some folders, and of the stages of jobs
+/// (base/job_stages.h). A search for text suffices, because the compiler and the linter let no unknown code pass.
 Names codesMadeIn(const std::vector<std::string>& folders) {
-  static const std::regex kMaker(R"re(\bmessage\(\s*["']([a-z0-9-]+)["'])re");
+  static const std::regex kMaker(R"re((?:\bmessage\(\s*["']([a-z0-9-]+)["']|\{"([a-z0-9-]+)",[^{}"]*&State::))re");
   Names codes;
   for (const std::string& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(QRELIEF_SOURCE_DIR) / folder)) {
@@ -94,7 +94,8 @@ Names codesMadeIn(const std::vector<std::string>& folders) {
       if ((extension != ".h" && extension != ".cpp" && extension != ".js") || name.find("test") != std::string::npos)
         continue;
       const std::string source = contentsOf(entry.path());
-      for (std::sregex_iterator at(source.begin(), source.end(), kMaker), end; at != end; ++at) codes.insert((*at)[1]);
+      for (std::sregex_iterator at(source.begin(), source.end(), kMaker), end; at != end; ++at)
+        codes.insert((*at)[(*at)[1].matched ? 1 : 2]);
     }
   return codes;
 }

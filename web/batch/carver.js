@@ -41,11 +41,11 @@ export class Carver {
     await this.client_.configure(settings);
     await this.client_.placement();
     let current = settings;
-    const made = new Map();
+    const settingsOf = new Map();
     /** @type {unknown} */ let failure;
     try {
       await this.carveOnce_({ print: looksAtPrint }, job);
-      made.set(await this.client_.carving(), settings);
+      settingsOf.set(await this.client_.carving(), settings);
     } catch (thrown) {
       if (settings.mark !== 'auto' || isLost(thrown) || job.signal.aborted) throw thrown;
       failure = thrown; // the plan tries other marks (EngravePlan::mayFail)
@@ -55,12 +55,12 @@ export class Carver {
       job.signal.throwIfAborted();
       if (step.step === 'carve') {
         current = { ...current, [step.change.setting]: step.change.value };
-        if (await this.carveNext_(job)) made.set(await this.client_.carving(), current);
+        if (await this.carveNext_(job)) settingsOf.set(await this.client_.carving(), current);
         continue;
       }
-      if (made.size === 0) throw failure;
+      if (settingsOf.size === 0) throw failure;
       await this.client_.useCarving(step.carving);
-      if (step.step === 'deliver') return made.get(step.carving) ?? settings;
+      if (step.step === 'deliver') return settingsOf.get(step.carving) ?? settings;
       await this.lookAtPrint_(job);
     }
   }

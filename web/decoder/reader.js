@@ -41,10 +41,10 @@ export async function readEach(pictures) {
   return (await Promise.all(scans)).flat();
 }
 
-/** Tells whether any try on any picture decodes to the text. @param {GreyImage[]} pictures @param {string} wanted */
-export async function readsAny(pictures, wanted) {
+/** Tells whether any try on any picture decodes to the text. @param {GreyImage[]} pictures @param {string} text */
+export async function readsAny(pictures, text) {
   prepareReader();
-  return (await workers[0].scan(pictures, wanted)).includes(wanted);
+  return (await workers[0].scan(pictures, text)).includes(text);
 }
 
 class ScanWorker {
@@ -72,12 +72,12 @@ class ScanWorker {
     this.worker_.terminate();
   }
 
-  /** @param {GreyImage[]} pictures @param {string} [wanted] @returns {Promise<string[]>} */
-  scan(pictures, wanted) {
+  /** @param {GreyImage[]} pictures @param {string} [text] @returns {Promise<string[]>} */
+  scan(pictures, text) {
     return new Promise((resolve, reject) => {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });
-      this.worker_.postMessage({ id, pictures, wanted });
+      this.worker_.postMessage({ id, pictures, wanted: text });
     });
   }
 }

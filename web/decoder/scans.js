@@ -21,23 +21,23 @@ export function loadLibrary() {
 /**
  * Decodes each picture with each binariser in turn.
  * @param {GreyImage[]} pictures
- * @param {string} [wanted]      text at which to stop
+ * @param {string} [text]      text at which to stop
  * @returns {Promise<string[]>}  text decoded in each try, '' if none
  */
-export async function scan(pictures, wanted) {
+export async function scan(pictures, text) {
   const { readBarcodes } = await loadLibrary();
   /** @type {string[]} */ const texts = [];
   for (const picture of pictures) {
     const data = toImageData(picture);
     for (const binarizer of kBinarizers) {
-      const [found] = await readBarcodes(data, {
+      const [symbol] = await readBarcodes(data, {
         formats: ['QRCode'],
         tryHarder: true,
         maxNumberOfSymbols: 1,
         binarizer,
       });
-      texts.push(found?.isValid && !found.isMirrored ? found.text : '');
-      if (wanted !== undefined && texts.at(-1) === wanted) return texts;
+      texts.push(symbol?.isValid && !symbol.isMirrored ? symbol.text : '');
+      if (text !== undefined && texts.at(-1) === text) return texts;
     }
   }
   return texts;

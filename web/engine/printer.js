@@ -28,7 +28,7 @@ export function makePrint(job, { signal, onProgress }) {
   preparePrinter();
   const worker = /** @type {Worker} */ (ready);
   ready = undefined;
-  /** @type {Promise<Print | undefined>} */ const made = new Promise((resolve, reject) => {
+  /** @type {Promise<Print | undefined>} */ const whenPrinted = new Promise((resolve, reject) => {
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.onmessage = ({ data: { progress, print, error } }) => {
       if (print) resolve(print);
@@ -41,5 +41,5 @@ export function makePrint(job, { signal, onProgress }) {
     };
     worker.postMessage(job);
   });
-  return made.finally(() => worker.terminate());
+  return whenPrinted.finally(() => worker.terminate());
 }

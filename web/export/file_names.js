@@ -41,9 +41,9 @@ export function safePart(text, most) {
 
 /** Returns the value of a line or field without backslashes. @param {string} text @param {RegExp} start */
 const valueAfter = (text, start) => {
-  const found = start.exec(text);
-  if (!found) return '';
-  const value = /^(?:\\[^]|[^;\r\n\\])*/.exec(text.slice(found.index + found[0].length))?.[0] ?? '';
+  const match = start.exec(text);
+  if (!match) return '';
+  const value = /^(?:\\[^]|[^;\r\n\\])*/.exec(text.slice(match.index + match[0].length))?.[0] ?? '';
   return value.replace(/\\(.)/g, '$1');
 };
 

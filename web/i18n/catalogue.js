@@ -47,12 +47,12 @@ const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value
  */
 function preferredLanguage() {
   if (typeof document === 'undefined') return 'en';
-  const wanted = [
+  const preferred = [
     new URLSearchParams(location.search).get('lang'),
     recall(kStored),
     ...navigator.languages.map((tag) => tag.split('-')[0]),
   ];
-  return wanted.find(isLanguage) ?? 'en';
+  return preferred.find(isLanguage) ?? 'en';
 }
 
 /** @type {Language} */
@@ -100,12 +100,12 @@ export const text = (key, values = {}) => textIn(language, key, values);
  * @param {Record<string, string | number>} [values]
  */
 export function textIn(of, key, values = {}) {
-  const found = entry(of, key);
-  if (found === undefined) throw new Error(`There is no text "${key}" in "${of}"`);
+  const words = entry(of, key);
+  if (words === undefined) throw new Error(`There is no text "${key}" in "${of}"`);
   const template =
-    typeof found === 'string'
-      ? found
-      : found[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
+    typeof words === 'string'
+      ? words
+      : words[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
   return template.replace(/\{(\w+)\}/g, (_, name) => {
     const value = values[name];
     if (value === undefined) throw new Error(`The text "${key}" lacks the value "${name}"`);

@@ -56,10 +56,10 @@ test('Every letter has a glyph', () => {
 test('Every text that the inspector writes is translated', () => {
   setLanguage('de');
   const texts = inspectorTexts();
-  const shown = [...source.matchAll(kShown)].map(([, literal]) => literal);
-  assert.ok(shown.length > 40);
+  const literals = [...source.matchAll(kShown)].map(([, literal]) => literal);
+  assert.ok(literals.length > 40);
   assert.deepEqual(
-    shown.filter((text) => !kSame.has(text) && texts[text] === undefined),
+    literals.filter((text) => !kSame.has(text) && texts[text] === undefined),
     [],
   );
 });

@@ -30,9 +30,9 @@ class Fetches {
 
 /** @type {Fetches} */ let fetches;
 /** @type {MessageWords} */ let words;
-/** @type {string[]} */ let shown;
+/** @type {string[]} */ let sentences;
 /** Shows a message as a part of the page would. */
-const show = () => void shown.push(sentenceOf(kTold, words.now));
+const show = () => void sentences.push(sentenceOf(kTold, words.now));
 const settled = () =>
   new Promise((resolve) => {
     setImmediate(resolve);
@@ -43,7 +43,7 @@ beforeEach(() => {
   setLanguage('en');
   fetches = new Fetches();
   words = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
-  shown = [];
+  sentences = [];
 });
 afterEach(() => {
   mock.timers.reset();
@@ -59,22 +59,22 @@ test('Words are fetched with the first message, once, in the chosen language', a
   await settled();
   show();
   assert.deepEqual(fetches.asked, ['de']);
-  assert.deepEqual(shown, ['', '', kSentence.de, kSentence.de]);
+  assert.deepEqual(sentences, ['', '', kSentence.de, kSentence.de]);
 });
 
 test('A message shown before its words arrive is written again; an empty place stays empty', async () => {
   show();
-  assert.equal(asSentence(shown[0]), '');
+  assert.equal(asSentence(sentences[0]), '');
   fetches.arrive[0]();
   await settled();
-  assert.deepEqual(shown, ['', kSentence.en]);
+  assert.deepEqual(sentences, ['', kSentence.en]);
 
-  shown = [];
+  sentences = [];
   const others = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
   const coming = others.come();
   fetches.arrive[1]();
   await coming;
-  assert.deepEqual(shown, []);
+  assert.deepEqual(sentences, []);
   assert.equal(sentenceOf(kTold, others.now), kSentence.en);
 });
 
@@ -88,7 +88,7 @@ test('Another language is fetched with its first message; until then the sentenc
   await settled();
   setLanguage('en');
   show();
-  assert.deepEqual(shown, ['', kSentence.en, kSentence.en, kSentence.de, kSentence.en]);
+  assert.deepEqual(sentences, ['', kSentence.en, kSentence.en, kSentence.de, kSentence.en]);
   assert.deepEqual(fetches.asked, ['en', 'de']);
 });
 
@@ -98,26 +98,26 @@ test('A language chosen while another one loads gets its own words', async () =>
   show();
   fetches.arrive[1]();
   await settled();
-  assert.equal(shown.at(-1), kSentence.de);
+  assert.equal(sentences.at(-1), kSentence.de);
   fetches.arrive[0]();
   await settled();
-  assert.equal(shown.at(-1), kSentence.de);
+  assert.equal(sentences.at(-1), kSentence.de);
 });
 
 test('If the words cannot be fetched, code and advice are shown, and the next message retries', async () => {
   show();
   fetches.fail[0]();
   await settled();
-  assert.deepEqual(shown, ['', 'no-such-spot index=7']);
+  assert.deepEqual(sentences, ['', 'no-such-spot index=7']);
   assert.equal(hintOf(kTold, words.now), text('page.noWords'));
   assert.deepEqual(fetches.asked, ['en']);
 
   mock.timers.setTime(11_000);
   show();
-  assert.equal(shown.at(-1), '');
+  assert.equal(sentences.at(-1), '');
   fetches.arrive[1]();
   await settled();
-  assert.equal(shown.at(-1), kSentence.en);
+  assert.equal(sentences.at(-1), kSentence.en);
 });
 
 test('Late words are shown once they arrive, and the wait for them is limited', async () => {
@@ -125,10 +125,10 @@ test('Late words are shown once they arrive, and the wait for them is limited', 
   const coming = words.come();
   mock.timers.tick(8_000);
   await coming;
-  assert.deepEqual(shown, ['', 'no-such-spot index=7']);
+  assert.deepEqual(sentences, ['', 'no-such-spot index=7']);
   fetches.arrive[0]();
   await settled();
-  assert.deepEqual(shown, ['', 'no-such-spot index=7', kSentence.en]);
+  assert.deepEqual(sentences, ['', 'no-such-spot index=7', kSentence.en]);
 });
 
 test('If another language cannot be fetched, the sentence stays in the previous one', async () => {
@@ -139,7 +139,7 @@ test('If another language cannot be fetched, the sentence stays in the previous 
   show();
   fetches.fail[1]();
   await settled();
-  assert.equal(shown.at(-1), kSentence.en);
+  assert.equal(sentences.at(-1), kSentence.en);
   assert.deepEqual(fetches.asked, ['en', 'de']);
 });
 

@@ -62,8 +62,8 @@ export function worded(value) {
     Object.entries(value).map(([name, part]) => [name, name === 'values' ? part : worded(part)]),
   );
   const isMessage = 'code' in value && 'values' in value;
-  const told = /** @type {Message} */ (value);
-  return isMessage ? { ...parts, message: sentenceOf(told), hint: hintOf(told) } : parts;
+  const asMessage = /** @type {Message} */ (value);
+  return isMessage ? { ...parts, message: sentenceOf(asMessage), hint: hintOf(asMessage) } : parts;
 }
 
 /** @param {Words} entry @param {Message} message @param {Catalogue} words */

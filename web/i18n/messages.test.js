@@ -34,13 +34,13 @@ test('A setting is named like its control, without the unit', () => {
       de: '{@minWallMm} erhöhen, nicht {which} auf {pattern}',
     },
   };
-  const told = message('thin', {
+  const raise = message('thin', {
     which: { setting: 'eyeDistanceMm' },
     pattern: { choice: { key: 'pattern', value: 'thin-plus' } },
   });
-  assert.equal(sentenceOf(told, words), 'Raise “Minimum wall”, not “Viewing distance” to Thin plus');
+  assert.equal(sentenceOf(raise, words), 'Raise “Minimum wall”, not “Viewing distance” to Thin plus');
   setLanguage('de');
-  assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Betrachtungsabstand“ auf Dünnes Plus');
+  assert.equal(sentenceOf(raise, words), '„Restwand“ erhöhen, nicht „Betrachtungsabstand“ auf Dünnes Plus');
 });
 
 test('The page has the words of every file of messages/ except the command’s', () => {

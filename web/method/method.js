@@ -185,10 +185,10 @@ class Demonstration {
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }
 
-  /** @param {boolean} shown */
-  async showCarved_(shown) {
-    this.carved_.setAttribute('aria-pressed', String(shown));
-    await this.client_.show({ carved: shown });
+  /** @param {boolean} isShown */
+  async showCarved_(isShown) {
+    this.carved_.setAttribute('aria-pressed', String(isShown));
+    await this.client_.show({ carved: isShown });
   }
 
   async lookFromAside_() {

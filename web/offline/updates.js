@@ -19,11 +19,11 @@ export async function keepOffline(onNewVersion) {
   }
   if (!registration) return; // some extensions block service workers this way
   let known = Boolean(workers.controller); // otherwise the first version takes over, which is no news
-  const kept = registration;
-  const offer = () => onNewVersion(() => reloadInto(kept));
-  if (kept.waiting && known) offer();
-  kept.addEventListener('updatefound', () => {
-    const coming = kept.installing;
+  const current = registration;
+  const offer = () => onNewVersion(() => reloadInto(current));
+  if (current.waiting && known) offer();
+  current.addEventListener('updatefound', () => {
+    const coming = current.installing;
     coming?.addEventListener('statechange', () => {
       if (coming.state === 'installed' && workers.controller) offer();
     });
@@ -32,7 +32,7 @@ export async function keepOffline(onNewVersion) {
     if (known) offer(); // another window has switched to the new version
     known = true;
   });
-  checkNowAndThen(kept);
+  checkNowAndThen(current);
 }
 
 /** @param {ServiceWorkerRegistration} registration */

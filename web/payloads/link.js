@@ -51,8 +51,8 @@ export function withScheme(address) {
 export function withoutTracking(link) {
   const [, before, query, fragment] = /^([^?#]*)(?:\?([^#]*))?(#.*)?$/s.exec(link) ?? [];
   if (query === undefined) return link;
-  const kept = query.split('&').filter((parameter) => !kTracking.test(parameter.split('=')[0]));
-  return `${before}${kept.length > 0 ? `?${kept.join('&')}` : ''}${fragment ?? ''}`;
+  const parameters = query.split('&').filter((parameter) => !kTracking.test(parameter.split('=')[0]));
+  return `${before}${parameters.length > 0 ? `?${parameters.join('&')}` : ''}${fragment ?? ''}`;
 }
 
 /** @param {string} link @returns {Advice[]} */

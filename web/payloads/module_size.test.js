@@ -10,11 +10,11 @@ test('modules that print give no advice, down to the exact size', () => {
 
 test('too small modules name the width they need and how many would fit', () => {
   // 33 modules of 0.9 mm are 29.7 mm wide. 24 mm has room for 26; the largest symbol within 26 has 25.
-  const found = tooSmall(33, 24, 0.9);
-  assert.ok(found);
-  assert.ok(Math.abs(found.moduleMm - 24 / 33) < 1e-12);
-  assert.ok(Math.abs(found.neededMm - 29.7) < 1e-12);
-  assert.equal(found.printable, 25);
+  const size = tooSmall(33, 24, 0.9);
+  assert.ok(size);
+  assert.ok(Math.abs(size.moduleMm - 24 / 33) < 1e-12);
+  assert.ok(Math.abs(size.neededMm - 29.7) < 1e-12);
+  assert.equal(size.printable, 25);
 });
 
 test('the largest printable symbol is found at its exact width', () => {

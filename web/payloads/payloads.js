@@ -24,8 +24,8 @@ export const emptyValues = ({ fields }) =>
  * @param {Values} values
  */
 export function buildContent(content, values) {
-  const shown = content.fields.filter(({ shownWhen }) => shownWhen?.(values) ?? true).map(({ id }) => id);
+  const visible = content.fields.filter(({ shownWhen }) => shownWhen?.(values) ?? true).map(({ id }) => id);
   return content.build(
-    Object.fromEntries(content.fields.map(({ id }) => [id, shown.includes(id) ? (values[id] ?? '') : ''])),
+    Object.fromEntries(content.fields.map(({ id }) => [id, visible.includes(id) ? (values[id] ?? '') : ''])),
   );
 }

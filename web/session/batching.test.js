@@ -20,7 +20,7 @@ const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], warnings: 
 /** @type {any} */ let panel;
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {any} */ let answer;
-/** @type {any[]} */ let wanted;
+/** @type {any[]} */ let requests;
 /** @type {any[]} */ let planned;
 /** @type {FakeMessages} */ let messages;
 let locked = false;
@@ -32,7 +32,7 @@ beforeEach(() => {
     takeList: (/** @type {any} */ list, /** @type {string} */ listName) => void (panel.taken = [list.length, listName]),
   };
   answer = kPlan;
-  wanted = [];
+  requests = [];
   planned = [];
   store = storeOf({ text: 'mine', values: { preset: 'balanced' }, batch: kInput });
   locked = false;
@@ -40,7 +40,7 @@ beforeEach(() => {
   batching = new Batching({
     client: /** @type {any} */ ({
       planBatch: async (/** @type {any} */ _, /** @type {any} */ asked) => {
-        wanted.push(asked);
+        requests.push(asked);
         if (answer instanceof Error) throw answer;
         return answer;
       },
@@ -63,7 +63,7 @@ beforeEach(() => {
 test('Without a list there is one code', async () => {
   store.update({ batch: undefined });
   await batching.ready();
-  assert.deepEqual([wanted, planned, batching.incomplete], [[], [], false]);
+  assert.deepEqual([requests, planned, batching.incomplete], [[], [], false]);
   assert.deepEqual(batching.settings(), { text: 'mine', preset: 'balanced', pattern: 'none' });
 });
 
@@ -79,13 +79,13 @@ test('The first part of a list is handled like a single code, with its values fr
 test('A list is planned again only if it or the settings change', async () => {
   await batching.ready();
   await batching.ready();
-  assert.equal(wanted.length, 1);
+  assert.equal(requests.length, 1);
   store.update({ values: { preset: 'robust' } });
   await batching.ready();
   store.update({ batch: { ...kInput, from: 'count', text: '{n}' } });
   await batching.ready();
   assert.deepEqual(
-    wanted.map(({ settings, text, count }) => [settings.preset, text, count]),
+    requests.map(({ settings, text, count }) => [settings.preset, text, count]),
     [
       ['balanced', '', 0],
       ['robust', '', 0],
@@ -94,14 +94,14 @@ test('A list is planned again only if it or the settings change', async () => {
   );
   batching.forget();
   await batching.ready();
-  assert.equal(wanted.length, 4);
+  assert.equal(requests.length, 4);
 });
 
 test('Reports the number of plates', async () => {
   store.update({ batch: { ...kInput, perPlate: 5 } });
   await batching.ready();
   assert.equal(plannedWords(planned[0]), '12 parts on 3 plates, version 2, 25 × 25 modules');
-  assert.equal(wanted[0].perPlate, 5);
+  assert.equal(requests[0].perPlate, 5);
 });
 
 test('A list with problems has no first part', async () => {
@@ -128,7 +128,7 @@ test('An unreadable list is a problem; a lost module is not', async () => {
 test('Without a list the module is not called', async () => {
   store.update({ batch: { ...kInput, list: new Uint8Array() } });
   await batching.ready();
-  assert.deepEqual([wanted.length, batching.incomplete], [0, true]);
+  assert.deepEqual([requests.length, batching.incomplete], [0, true]);
   assert.equal(plannedWords(planned[0]), 'Open, drop or paste a list');
 });
 

@@ -12,9 +12,9 @@ import { Signal } from './signal.js';
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
-/** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, made: Work }} Carved
- *   `number`: of the carving in its module; `life`: number of that module; `made`: the work it was carved from */
-/** @typedef {{ made: Work, number: number }} Attempt */
+/** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, work: Work }} Carved
+ *   `number`: of the carving in its module; `life`: number of that module; `work`: the work it was carved from */
+/** @typedef {{ work: Work, number: number }} Attempt */
 
 /**
  * @typedef {object} CarvingOptions
@@ -60,7 +60,7 @@ export class Carving {
     panel.listen({
       onDownload: (format) => guard(() => this.download(format)),
       onSaveReport: () => guard(() => this.saveReport()),
-      onPrint: (wanted) => this.print(wanted),
+      onPrint: (isOn) => this.print(isOn),
       onTryPrints: () => guard(() => this.tryPrints()),
       onTryViews: (...options) => this.tryViewsGuarded_(...options),
       onRemedy: (remedy, label) => guard(() => onRemedy(remedy, label)),
@@ -144,7 +144,7 @@ export class Carving {
     this.carved = carved;
     this.panel_.show(carved);
     this.compare();
-    await this.show(sameWork(carved.made, this.store_.work));
+    await this.show(sameWork(carved.work, this.store_.work));
     if (carved.printed?.state !== 'made') this.print(true);
     return true;
   }
@@ -155,18 +155,18 @@ export class Carving {
 
   /** True if model and settings have not changed since the carving. */
   get isCurrent() {
-    return this.carved !== undefined && sameWork(this.carved.made, this.store_.work);
+    return this.carved !== undefined && sameWork(this.carved.work, this.store_.work);
   }
 
   /** Marks the result as outdated if model or settings have changed since. */
   compare() {
-    if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.store_.work));
+    if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.work, this.store_.work));
   }
 
-  /** @param {boolean} shown */
-  async show(shown) {
+  /** @param {boolean} isShown */
+  async show(isShown) {
     const exists = this.carved !== undefined;
-    this.shown = shown && exists;
+    this.shown = isShown && exists;
     this.changed.tell(exists, this.shown);
     await this.client_.show({ carved: this.shown });
   }
@@ -183,7 +183,7 @@ export class Carving {
     await this.drop();
     this.started.tell();
     const asked = this.store_.work;
-    let made = asked;
+    let work = asked;
     /** @type {Attempt | undefined} */ let first;
     /** @type {Map<number, Work>} */ const works = new Map(); // of each carving, by its number
     this.failure_ = undefined;
@@ -199,20 +199,20 @@ export class Carving {
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
-      if (reading.number) works.set(reading.number, made);
+      if (reading.number) works.set(reading.number, work);
       const step = await this.client_.nextStep();
-      const isEdited = !sameWork(made, this.store_.work);
+      const isEdited = !sameWork(work, this.store_.work);
       if (step.step !== 'carve' || isEdited) {
         if (works.size === 0 && this.failure_) throw this.failure_;
         const keptWork = step.carving === reading.number ? undefined : works.get(step.carving);
-        const kept = keptWork && { made: keptWork, number: step.carving };
-        const isKept = !isEdited && kept && (await this.keep_(kept, started));
-        if (!isKept) await this.finish_(performance.now() - started, made, reading.passed && !isEdited);
-        this.messages_.say(() => this.wordsFor_(isKept ? kept.made : made, asked, overrides));
+        const previous = keptWork && { work: keptWork, number: step.carving };
+        const isKept = !isEdited && previous && (await this.keep_(previous, started));
+        if (!isKept) await this.finish_(performance.now() - started, work, reading.passed && !isEdited);
+        this.messages_.say(() => this.wordsFor_(isKept ? previous.work : work, asked, overrides));
         return;
       }
-      first ??= { made, number: step.carving };
-      made = await this.change_(step.change);
+      first ??= { work, number: step.carving };
+      work = await this.change_(step.change);
     }
   }
 
@@ -228,18 +228,18 @@ export class Carving {
     return work;
   }
 
-  /** Returns to the settings of an earlier carving. @param {Work} made */
+  /** Returns to the settings of an earlier carving. @param {Work} work */
   async return_({ values }) {
     this.store_.update({ values });
     await this.client_.configure(this.batching_.settings());
   }
 
-  /** @param {Work} made @param {Work} asked @param {string} [overrides] */
-  wordsFor_(made, asked, overrides) {
+  /** @param {Work} work @param {Work} asked @param {string} [overrides] */
+  wordsFor_(work, asked, overrides) {
     if (overrides) return text('inspector.engraved', { overrides });
-    if (made === asked) return text('page.engraved');
-    if (made.values.mark !== asked.values.mark) return text('page.engravedInColour');
-    return text(made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
+    if (work === asked) return text('page.engraved');
+    if (work.values.mark !== asked.values.mark) return text('page.engravedInColour');
+    return text(work.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
   }
 
   /**
@@ -248,12 +248,12 @@ export class Carving {
    * @param {number} started
    * @returns {Promise<boolean>}  false: it is gone
    */
-  async keep_({ made, number }, started) {
+  async keep_({ work, number }, started) {
     const elapsedMs = performance.now() - started;
     this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
-    await this.return_(made);
-    await this.finish_(elapsedMs, made);
+    await this.return_(work);
+    await this.finish_(elapsedMs, work);
     return true;
   }
 
@@ -292,12 +292,12 @@ export class Carving {
   /**
    * Takes over the module's carving and starts its print.
    * @param {number} elapsedMs
-   * @param {Work} made
+   * @param {Work} work
    * @param {boolean} [mayDeepen]  carve deeper if the print barely decodes
    */
-  async finish_(elapsedMs, made, mayDeepen = false) {
+  async finish_(elapsedMs, work, mayDeepen = false) {
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
-    this.carved = { report, elapsedMs, number, life: this.life_, made };
+    this.carved = { report, elapsedMs, number, life: this.life_, work };
     await this.present_();
     this.print(true, mayDeepen);
   }
@@ -312,12 +312,12 @@ export class Carving {
 
   /**
    * Starts or stops simulating the carving's print.
-   * @param {boolean} wanted       false: stop
+   * @param {boolean} isOn       false: stop
    * @param {boolean} [mayDeepen]  carve deeper if the print barely decodes
    */
-  print(wanted, mayDeepen = false) {
+  print(isOn, mayDeepen = false) {
     const { carved } = this;
-    if (!wanted || !carved) {
+    if (!isOn || !carved) {
       this.printing_.stop();
       return;
     }
@@ -348,8 +348,8 @@ export class Carving {
       () => text('page.carvingForPrint'),
       async (signal) => {
         await this.drop();
-        let made = first.made;
-        /** @type {Map<number, { made: Work, print: NonNullable<Awaited<ReturnType<Carving['printNow_']>>> }>} */
+        let work = first.work;
+        /** @type {Map<number, { work: Work, print: NonNullable<Awaited<ReturnType<Carving['printNow_']>>> }>} */
         const printed = new Map(); // by the carving's number
         for (
           let isDone = true;
@@ -357,12 +357,12 @@ export class Carving {
           step = isDone ? await this.client_.nextStep() : step
         ) {
           if (step.step === 'carve') {
-            made = await this.change_(step.change);
+            work = await this.change_(step.change);
             this.printing_.expect();
             isDone = (await this.carveDeeper_(signal, first)) !== undefined;
           } else {
             const print = await this.printNow_(step.carving, signal);
-            if (print) printed.set(step.carving, { made, print });
+            if (print) printed.set(step.carving, { work, print });
             isDone = print !== undefined;
           }
         }
@@ -370,23 +370,23 @@ export class Carving {
         if (delivered && (await this.client_.useCarving(step.carving))) {
           const { result, printed: print } = delivered.print;
           const elapsedMs = performance.now() - started;
-          if (delivered.made !== made) await this.return_(delivered.made);
+          if (delivered.work !== work) await this.return_(delivered.work);
           this.carved = {
             report: result.report,
             elapsedMs,
             number: step.carving,
             life: this.life_,
-            made: delivered.made,
+            work: delivered.work,
             printed: print,
           };
           await this.present_();
           this.printed.tell();
-          const isInColour = delivered.made.values.mark !== first.made.values.mark;
+          const isInColour = delivered.work.values.mark !== first.work.values.mark;
           this.messages_.say(() => text(isInColour ? 'page.engravedInColour' : 'page.engravedForPrint'));
           return;
         }
         this.printing_.stop();
-        await this.return_(first.made);
+        await this.return_(first.work);
         this.restoring_ = this.restore(first).catch(() => false);
         this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
       },
@@ -402,7 +402,7 @@ export class Carving {
     try {
       return await this.carveOnce_(signal, { next: true });
     } catch (thrown) {
-      this.store_.update({ values: first.made.values });
+      this.store_.update({ values: first.work.values });
       throw thrown;
     }
   }
@@ -418,10 +418,10 @@ export class Carving {
     const stop = () => this.printing_.stop();
     signal.addEventListener('abort', stop, { once: true });
     this.messages_.say(() => text('page.printing'));
-    /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let made;
-    await this.printing_.begin(number, (printed, result) => void (result && (made = { result, printed })));
+    /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let print;
+    await this.printing_.begin(number, (printed, result) => void (result && (print = { result, printed })));
     signal.removeEventListener('abort', stop);
-    return made;
+    return print;
   }
 
   /** Simulates other ways to print the carving until stopped. */

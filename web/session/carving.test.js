@@ -32,14 +32,14 @@ class FakeReader {
 const values = () => store.work.values;
 /** @param {Record<string, string>} now */
 const setValues = (now) => store.update({ values: now });
-/** @type {[boolean, boolean][]} */ let shown;
+/** @type {[boolean, boolean][]} */ let shows;
 /** @type {Jobs} */ let jobs;
 /** @type {any} */ let printing;
 /** @type {number} */ let printsSeen;
 /** @type {number} */ let number; // of the module's last carving
 /** @type {any[]} */ let steps; // of the module's plan; then it prints
 /** @type {Carving} */ let carving;
-const made = () => carving.carved;
+const latest = () => carving.carved;
 const { Worker: realWorker } = globalThis;
 
 before(() => Object.assign(globalThis, { Worker: FakeReader }));
@@ -47,7 +47,7 @@ after(() => Object.assign(globalThis, { Worker: realWorker }));
 beforeEach(() => {
   FakeReader.found = kText;
   store = storeOf({ text: kText, values: { preset: 'robust' } });
-  shown = [];
+  shows = [];
   number = 0;
   steps = [];
   client = fake(EngineClient, {
@@ -82,16 +82,16 @@ beforeEach(() => {
     onRemedy: async () => {},
     guard: (action) => action(),
   });
-  carving.changed.on((exists, seen) => void shown.push([exists, seen]));
+  carving.changed.on((exists, seen) => void shows.push([exists, seen]));
   carving.printed.on(() => void (printsSeen += 1));
 });
 
 test('A carving is decoded, reported and shown', async () => {
   await carving.engrave();
-  assert.equal(made()?.report.text, kText);
+  assert.equal(latest()?.report.text, kText);
   assert.equal(carving.carved?.number, 1);
   assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('setReadings')));
-  assert.deepEqual(shown.at(-1), [true, true]);
+  assert.deepEqual(shows.at(-1), [true, true]);
 });
 
 test('Nothing is carved if the code has no place', async () => {
@@ -130,7 +130,7 @@ test('A failed carving leaves nothing, and the next one can start', async () => 
   assert.equal(carving.carved, undefined);
   client.answers.engrave = async () => true;
   await carving.engrave();
-  assert.equal(made()?.report.text, kText);
+  assert.equal(latest()?.report.text, kText);
 });
 
 test('After a change of settings the carving is marked as outdated', async () => {
@@ -145,7 +145,7 @@ test('A carving is lost with its module', async () => {
   const { carved } = carving;
   await carving.dropForGood();
   assert.equal(await carving.restore(carved), false);
-  assert.deepEqual(shown.at(-1), [false, false]);
+  assert.deepEqual(shows.at(-1), [false, false]);
 });
 
 /** @param {number} attempt  number of the carving */
@@ -160,7 +160,7 @@ test('A code that does not decode is carved with the next deeper preset', async 
   steps = [carve('preset', 'robust'), print(2)];
   await carving.engrave();
   assert.equal(values().preset, 'robust');
-  assert.equal(made()?.number, 2);
+  assert.equal(latest()?.number, 2);
 });
 
 test('A code that does not decode when carved for the print is carved for the design, with a message', async () => {
@@ -168,7 +168,7 @@ test('A code that does not decode when carved for the print is carved for the de
   steps = [carve('carveFor', 'design'), print(2)];
   await carving.engrave();
   assert.deepEqual(values(), { preset: 'balanced', carveFor: 'design' });
-  assert.equal(made()?.number, 2);
+  assert.equal(latest()?.number, 2);
   assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
@@ -201,12 +201,12 @@ test('Cancelling a deeper carving keeps the requested one with its readings', as
   assert.equal(values().preset, 'shallow');
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
   assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'useCarving 1').length, 1);
-  assert.equal(made()?.made.values.preset, 'shallow');
-  assert.deepEqual(shown.at(-1), [true, true]);
+  assert.equal(latest()?.work.values.preset, 'shallow');
+  assert.deepEqual(shows.at(-1), [true, true]);
   client.answers.engrave = engrave;
   setValues({ preset: 'balanced' });
   await carving.engrave();
-  assert.equal(made()?.made.values.preset, 'balanced');
+  assert.equal(latest()?.work.values.preset, 'balanced');
 });
 
 test('The print starts with the result and is added to it', async () => {
@@ -215,11 +215,11 @@ test('The print starts with the result and is added to it', async () => {
   await carving.engrave();
   assert.ok(panel.calls.includes('reveal'));
   tell({ state: 'under-way', fraction: 0.5 });
-  assert.deepEqual(made()?.printed, { state: 'under-way', fraction: 0.5 });
+  assert.deepEqual(latest()?.printed, { state: 'under-way', fraction: 0.5 });
   assert.equal(printsSeen, 0);
   const report = /** @type {any} */ ({ text: kText, verification: {} });
   tell({ state: 'made', print: {} }, { passed: true, report });
-  assert.equal(made()?.report, report);
+  assert.equal(latest()?.report, report);
   assert.equal(printsSeen, 1);
 });
 
@@ -239,9 +239,9 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
   await carving.engrave();
   await settled();
   assert.equal(values().preset, 'robust');
-  assert.deepEqual([made()?.number, made()?.made.values.preset, made()?.printed?.state], [2, 'robust', 'made']);
-  assert.deepEqual(made()?.report, { text: kText, number: 2 });
-  assert.deepEqual(shown.at(-1), [true, true]);
+  assert.deepEqual([latest()?.number, latest()?.work.values.preset, latest()?.printed?.state], [2, 'robust', 'made']);
+  assert.deepEqual(latest()?.report, { text: kText, number: 2 });
+  assert.deepEqual(shows.at(-1), [true, true]);
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
 });
 
@@ -260,9 +260,9 @@ test('If no deeper preset helps the print, the code stays as requested', async (
     await carving.engrave();
     await settled();
     assert.equal(values().preset, 'balanced');
-    assert.equal(made()?.made.values.preset, 'balanced');
-    assert.equal(made()?.printed?.state, 'made');
-    assert.deepEqual(shown.at(-1), [true, true]);
+    assert.equal(latest()?.work.values.preset, 'balanced');
+    assert.equal(latest()?.printed?.state, 'made');
+    assert.deepEqual(shows.at(-1), [true, true]);
   }
 });
 
@@ -283,9 +283,9 @@ test('Cancelling a deeper carving for the print restores the first result', asyn
   jobs.cancel();
   await jobs.untilIdle();
   await settled();
-  assert.deepEqual([values().preset, made()?.made.values.preset, made()?.number], ['balanced', 'balanced', 1]);
+  assert.deepEqual([values().preset, latest()?.work.values.preset, latest()?.number], ['balanced', 'balanced', 1]);
   assert.equal(messages.said.at(-1), 'Cancelled. The code keeps the depth you chose.');
-  assert.deepEqual(shown.at(-1), [true, true]);
+  assert.deepEqual(shows.at(-1), [true, true]);
 });
 
 test('A code is not carved again for its print after a change by the user', async () => {

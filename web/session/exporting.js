@@ -124,22 +124,22 @@ export class Exporting {
 
   /**
    * Opens the sample of a settings file, or sets unit and up axis of the open model if the file is for it.
-   * @param {ModelChoice} wanted
+   * @param {ModelChoice} choice
    * @returns {Promise<boolean>}  true: the open model is the file's model
    */
-  async openModelOf_(wanted) {
+  async openModelOf_(choice) {
     if (
-      wanted.sample !== undefined &&
-      wanted.sample !== this.model_.source?.sampleId &&
-      this.model_.hasSample(wanted.sample)
+      choice.sample !== undefined &&
+      choice.sample !== this.model_.source?.sampleId &&
+      this.model_.hasSample(choice.sample)
     ) {
-      const { scaleToMm, upAxis, centreMm } = wanted;
-      await this.model_.openSample(wanted.sample, { scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}) });
+      const { scaleToMm, upAxis, centreMm } = choice;
+      await this.model_.openSample(choice.sample, { scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}) });
     }
     const { source } = this.model_;
-    if (!source || source.fileName !== wanted.file || source.sampleId !== wanted.sample) return false;
-    if (source.upAxis !== wanted.upAxis) await this.model_.turnUp(wanted.upAxis);
-    if (source.scaleToMm !== wanted.scaleToMm) await this.model_.rescale(wanted.scaleToMm);
+    if (!source || source.fileName !== choice.file || source.sampleId !== choice.sample) return false;
+    if (source.upAxis !== choice.upAxis) await this.model_.turnUp(choice.upAxis);
+    if (source.scaleToMm !== choice.scaleToMm) await this.model_.rescale(choice.scaleToMm);
     return true;
   }
 

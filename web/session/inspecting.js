@@ -23,9 +23,9 @@ export class Inspecting {
     });
   }
 
-  /** @param {boolean} shown */
-  async show(shown) {
-    if (!shown) {
+  /** @param {boolean} isShown */
+  async show(isShown) {
+    if (!isShown) {
       await this.close_();
       return;
     }

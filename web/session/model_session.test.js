@@ -14,7 +14,7 @@ import { centredAt, chosenCentre } from './work.js';
 /** @type {any} */ let panel;
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {ModelSession} */ let model;
-/** @type {string[]} */ let told;
+/** @type {string[]} */ let events;
 
 /** @type {import('./model_session.js').Source} */
 const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, upAxis: 'z', credit: '' };
@@ -30,22 +30,22 @@ beforeEach(() => {
   });
   panel = fake(ModelPanel, { scaleToMm: 1 });
   store = storeOf();
-  told = [];
+  events = [];
   model = new ModelSession({
     client,
     panel,
     store,
     messages: /** @type {any} */ (messages),
     jobs: new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} }),
-    onReplacing: () => void told.push('replacing'),
-    onLoaded: async () => void told.push('loaded'),
-    onFailed: () => void told.push('failed'),
+    onReplacing: () => void events.push('replacing'),
+    onLoaded: async () => void events.push('loaded'),
+    onFailed: () => void events.push('failed'),
   });
 });
 
 test('A model is set once it is read, with its centre', async () => {
   await model.load(kSource, [1, 2, 3]);
-  assert.deepEqual(told, ['replacing', 'loaded']);
+  assert.deepEqual(events, ['replacing', 'loaded']);
   assert.equal(model.source?.fileName, 'a.stl');
   assert.deepEqual(chosenCentre(store.work), [1, 2, 3]);
 });
@@ -62,7 +62,7 @@ test('An unreadable file keeps the previous model, its centre and its up axis', 
     client.calls.filter((/** @type {string} */ call) => call.startsWith('setUpAxis')),
     ['setUpAxis y', 'setUpAxis z'],
   );
-  assert.equal(told.at(-1), 'failed');
+  assert.equal(events.at(-1), 'failed');
 });
 
 test('In another unit the centre keeps its position on the model, even after moves and undos', async () => {
@@ -95,6 +95,6 @@ test('An unknown sample is named with the known ones, and nothing is read', asyn
   await model.openSample('teapot');
   assert.match(messages.problem.found(), /There is no sample “teapot”/);
   assert.match(messages.problem.help(), /bunny, vase/);
-  assert.deepEqual(told, []);
+  assert.deepEqual(events, []);
   assert.equal(model.source, undefined);
 });

@@ -8,27 +8,27 @@ import { Pending, crashed, fake, settled } from './testing.js';
 /** @typedef {import('../engine/types.js').Printed} Printed */
 
 /** @type {any} */ let client;
-/** @type {Pending} */ let made;
+/** @type {Pending} */ let pending;
 /** @type {any[]} */ let jobs;
-/** @type {[Printed, unknown][]} */ let told;
+/** @type {[Printed, unknown][]} */ let reports;
 /** @type {Printing} */ let printing;
-const tell = (/** @type {Printed} */ printed, /** @type {unknown} */ report) => void told.push([printed, report]);
-const states = () => told.map(([{ state }]) => state);
+const tell = (/** @type {Printed} */ printed, /** @type {unknown} */ report) => void reports.push([printed, report]);
+const states = () => reports.map(([{ state }]) => state);
 
 beforeEach(() => {
   client = fake(EngineClient, {
     printJob: async () => ({ order: {}, stl: new Uint8Array(3) }),
     setPrintedReadings: async () => ({ passed: true, next: null, report: { text: 'with the print' } }),
   });
-  made = new Pending();
+  pending = new Pending();
   jobs = [];
-  told = [];
+  reports = [];
   printing = new Printing({
     client,
     make: async (job, { signal, onProgress }) => {
       jobs.push({ job, signal });
       onProgress(0.5);
-      return /** @type {any} */ (made.promise);
+      return /** @type {any} */ (pending.promise);
     },
     read: async (pictures) => pictures.map(() => 'HELLO'),
   });
@@ -40,12 +40,12 @@ test('A print is made, decoded and passed on with its report', async () => {
   const run = printing.begin(7, tell);
   await settled();
   assert.deepEqual(
-    told.map(([printed]) => printed),
+    reports.map(([printed]) => printed),
     [{ state: 'under-way', fraction: 0.5 }],
   );
-  made.resolve(print());
+  pending.resolve(print());
   await run;
-  assert.deepEqual(told.at(-1), [
+  assert.deepEqual(reports.at(-1), [
     { state: 'made', print: { ...print(), pictures: [] } },
     { passed: true, next: null, report: { text: 'with the print' } },
   ]);
@@ -56,13 +56,13 @@ test('A print started before the carving is done is made once and reports progre
   printing.beginEarly(/** @type {any} */ ({ order: {}, stl: new Uint8Array(5) }));
   await settled();
   const run = printing.begin(7, tell);
-  made.resolve(print());
+  pending.resolve(print());
   await run;
   assert.equal(jobs.length, 1);
   assert.equal(jobs[0].job.stl.length, 5);
   assert.ok(!client.calls.includes('printJob'));
   assert.deepEqual(
-    told.map(([printed]) => [printed.state, /** @type {any} */ (printed).fraction]),
+    reports.map(([printed]) => [printed.state, /** @type {any} */ (printed).fraction]),
     [
       ['under-way', 0.5],
       ['made', undefined],
@@ -76,7 +76,7 @@ test('A print started for a dropped carving is not used for another', async () =
   assert.ok(jobs[0].signal.aborted);
   const run = printing.begin(8, tell);
   await settled();
-  made.resolve(print());
+  pending.resolve(print());
   await run;
   assert.equal(jobs.length, 2);
   assert.equal(jobs[1].job.stl.length, 3);
@@ -100,7 +100,7 @@ test('Stopping ends it at once with a message, and later results are ignored', a
   await settled();
   printing.stop();
   assert.ok(jobs[0].signal.aborted);
-  made.resolve(print());
+  pending.resolve(print());
   await run;
   assert.equal(states().at(-1), 'stopped');
   assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('setPrintedReadings')));
@@ -112,7 +112,7 @@ test('The next print replaces the running one', async () => {
   /** @type {any[]} */ const others = [];
   const second = printing.begin(2, (printed) => void others.push(printed.state));
   await settled();
-  made.resolve(print());
+  pending.resolve(print());
   await Promise.all([first, second]);
   assert.equal(states().at(-1), 'stopped');
   assert.equal(others.at(-1), 'made');
@@ -121,9 +121,9 @@ test('The next print replaces the running one', async () => {
 test('An error is reported as it is, not as an engine failure', async () => {
   const run = printing.begin(1, tell);
   await settled();
-  made.reject(crashed());
+  pending.reject(crashed());
   await run;
-  const [last] = /** @type {any} */ (told.at(-1));
+  const [last] = /** @type {any} */ (reports.at(-1));
   assert.equal(last.state, 'failed');
   assert.equal(last.error.code, 'engine-crashed');
 });
@@ -131,7 +131,7 @@ test('An error is reported as it is, not as an engine failure', async () => {
 test('The print of a lost carving is dropped', async () => {
   client.answers.setPrintedReadings = async () => null;
   const run = printing.begin(1, tell);
-  made.resolve(print());
+  pending.resolve(print());
   await run;
   assert.deepEqual(states(), ['under-way']);
 });
@@ -140,7 +140,7 @@ test('Other processes are tried one after the other, and each result is reported
   client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({
     level: change.buildUp ? 'good' : 'bad',
   });
-  made.resolve(print());
+  pending.resolve(print());
   /** @type {any[]} */ const trials = [];
   client.answers.otherPrints = async () => [{ buildUp: 'code-up' }, { process: 'resin-0.05' }];
   await printing.tryOthers(7, (one) => void trials.push(one));
@@ -162,14 +162,14 @@ test('Stopping keeps the trials so far', async () => {
     trials.push(one);
     if (one.tried.length === 1) printing.stop();
   });
-  made.resolve(print());
+  pending.resolve(print());
   await run;
   assert.deepEqual(trials.at(-1), { tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }], all: 2 });
 });
 
 test('A failed trial is reported with the trials so far, not as an engine failure', async () => {
-  made.promise.catch(() => {});
-  made.reject(crashed());
+  pending.promise.catch(() => {});
+  pending.reject(crashed());
   /** @type {any[]} */ const trials = [];
   client.answers.otherPrints = async () => [{ buildUp: 'code-up' }];
   await printing.tryOthers(7, (one) => void trials.push(one));

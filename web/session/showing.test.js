@@ -13,7 +13,7 @@ const summary = new FakeElement();
 const parts = ['shadow', 'inlay', 'inlay paint'].map((marks) => ({ dataset: { marks }, hidden: false }));
 
 /** @type {import('./work_store.js').WorkStore} */ let store;
-/** @type {any[][]} */ let shown;
+/** @type {any[][]} */ let calls;
 
 before(() =>
   Object.assign(globalThis, {
@@ -24,8 +24,8 @@ before(() =>
 after(() => Object.assign(globalThis, { document: realDocument, HTMLElement: realElement }));
 beforeEach(() => {
   store = storeOf({ values: { mark: 'shadow', preset: 'balanced', nozzle: '0.4' } });
-  shown = [];
-  const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void shown.push([panel, part]);
+  calls = [];
+  const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void calls.push([panel, part]);
   showWork(store, {
     form: { show: shows('form') },
     code: { show: shows('code') },
@@ -40,7 +40,7 @@ test('A panel is updated only if its part of the work changes', () => {
   store.update(centredAt([1, 2, 3]));
   store.update({ batch: /** @type {any} */ ({ from: 'count' }) });
   store.update({ values: { preset: 'robust', nozzle: '0.25' } });
-  assert.deepEqual(shown, [
+  assert.deepEqual(calls, [
     ['code', 'b'],
     ['place', [1, 2, 3]],
     ['batch', { from: 'count' }],
@@ -51,7 +51,7 @@ test('A panel is updated only if its part of the work changes', () => {
 test('Without a centre the fields keep their values', () => {
   store.update(centredAt([1, 2, 3]));
   store.update(centredAt(undefined));
-  assert.deepEqual(shown, [['place', [1, 2, 3]]]);
+  assert.deepEqual(calls, [['place', [1, 2, 3]]]);
 });
 
 test('One line sums up the carving from the start', () => {

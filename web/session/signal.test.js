@@ -5,12 +5,12 @@ import { Signal } from './signal.js';
 
 test('A signal tells its listeners in order, and none that registers later', () => {
   /** @type {Signal<[number, string]>} */ const signal = new Signal();
-  /** @type {any[]} */ const told = [];
+  /** @type {any[]} */ const calls = [];
   signal.tell(0, 'a');
-  signal.on((...values) => void told.push(['first', ...values]));
-  signal.on((...values) => void told.push(['second', ...values]));
+  signal.on((...values) => void calls.push(['first', ...values]));
+  signal.on((...values) => void calls.push(['second', ...values]));
   signal.tell(1, 'b');
-  assert.deepEqual(told, [
+  assert.deepEqual(calls, [
     ['first', 1, 'b'],
     ['second', 1, 'b'],
   ]);

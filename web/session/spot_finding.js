@@ -41,7 +41,7 @@ export class SpotFinding {
           await this.suggest();
         }),
       onSpot: (index) => guard(() => this.choose(index)),
-      onSizes: (shown) => guard(() => this.showSizes_(shown)),
+      onSizes: (areShown) => guard(() => this.showSizes_(areShown)),
     });
     carving.started.on(() => panel.setSizesShown(false));
     placing.moved.on(() => panel.mark());
@@ -57,10 +57,10 @@ export class SpotFinding {
     this.panel_.clear();
   }
 
-  /** @param {boolean} shown */
-  async showSizes_(shown) {
-    if (shown) await this.carving_.show(false);
-    await this.client_.show({ sizes: shown });
+  /** @param {boolean} areShown */
+  async showSizes_(areShown) {
+    if (areShown) await this.carving_.show(false);
+    await this.client_.show({ sizes: areShown });
   }
 
   async suggest() {
@@ -70,22 +70,22 @@ export class SpotFinding {
     await this.client_.configure(this.batching_.settings());
     this.searching_ = true;
     try {
-      const found = await this.jobs_.run(
+      const result = await this.jobs_.run(
         () => text('page.lookingForSpots'),
         (signal) => this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }),
       );
       void this.guard_(() => this.carving_.show(false)); // the model shows the sizes
-      if (found) this.show_(found);
-      this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));
+      if (result) this.show_(result);
+      this.messages_.say(() => text(result ? 'page.chooseSpot' : 'page.searchCancelled'));
     } finally {
       this.searching_ = false;
     }
   }
 
-  /** @param {import('../engine/types.js').Spots} found */
-  show_(found) {
-    this.panel_.show(found);
-    this.drawPictures_(found.spots.length).catch((thrown) => {
+  /** @param {import('../engine/types.js').Spots} result */
+  show_(result) {
+    this.panel_.show(result);
+    this.drawPictures_(result.spots.length).catch((thrown) => {
       if (!isReplaced(thrown)) console.warn('The spots have no pictures:', thrown);
     });
   }

@@ -20,24 +20,24 @@ class Real extends Base {
 }
 
 test('A fake answers the methods and getters of its class and records the calls', () => {
-  const made = fake(Real, { greet: (/** @type {string} */ name) => `Hi ${name}`, isReady: false, inherited: 7 });
-  assert.equal(made.greet('you', {}), 'Hi you');
-  assert.equal(made.inherited(), 7);
-  assert.equal(made.isReady, false);
-  assert.deepEqual(made.calls, ['greet you', 'inherited']);
+  const double = fake(Real, { greet: (/** @type {string} */ name) => `Hi ${name}`, isReady: false, inherited: 7 });
+  assert.equal(double.greet('you', {}), 'Hi you');
+  assert.equal(double.inherited(), 7);
+  assert.equal(double.isReady, false);
+  assert.deepEqual(double.calls, ['greet you', 'inherited']);
 });
 
 test('A fake has only the fields that it was given', () => {
-  const made = fake(Real, {}, { size: 1 });
-  made.size = 2;
-  assert.equal(made.size, 2);
+  const double = fake(Real, {}, { size: 1 });
+  double.size = 2;
+  assert.equal(double.size, 2);
   assert.throws(() => fake(Real).size, /Real has no size/);
   assert.throws(() => void (fake(Real).size = 3), /Real has no size/);
 });
 
 test('A fake throws on a name that its class lacks', () => {
-  const made = /** @type {any} */ (fake(Real));
-  assert.throws(() => made.welcome(), /Real has no welcome/);
+  const double = /** @type {any} */ (fake(Real));
+  assert.throws(() => double.welcome(), /Real has no welcome/);
   assert.throws(() => fake(Real, /** @type {any} */ ({ welcome: 1 })), /Real has no welcome/);
-  assert.throws(() => void (made.answers.welcome = 1), /Real has no welcome/);
+  assert.throws(() => void (double.answers.welcome = 1), /Real has no welcome/);
 });

@@ -29,7 +29,7 @@ export class Viewing {
     this.guard_ = guard;
     this.listen_(options);
     this.listenToToolbar_(options.inspecting);
-    carving.changed.on((exists, shown) => this.noteCarved_(exists, shown));
+    carving.changed.on((exists, isShown) => this.noteCarved_(exists, isShown));
     carving.printed.on(() => this.notePrinted_());
   }
 
@@ -74,10 +74,10 @@ export class Viewing {
       onReaderView: () => tools.act({ kind: 'readerView' }),
       onFit: () => tools.act({ kind: 'fit' }),
       onStandard: (name) => tools.act({ kind: 'standard', name }),
-      onSection: (shown, offset) => guard(() => client.show({ section: shown ? offset : null })),
+      onSection: (isShown, offset) => guard(() => client.show({ section: isShown ? offset : null })),
       onFaceSection: () => tools.act({ kind: 'faceSection' }),
-      onDepths: (shown) => guard(() => this.showDepths_(shown)),
-      onInspector: (shown) => guard(() => inspecting.show(shown)),
+      onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
+      onInspector: (isShown) => guard(() => inspecting.show(isShown)),
     });
   }
 
@@ -87,13 +87,13 @@ export class Viewing {
     await this.carving_.show(carved);
   }
 
-  /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} shown */
-  noteCarved_(exists, shown) {
-    this.toolbar_.setCarved(exists, shown, this.carving_.carved?.report.mark === 'shadow');
-    this.tools_.reader.show(shown ? this.carving_.carved?.report.verification.text : undefined);
-    this.tools_.set({ carved: shown });
+  /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} isShown */
+  noteCarved_(exists, isShown) {
+    this.toolbar_.setCarved(exists, isShown, this.carving_.carved?.report.mark === 'shadow');
+    this.tools_.reader.show(isShown ? this.carving_.carved?.report.verification.text : undefined);
+    this.tools_.set({ carved: isShown });
     this.notePrinted_();
-    if (!shown || !this.toolbar_.depthsShown) this.legend_.hide('depths');
+    if (!isShown || !this.toolbar_.depthsShown) this.legend_.hide('depths');
     else void this.guard_(() => this.showDepths_(true));
   }
 
@@ -111,11 +111,11 @@ export class Viewing {
     );
   }
 
-  /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
-  async showDepths_(shown) {
-    const { topMm, deepestMm } = await this.client_.show({ depths: shown });
-    if (shown) this.legend_.show('depths', topMm, deepestMm > topMm);
+  /** Shows or hides the depths as colours on the carved model. @param {boolean} areShown */
+  async showDepths_(areShown) {
+    const { topMm, deepestMm } = await this.client_.show({ depths: areShown });
+    if (areShown) this.legend_.show('depths', topMm, deepestMm > topMm);
     else this.legend_.hide('depths');
-    if (shown && !this.carving_.shown) await this.showCarved_(true);
+    if (areShown && !this.carving_.shown) await this.showCarved_(true);
   }
 }

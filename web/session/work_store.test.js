@@ -4,7 +4,7 @@ import { beforeEach, test } from 'node:test';
 import { WorkStore } from './work_store.js';
 
 /** @type {WorkStore} */ let store;
-/** @type {string[][]} */ let told; // texts after and before each change
+/** @type {string[][]} */ let changes; // texts after and before each change
 
 beforeEach(() => {
   store = new WorkStore({
@@ -15,8 +15,8 @@ beforeEach(() => {
     centreIsGuess: false,
     batch: undefined,
   });
-  told = [];
-  store.changed.on((work, before) => void told.push([work.text, before.text]));
+  changes = [];
+  store.changed.on((work, before) => void changes.push([work.text, before.text]));
 });
 
 test('A change makes the next work and leaves the previous one', () => {
@@ -25,7 +25,7 @@ test('A change makes the next work and leaves the previous one', () => {
   assert.equal(before.text, 'a');
   assert.equal(store.work.text, 'b');
   assert.equal(store.work.values, before.values);
-  assert.deepEqual(told, [['b', 'a']]);
+  assert.deepEqual(changes, [['b', 'a']]);
 });
 
 test('A change can be computed from the work', () => {
@@ -37,7 +37,7 @@ test('An update without a difference tells nobody', () => {
   const before = store.work;
   store.update({ text: 'a', values: before.values });
   assert.equal(store.work, before);
-  assert.deepEqual(told, []);
+  assert.deepEqual(changes, []);
 });
 
 test('A work is immutable', () => {

@@ -82,12 +82,12 @@ export class ContentPanel {
     if (this.content_) this.kept_.set(this.content_.id, this.values_());
     this.content_ = content;
     this.visited_.clear();
-    const kept = content ? this.kept_.get(content.id) : undefined;
+    const values = content ? this.kept_.get(content.id) : undefined;
     this.views_ = (content?.fields ?? []).map((field) => this.makeView_(`content-${content?.id}`, field));
-    for (const { field, control } of kept ? this.views_ : []) {
+    for (const { field, control } of values ? this.views_ : []) {
       if (control instanceof HTMLInputElement && control.type === 'checkbox')
-        control.checked = kept?.[field.id] === 'true';
-      else control.value = kept?.[field.id] ?? '';
+        control.checked = values?.[field.id] === 'true';
+      else control.value = values?.[field.id] ?? '';
     }
     this.fields_.replaceChildren(...this.views_.map(({ element }) => element));
     this.fields_.hidden = content === undefined;

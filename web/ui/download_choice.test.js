@@ -24,7 +24,7 @@ class FakeSelect extends FakeElement {
 
 const kNames = ['document', 'HTMLElement', 'HTMLSelectElement', 'localStorage'];
 const kReal = Object.fromEntries(kNames.map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)]));
-/** @type {Map<string, string>} */ let kept;
+/** @type {Map<string, string>} */ let storage;
 /** @type {Record<string, FakeElement>} */ let elements;
 /** @type {FakeSelect} */ let format;
 /** @type {FakeSelect} */ let slicer;
@@ -36,8 +36,8 @@ before(() => {
   set('HTMLElement', FakeElement);
   set('HTMLSelectElement', FakeSelect);
   set('localStorage', {
-    getItem: (/** @type {string} */ key) => kept.get(key) ?? null,
-    setItem: (/** @type {string} */ key, /** @type {string} */ value) => kept.set(key, value),
+    getItem: (/** @type {string} */ key) => storage.get(key) ?? null,
+    setItem: (/** @type {string} */ key, /** @type {string} */ value) => storage.set(key, value),
   });
 });
 after(() => {
@@ -46,7 +46,7 @@ after(() => {
     else Reflect.deleteProperty(globalThis, name);
 });
 beforeEach(() => {
-  kept = new Map();
+  storage = new Map();
   renew();
 });
 

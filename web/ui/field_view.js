@@ -77,9 +77,9 @@ export class FieldView {
       : this.control.value;
   }
 
-  /** @param {boolean} shown */
-  show(shown) {
-    this.element.hidden = !shown;
+  /** @param {boolean} isShown */
+  show(isShown) {
+    this.element.hidden = !isShown;
   }
 
   /** @param {Problem | undefined} problem  undefined removes the note */
@@ -146,9 +146,9 @@ export class FieldView {
     button.setAttribute('aria-pressed', 'false');
     button.setAttribute('aria-controls', this.control.id);
     button.addEventListener('click', () => {
-      const shown = button.getAttribute('aria-pressed') !== 'true';
-      button.setAttribute('aria-pressed', String(shown));
-      /** @type {HTMLInputElement} */ (this.control).type = shown ? 'text' : 'password';
+      const isShown = button.getAttribute('aria-pressed') !== 'true';
+      button.setAttribute('aria-pressed', String(isShown));
+      /** @type {HTMLInputElement} */ (this.control).type = isShown ? 'text' : 'password';
     });
     return button;
   }

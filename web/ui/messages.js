@@ -27,11 +27,11 @@ export class Messages {
   /** @param {Problem} problem */
   showError(problem) {
     this.problem_ = problem;
-    const [found, help] =
+    const [finding, help] =
       'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
-    this.text_.replaceChildren(make('strong', { text: asSentence(found) }));
+    this.text_.replaceChildren(make('strong', { text: asSentence(finding) }));
     if (help) this.text_.append(' ', asSentence(help));
-    this.box_.hidden = found === ''; // hidden until the words have loaded
+    this.box_.hidden = finding === ''; // hidden until the words have loaded
   }
 
   /** Shows warnings in place of an error, if there are any. @param {Message[]} warnings */

@@ -111,9 +111,9 @@ export class ModelPanel {
 
   /** Scales the model to the typed height, or restores the field if the input is no valid height. */
   takeHeight_() {
-    const wanted = this.height_.valueAsNumber;
+    const heightMm = this.height_.valueAsNumber;
     if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0)
-      this.listener_?.onScale((this.shown_.source.scaleToMm * wanted) / this.heightMm_);
+      this.listener_?.onScale((this.shown_.source.scaleToMm * heightMm) / this.heightMm_);
     else this.showHeight_();
   }
 

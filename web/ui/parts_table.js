@@ -30,9 +30,9 @@ export class PartsTable {
     const label = make('label');
     label.htmlFor = this.filter_.id;
     label.dataset.text = 'batch.show';
-    for (const shown of kShown) {
-      const option = new Option('', shown);
-      option.dataset.text = `batch.${shown}`;
+    for (const state of kShown) {
+      const option = new Option('', state);
+      option.dataset.text = `batch.${state}`;
       this.filter_.append(option);
     }
     this.body_ = make('tbody');
@@ -81,11 +81,11 @@ export class PartsTable {
   async update() {
     const { tracker_: tracker } = this;
     if (!tracker) return;
-    const shown = /** @type {RowState | 'all'} */ (this.filter_.value);
-    const count = shown === 'all' ? this.rows_ : tracker.state(0)[shown];
+    const state = /** @type {RowState | 'all'} */ (this.filter_.value);
+    const count = state === 'all' ? this.rows_ : tracker.state(0)[state];
     this.page_ = Math.max(0, Math.min(this.page_, Math.ceil(count / kRows) - 1));
     const first = this.page_ * kRows;
-    const rows = tracker.page(shown, first, kRows);
+    const rows = tracker.page(state, first, kRows);
     const asked = (this.asked_ += 1);
     const names = await Promise.all(rows.map(({ index }) => this.nameOf_(index)));
     if (asked !== this.asked_) return;

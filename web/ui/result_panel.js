@@ -120,7 +120,7 @@ export class ResultPanel {
     this.verdict_.replaceChildren(
       ...verdictLines(report, printed, {
         onRemedy: (remedy, label) => this.listener_?.onRemedy(remedy, label),
-        onPrint: (wanted) => this.listener_?.onPrint(wanted),
+        onPrint: (isOn) => this.listener_?.onPrint(isOn),
         onTryPrints: () => this.listener_?.onTryPrints(),
       }),
     );

@@ -28,9 +28,9 @@ export class SpotsPanel {
     onLanguage(() => this.nameSpots_());
     this.suggest_.addEventListener('click', () => this.listener_?.onSuggest());
     this.sizes_.addEventListener('click', () => {
-      const shown = this.sizes_.getAttribute('aria-pressed') !== 'true';
-      this.setSizesShown(shown);
-      this.listener_?.onSizes(shown);
+      const areShown = this.sizes_.getAttribute('aria-pressed') !== 'true';
+      this.setSizesShown(areShown);
+      this.listener_?.onSizes(areShown);
     });
   }
 
@@ -108,10 +108,10 @@ export class SpotsPanel {
     return this.list_.childElementCount > 0;
   }
 
-  /** @param {boolean} shown */
-  setSizesShown(shown) {
-    this.sizes_.setAttribute('aria-pressed', String(shown));
-    if (shown) this.legend_.show('sizes', this.topMm_);
+  /** @param {boolean} areShown */
+  setSizesShown(areShown) {
+    this.sizes_.setAttribute('aria-pressed', String(areShown));
+    if (areShown) this.legend_.show('sizes', this.topMm_);
     else this.legend_.hide('sizes');
   }
 }

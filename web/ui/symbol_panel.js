@@ -101,18 +101,18 @@ export class SymbolPanel {
     }
   }
 
-  /** @param {Shown} shown @param {() => boolean} isNewest */
-  async findShorter_(shown, isNewest) {
-    const { settings, facts } = shown;
-    const ofLink = shorterForms(shown.content).map((form) => ({ ...form, use: () => this.onReplace_(form.text) }));
+  /** @param {Shown} code @param {() => boolean} isNewest */
+  async findShorter_(code, isNewest) {
+    const { settings, facts } = code;
+    const ofLink = shorterForms(code.content).map((form) => ({ ...form, use: () => this.onReplace_(form.text) }));
     const shorter = [];
     for (const form of [...ofLink, ...this.otherForms_()]) {
-      const found = await this.symbolOf_({ ...settings, text: form.text });
+      const symbol = await this.symbolOf_({ ...settings, text: form.text });
       if (!isNewest()) return;
       const least = Math.min(facts.size, ...shorter.map((known) => known.facts.size));
-      if (found.size < least) shorter.push({ form, facts: found });
+      if (symbol.size < least) shorter.push({ form, facts: symbol });
     }
-    this.shown_ = { ...shown, shorter };
+    this.shown_ = { ...code, shorter };
     if (shorter.length > 0) this.render_();
   }
 
@@ -144,13 +144,13 @@ export class SymbolPanel {
     return [...ofText, ...this.sizeLines_(shorter.length > 0), ...shorter];
   }
 
-  /** @param {Form} form @param {SymbolFacts} found @returns {Line} */
-  shorterLine_(form, found) {
+  /** @param {Form} form @param {SymbolFacts} symbol @returns {Line} */
+  shorterLine_(form, symbol) {
     const shown = /** @type {Shown} */ (this.shown_);
-    const percent = Math.round((shown.facts.size / found.size - 1) * 100);
+    const percent = Math.round((shown.facts.size / symbol.size - 1) * 100);
     return {
       severity: 'note',
-      words: text(form.key, { version: found.version, percent }),
+      words: text(form.key, { version: symbol.version, percent }),
       action: { words: text('code.shorter.use'), run: form.use },
     };
   }
@@ -164,19 +164,19 @@ export class SymbolPanel {
     } = this.shown_;
     const { symbolMm, guaranteedMm } = this.room_;
     if (facts.leastModuleMm === null) return [];
-    const found = tooSmall(facts.size, symbolMm, facts.leastModuleMm);
-    if (!found) return [];
+    const small = tooSmall(facts.size, symbolMm, facts.leastModuleMm);
+    if (!small) return [];
     const problem = text('code.symbol.small', {
       symbol: formatMm(symbolMm),
-      module: formatMm(found.moduleMm),
+      module: formatMm(small.moduleMm),
       nozzle: `${formatPlain(nozzleMm)} mm`,
       least: `${formatPlain(facts.leastModuleMm)} mm`,
     });
-    const needed = formatMm(found.neededMm);
-    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm; // otherwise the chosen size is too small
+    const needed = formatMm(small.neededMm);
+    const full = symbolMm < maxSizeMm && small.neededMm > guaranteedMm; // otherwise the chosen size is too small
     const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
     const shorter =
-      found.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: found.printable })}`;
+      small.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: small.printable })}`;
     const link = !hasShorter && isWebAddress(this.content_) ? ` ${text('code.shorter.link')}.` : '';
     return [{ severity: 'warning', words: `${problem} ${larger}${shorter}${link}` }];
   }

@@ -152,14 +152,14 @@ const wordsOf = (messages) =>
     .map(asSentence)
     .join(' ');
 
-/** Returns the summary, with the decoded text as a link if it is one. @param {string} wanted @param {Aspect} aspect */
-function readsHeading(wanted, { summary }) {
+/** Returns the summary, with the decoded text as a link if it is one. @param {string} expected @param {Aspect} aspect */
+function readsHeading(expected, { summary }) {
   const { text: said } = summary.values;
-  if (!said || !('term' in said) || said.term !== wanted) return [sentenceOf(summary)];
-  const link = /^https?:\/\/\S+$/.test(wanted) && wanted.length <= kUnlinkedLength;
-  const words = link ? make('a', { text: wanted }) : make('q', { text: wanted });
+  if (!said || !('term' in said) || said.term !== expected) return [sentenceOf(summary)];
+  const link = /^https?:\/\/\S+$/.test(expected) && expected.length <= kUnlinkedLength;
+  const words = link ? make('a', { text: expected }) : make('q', { text: expected });
   if (words instanceof HTMLAnchorElement)
-    Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
+    Object.assign(words, { href: expected, target: '_blank', rel: 'noopener noreferrer' });
   const kHere = '\u0000';
   const [before, after = ''] = sentenceOf({ ...summary, values: { text: { term: kHere } } }).split(kHere);
   return [before, words, after];

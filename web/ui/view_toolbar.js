@@ -100,25 +100,25 @@ export class ViewToolbar {
     this.listener_?.onBefore(held);
   }
 
-  /** @param {boolean} shown */
-  showSection(shown) {
-    if (this.section_.disabled && shown) return;
-    this.section_.setAttribute('aria-pressed', String(shown));
-    byId('section-bar', HTMLElement).hidden = !shown;
-    if (shown) this.position_.valueAsNumber = 0;
-    this.listener_?.onSection(shown, 0);
-    if (shown) this.listener_?.onFaceSection();
+  /** @param {boolean} isShown */
+  showSection(isShown) {
+    if (this.section_.disabled && isShown) return;
+    this.section_.setAttribute('aria-pressed', String(isShown));
+    byId('section-bar', HTMLElement).hidden = !isShown;
+    if (isShown) this.position_.valueAsNumber = 0;
+    this.listener_?.onSection(isShown, 0);
+    if (isShown) this.listener_?.onFaceSection();
   }
 
   /**
    * @param {boolean} exists    whether there is a carved model
-   * @param {boolean} shown
+   * @param {boolean} isShown
    * @param {boolean} isRelief  whether it has depths to show
    */
-  setCarved(exists, shown, isRelief) {
+  setCarved(exists, isShown, isRelief) {
     this.carved_.disabled = !exists;
-    this.carved_.setAttribute('aria-pressed', String(shown));
-    this.before_.disabled = !shown;
+    this.carved_.setAttribute('aria-pressed', String(isShown));
+    this.before_.disabled = !isShown;
     this.depths_.disabled = !exists || !isRelief;
     if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
   }

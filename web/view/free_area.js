@@ -54,16 +54,16 @@ const kWrapperShare = 0.6; // of the view: a larger element is only a container
  */
 export function obstaclesOver(stage, view) {
   const origin = view.getBoundingClientRect();
-  /** @type {Area[]} */ const found = [];
+  /** @type {Area[]} */ const areas = [];
   const collect = (/** @type {Element} */ parent) => {
     for (const child of parent.children) {
       if (child === view || child.classList.contains('hidden')) continue;
       const { left, top, width, height } = child.getBoundingClientRect();
       if (width === 0 || height === 0) continue;
       if (width * height > kWrapperShare * origin.width * origin.height) collect(child);
-      else found.push({ x: left - origin.left, y: top - origin.top, width, height });
+      else areas.push({ x: left - origin.left, y: top - origin.top, width, height });
     }
   };
   collect(stage);
-  return found;
+  return areas;
 }

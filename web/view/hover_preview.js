@@ -67,8 +67,8 @@ export class HoverPreview {
     const asked = this.latest_;
     const isCurrent = () => this.shown_ && asked === this.latest_;
     try {
-      const found = await this.client_.settle();
-      if (found?.code && isCurrent()) this.chip_.show(found.code, x, y);
+      const result = await this.client_.settle();
+      if (result?.code && isCurrent()) this.chip_.show(result.code, x, y);
     } catch (thrown) {
       if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);
     }

@@ -30,8 +30,8 @@ function paint({ width, height, components }, colour) {
   const rgba = new Uint8ClampedArray(4 * width * height);
   for (let y = 0; y < height; y += 1) {
     for (let x = 0; x < width; x += 1) {
-      const found = colour(components * ((height - 1 - y) * width + x));
-      if (found) rgba.set([...found, 255], 4 * (y * width + x));
+      const rgb = colour(components * ((height - 1 - y) * width + x));
+      if (rgb) rgba.set([...rgb, 255], 4 * (y * width + x));
     }
   }
   return { width, height, rgba };

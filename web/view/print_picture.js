@@ -62,8 +62,8 @@ export class PrintPicture {
     const [upperLeft, upperRight, lowerRight] = code.corners;
     const edge = Math.hypot(upperRight[0] - upperLeft[0], upperRight[1] - upperLeft[1]);
     const turn = Math.atan2(upperRight[1] - upperLeft[1], upperRight[0] - upperLeft[0]);
-    const shown = (edge * (this.modules_ + 2 * kPictureMarginModules)) / (this.modules_ + 2 * kQuietZoneModules);
+    const edgePx = (edge * (this.modules_ + 2 * kPictureMarginModules)) / (this.modules_ + 2 * kQuietZoneModules);
     const [x, y] = [0, 1].map((axis) => (upperLeft[axis] + lowerRight[axis]) / 2);
-    this.canvas_.style.transform = `translate(${x}px, ${y}px) rotate(${turn}rad) scale(${shown / this.canvas_.width}) translate(-50%, -50%)`;
+    this.canvas_.style.transform = `translate(${x}px, ${y}px) rotate(${turn}rad) scale(${edgePx / this.canvas_.width}) translate(-50%, -50%)`;
   }
 }

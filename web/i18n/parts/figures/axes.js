@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Titles of the axes.
+
+export const axes = {
+  en: {
+    axisDepth: 'mean depth, mm',
+    axisEdge: 'edge of the code, mm',
+    axisLamps: 'lamps',
+    axisLamp: 'elevation of the reading lamp, °',
+    axisReads: 'reads of {of}',
+    axisErrorSize: 'error of the light, size',
+    axisError: 'error of the light, own − traced',
+    axisSeconds: 'seconds',
+    axisBlur: 'blur, modules',
+    axisPixels: 'pixels per module',
+    axisTilt: 'tilt, °',
+    axisModule: 'smallest module, mm',
+    axisArc: 'arc of the code, °',
+    axisAside: 'read up to, °',
+    axisStrength: 'strength of the lamp',
+    axisContrast: 'contrast',
+    axisGreatestDepth: 'maximum depth, mm',
+  },
+  de: {
+    axisDepth: 'mittlere Tiefe, mm',
+    axisEdge: 'Kante des Codes, mm',
+    axisLamps: 'Lampen',
+    axisLamp: 'Höhe der Leselampe, °',
+    axisReads: 'gelesen von {of}',
+    axisErrorSize: 'Fehler des Lichts, Betrag',
+    axisError: 'Fehler des Lichts, eigenes − verfolgtes',
+    axisSeconds: 'Sekunden',
+    axisBlur: 'Unschärfe, Module',
+    axisPixels: 'Pixel je Modul',
+    axisTilt: 'Neigung, °',
+    axisModule: 'kleinstes Modul, mm',
+    axisArc: 'Bogen des Codes, °',
+    axisAside: 'gelesen bis, °',
+    axisStrength: 'Stärke der Lampe',
+    axisContrast: 'Kontrast',
+    axisGreatestDepth: 'größte Tiefe, mm',
+  },
+};
