@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares the filament changes and the second filament that a report predicts with the G-code of PrusaSlicer 2.5:
+// Compares the filament changes, the second filament and the wipe tower that a report predicts with the G-code of
+// PrusaSlicer 2.5:
 //
 //     script/bench colour FOLDER CENTRES.json [KIND] [MODEL...]
 //
-// Each model gets an inlaid code and is sliced twice, with the code facing up and upright. The
-// slicer gets both bodies as two volumes of one mesh, and two extruders without a wipe tower, so that its tool changes
-// are the filament changes.
+// Each model gets an inlaid code and is sliced with the code facing up and upright. The slicer gets both bodies as two
+// volumes of one mesh, and two extruders without a wipe tower, so that its tool changes are the filament changes. Then it
+// slices for one nozzle with a wipe tower, by its defaults but for the purge, to weigh the tower.
 import { downloadZip } from 'client-zip';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -24,6 +25,19 @@ const SIZE_MM = 20;
 const LAYER_MM = 0.2;
 const BED_MM = 600;
 const DENSITY_G_PER_MM3 = 1.24e-3;
+const FILAMENT_MM2 = Math.PI * (1.75 / 2) ** 2;
+const PURGE_MM3 = 250;
+const WITH_TOWER = [
+  '--single-extruder-multi-material',
+  '--no-single-extruder-multi-material-priming',
+  '--wipe-tower',
+  '--wipe-tower-x',
+  `${BED_MM - 100}`,
+  '--wipe-tower-y',
+  `${BED_MM - 100}`,
+  '--wiping-volumes-matrix',
+  `0,${PURGE_MM3},${PURGE_MM3},0`,
+];
 
 const [folder, centresFile, kind = 'flat', ...chosen] = process.argv.slice(2);
 const centres = JSON.parse(readFileSync(centresFile, 'utf8'));
@@ -90,8 +104,8 @@ async function writeForSlicer(file, bodies, up) {
   writeFileSync(file, Buffer.from(await downloadZip(entries).arrayBuffer()));
 }
 
-/** Slices a file and reads tool changes, layers and length of the second filament. @param {string} file */
-function sliced(file) {
+/** Slices a file. Returns the lines of the G-code. @param {string} file @param {string[]} [more]  options */
+function slice(file, more = []) {
   const gcode = `${file}.gcode`;
   execFileSync(
     'prusa-slicer',
@@ -131,15 +145,34 @@ function sliced(file) {
       '',
       '--toolchange-gcode',
       '',
+      ...more,
     ],
     { stdio: ['ignore', 'ignore', 'inherit'] },
   );
+  return readFileSync(gcode, 'utf8').split('\n');
+}
+
+/** Weighs a wipe tower without the purges. @param {string[]} lines @param {number} changes */
+function towerG(lines, changes) {
+  let inTower = false;
+  let fedMm = 0;
+  for (const line of lines) {
+    if (line.startsWith(';TYPE:')) inTower = line === ';TYPE:Wipe tower';
+    // Filament that is unloaded comes back: retractions count, too.
+    const fed = inTower && /^G1 .*E(-?[\d.]+)/.exec(line);
+    if (fed) fedMm += Number(fed[1]);
+  }
+  return (fedMm * FILAMENT_MM2 - changes * PURGE_MM3) * DENSITY_G_PER_MM3;
+}
+
+/** Reads tool changes, layers and volume of the second filament. @param {string[]} lines */
+function secondFilament(lines) {
   let held = null;
   let changes = 0;
   let secondMm = 0;
   let layer = 0;
   const layers = new Set();
-  for (const line of readFileSync(gcode, 'utf8').split('\n')) {
+  for (const line of lines) {
     if (line.startsWith(';LAYER')) ++layer;
     const tool = /^T(\d)/.exec(line)?.[1];
     if (tool !== undefined) {
@@ -153,15 +186,15 @@ function sliced(file) {
       layers.add(layer);
     }
   }
-  return { changes, layers: layers.size, secondMm3: secondMm * Math.PI * (1.75 / 2) ** 2 };
+  return { changes, layers: layers.size, secondMm3: secondMm * FILAMENT_MM2 };
 }
 
 const off = (/** @type {number} */ ours, /** @type {number} */ theirs) => `${((ours / theirs - 1) * 100).toFixed(1)} %`;
 
 console.log(
-  '| model | pose | layers, ours | PrusaSlicer | changes, ours | PrusaSlicer | off | second filament, ours, g | PrusaSlicer, g | off |',
+  '| model | pose | layers, ours | PrusaSlicer | changes, ours | PrusaSlicer | off | second filament, ours, g | PrusaSlicer, g | off | tower, ours, g | PrusaSlicer, g | off |',
 );
-console.log('|---|---|---:|---:|---:|---:|---:|---:|---:|---:|');
+console.log('|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|');
 try {
   for (const model of chosen.length ? chosen : MODELS) {
     const { scaleToMm, picks } = centres[model];
@@ -196,8 +229,9 @@ try {
       const { colour, projection } = JSON.parse(readFileSync(report, 'utf8'));
       const forSlicer = join(work, 'sliced.3mf');
       await writeForSlicer(forSlicer, bodiesOf(out), pose === 'code-up' ? projection.normal : projection.up);
-      const theirs = sliced(forSlicer);
+      const theirs = secondFilament(slice(forSlicer));
       const theirG = theirs.secondMm3 * DENSITY_G_PER_MM3;
+      const theirTowerG = towerG(slice(forSlicer, WITH_TOWER), theirs.changes);
       const cells = [
         model,
         pose,
@@ -209,6 +243,9 @@ try {
         colour.secondG.toFixed(3),
         theirG.toFixed(3),
         off(colour.secondG, theirG),
+        colour.towerG.toFixed(1),
+        theirTowerG.toFixed(1),
+        off(colour.towerG, theirTowerG),
       ];
       console.log(`| ${cells.join(' | ')} |`);
     }

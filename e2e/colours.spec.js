@@ -8,7 +8,8 @@ import { Engraver } from './support/engraver.js';
 import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
-const kCost = /Second colour\s*\d+ filament changes?, [\d.]+ g and \d+ min of waste/;
+const kCost =
+  /Second colour\s*\d+ filament changes?, [\d.]+ g and \d+ min of waste; plus up to [\d.]+ g for a wipe tower/;
 
 /** Opens the plate with a short code, made by `mark`. @param {import('@playwright/test').Page} page @param {string} mark */
 async function open(page, mark) {

@@ -24,6 +24,10 @@ constexpr double kUsualPurgeMm3 = 250;
 /// assumed flow of 12 mm³/s, the usual limit of PLA through a nozzle of 0.4 mm.
 constexpr double kSwapSeconds = 57, kPurgeMm3PerSecond = 12;
 
+/// Wipe tower of PrusaSlicer 2.5 by default: its width, the gap between the walls in its layers without a change, its
+/// brim, and the width of its lines in nozzles.
+constexpr double kTowerWidthMm = 60, kTowerGapMm = 10, kTowerBrimMm = 2, kTowerLineNozzles = 1.25;
+
 constexpr double kNodesPerFinest = 6;
 /// Plastic that a bead's round side leaves out, in layers, as a mean width behind the outline. A half circle would
 /// leave out twice as much; fill that overlaps its outer walls makes up for half (bench/colour_changes.mjs).
@@ -88,29 +92,55 @@ double printedAreaMm2(std::span<const Segment2> outline, const PrintProcess& pro
   return static_cast<double>(count) * step * step;
 }
 
+/// Returns the plastic of a wipe tower without the purges, mm³. It ends at the last layer with a change. The first
+/// layer is solid and has a brim. Layers with changes have a wall around the purges. All others have two walls, and
+/// lines across that carry the layer above.
+/// @param changes  in each layer
+double wipeTowerMm3(const std::vector<int>& changes, double purgeMm3, const PrintProcess& process) {
+  const int most = *std::max_element(changes.begin(), changes.end());
+  if (most == 0 || purgeMm3 <= 0) return 0;
+  const double layer = process.layerMm, line = kTowerLineNozzles * process.finestMm;
+  const double lineMm2 = layer * (line - layer * (1 - std::numbers::pi / 4));  // with round sides
+  const double lengthMm = most * purgeMm3 / lineMm2 / kTowerWidthMm * line;
+  const double wallMm = 2 * (kTowerWidthMm + lengthMm);
+  const double insideMm = kTowerWidthMm - 6 * line;  // the lines across end three lines from either side
+  const double acrossMm = (1 + std::floor(insideMm / kTowerGapMm)) * lengthMm + insideMm;
+  const double solidMm3 = (kTowerWidthMm + 2 * kTowerBrimMm) * (lengthMm + 2 * kTowerBrimMm) * layer;
+  double sum = std::max(0.0, solidMm3 - changes.front() * purgeMm3);
+  const auto end = std::find_if(changes.rbegin(), changes.rend(), [](int count) { return count > 0; }).base();
+  for (auto count = changes.begin() + 1; count < end; ++count)
+    sum += lineMm2 * (*count > 0 ? wallMm : 2 * wallMm + acrossMm);
+  return sum;
+}
+
 /// Prices the changes between two sets of layers. Layers with neither filament, in a model of several pieces, change
 /// nothing.
 ColourCost priced(const std::vector<char>& first, const std::vector<char>& second, double secondMm3,
-                  const FilamentChange& change) {
+                  const ColourPrint& print) {
   constexpr int kNone = -1, kFirst = 0, kSecond = 1;
   ColourCost cost;
   int held = kNone, toFirst = 0, toSecond = 0;
-  const auto need = [&](int filament) {
-    if (held == 1 - filament) ++(filament == kFirst ? toFirst : toSecond);
+  std::vector<int> changes(second.size(), 0);
+  const auto need = [&](int filament, std::size_t layer) {
+    if (held == 1 - filament) {
+      ++(filament == kFirst ? toFirst : toSecond);
+      ++changes[layer];
+    }
     held = filament;
   };
   for (std::size_t k = 0; k < second.size(); ++k) {
     if (second[k]) ++cost.layers;
     const int begin = held == kSecond ? kSecond : kFirst;
     for (const int filament : {begin, 1 - begin})
-      if (filament == kFirst ? first[k] : second[k]) need(filament);
+      if (filament == kFirst ? first[k] : second[k]) need(filament, k);
   }
-  const double purgeG = change.purgeMm3 * kDensityGPerMm3;
+  const double purgeG = print.change.purgeMm3 * kDensityGPerMm3;
   cost.changes = toFirst + toSecond;
   cost.secondG = secondMm3 * kDensityGPerMm3;
   cost.firstWasteG = toFirst * purgeG;
   cost.secondWasteG = toSecond * purgeG;
-  cost.wasteMinutes = cost.changes * change.seconds / 60;
+  cost.wasteMinutes = cost.changes * print.change.seconds / 60;
+  cost.towerG = wipeTowerMm3(changes, print.change.purgeMm3, print.process) * kDensityGPerMm3;
   return cost;
 }
 
@@ -136,7 +166,7 @@ ColourCost colourCost(const Mesh& body, const Mesh& inlay, const ColourPrint& pr
     second.push_back(area > 0);
     secondMm3 += area * print.process.layerMm;
   }
-  return priced(cutLayers(upright, body, planes), second, secondMm3, print.change);
+  return priced(cutLayers(upright, body, planes), second, secondMm3, print);
 }
 
 ColourCost colourCost(const Mesh& body, const PaintedTriangles& painted, const ColourPrint& print) {
@@ -162,7 +192,7 @@ ColourCost colourCost(const Mesh& body, const PaintedTriangles& painted, const C
     areaMm2 +=
         glm::length(glm::cross(body.corner(t, 1) - body.corner(t, 0), body.corner(t, 2) - body.corner(t, 0))) / 2;
   }
-  return priced(cutLayers(upright, body, planes), second, areaMm2 * painted.depthMm, print.change);
+  return priced(cutLayers(upright, body, planes), second, areaMm2 * painted.depthMm, print);
 }
 
 }  // namespace qrelief

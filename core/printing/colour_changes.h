@@ -31,6 +31,9 @@ struct ColourCost {
   /// Filaments purged by the changes: every change purges the filament that it loads.
   double firstWasteG = 0, secondWasteG = 0;
   double wasteMinutes = 0;  ///< duration of all changes
+  /// Wipe tower without the purges, as PrusaSlicer builds it if it purges into one: layers below the last change need a
+  /// tower that carries the next ones. Printed mostly with the first filament.
+  double towerG = 0;
 
   double wasteG() const { return firstWasteG + secondWasteG; }
   bool operator==(const ColourCost&) const = default;
@@ -54,8 +57,10 @@ struct PaintedTriangles {
 /// A slicer cuts both bodies halfway up each layer. In a layer with both filaments it begins with the filament that the
 /// nozzle holds, so such a layer costs one change. A layer with one filament costs a change only if the nozzle holds
 /// the other. The print begins with the first filament if the first layer contains it. The second colour has the shape
-/// that the process gives the inlay's cross-sections (extruded_outline.h); a layer where it is too thin has none. Not
-/// counted: a wipe tower's own walls and its layers without a change, both of which depend on the slicer.
+/// that the process gives the inlay's cross-sections (extruded_outline.h); a layer where it is too thin has none.
+///
+/// The wipe tower is that of PrusaSlicer 2.5 with its defaults [src/libslic3r/GCode/WipeTower.cpp], as long as the
+/// purges of one layer need. Other slicers build smaller towers or none. The tower's printing time is not counted.
 ///
 /// Cost: O(triangles · layers they pass), and about 0.1 µs for each of the inlay's points, which are a sixth of the
 /// finest detail apart.

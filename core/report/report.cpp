@@ -74,11 +74,13 @@ Json describeColour(const EngraveResult& result) {
   const SecondColour second = secondColourOf(result);
   const ColourCost& cost = second.cost;
   Json colour = {{"layers", cost.layers},  {"changes", cost.changes}, {"secondG", cost.secondG},
-                 {"firstWasteG", nullptr}, {"secondWasteG", nullptr}, {"wasteMinutes", nullptr}};
+                 {"firstWasteG", nullptr}, {"secondWasteG", nullptr}, {"wasteMinutes", nullptr},
+                 {"towerG", nullptr}};
   if (second.isPriced) {
     colour["firstWasteG"] = cost.firstWasteG;
     colour["secondWasteG"] = cost.secondWasteG;
     colour["wasteMinutes"] = cost.wasteMinutes;
+    colour["towerG"] = cost.towerG;
   }
   return colour;
 }

@@ -372,7 +372,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
       {"size", {"symbolMm", "moduleMm", "guaranteedMm", "mode"}},
       {"depth", {"meanMm", "maxMm", "p95Mm", "iterations", "limitedSubmodules", "solver"}},
       {"mesh", {"triangles", "vertices", "keptTriangles", "closed", "manifold", "selfIntersections", "volumeMm3"}},
-      {"colour", {"layers", "changes", "secondG", "firstWasteG", "secondWasteG", "wasteMinutes"}},
+      {"colour", {"layers", "changes", "secondG", "firstWasteG", "secondWasteG", "wasteMinutes", "towerG"}},
       {"verification", {"decoded", "text", "tries", "reads", "readsNeeded", "views", "failedChecks", "verdict"}},
       {"timingsMs",
        {"load", "prepare", "direction", "size", "surface", "depthSearch", "embed", "verify", "write", "total"}},

@@ -44,6 +44,23 @@ TEST(ColourChanges, ACodeOnAWallCostsAChangeForEachLayer) {
   EXPECT_NEAR(cost.wasteG(), 150 * 100 * kDensityGPerMm3, 1e-9);
 }
 
+TEST(ColourChanges, AWipeTowerCarriesThePurgesUpToTheLastChange) {
+  // PrusaSlicer 2.5 by default, purging 250 mm³ a change, on a cylinder 120 mm high (bench/colour_changes.mjs): with
+  // the code on top, of 600 layers the last two have a change; lying, of 201 layers the last 100.
+  const auto towerMm3 = [](const Mesh& body, const Mesh& inlay) {
+    ColourPrint print = upright();
+    print.change.purgeMm3 = 250;
+    return colourCost(body, inlay, print).towerG / kDensityGPerMm3;
+  };
+  const double onTop = towerMm3(block({0, 0, 0}, {30, 30, 120}), block({5, 5, 119.6}, {20, 20, 0.4}));
+  EXPECT_NEAR(onTop, 28145 - 2 * 250, 0.06 * onTop);
+  const double lying = towerMm3(block({0, 0, 0}, {30, 30, 40.2}), block({5, 0, 20.2}, {20, 0.8, 20}));
+  EXPECT_NEAR(lying, 32031 - 100 * 250, 0.06 * lying);
+  // A code on the bottom: a solid layer with its brim, where it is more than a purge, and one with a wall.
+  const double below = towerMm3(block({0, 0, 0}, {30, 30, 120}), block({5, 5, 0}, {20, 20, 0.4}));
+  EXPECT_NEAR(below, 64 * 26.79 * 0.2 - 250 + 0.0914 * 2 * 82.79, 0.5);
+}
+
 TEST(ColourChanges, TheBuildDirectionDecides) {
   const Mesh body = block({0, 0, 0}, {40, 4, 40}), inlay = block({5, 0, 5}, {30, 0.8, 30});
   // Lying on its back, the wall's four layers of code come last; on its face they come first.

@@ -140,7 +140,7 @@
 /**
  * Cost of the second colour. Waste is null where the printer changes no filaments.
  * @typedef {{ layers: number, changes: number, secondG: number, firstWasteG: number | null, secondWasteG: number | null,
- *   wasteMinutes: number | null }} ColourCost
+ *   wasteMinutes: number | null, towerG: number | null }} ColourCost
  */
 
 /**

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { colourCost } from './colour_cost.js';
+import { colourCost, colourCostWithTower } from './colour_cost.js';
 
-const kCost = { layers: 2, changes: 2, secondG: 0.1, firstWasteG: 0.18, secondWasteG: 0.12, wasteMinutes: 4.4 };
+const kCost = {
+  layers: 2,
+  changes: 2,
+  secondG: 0.1,
+  firstWasteG: 0.18,
+  secondWasteG: 0.12,
+  wasteMinutes: 4.4,
+  towerG: 22.3,
+};
 
 test('The cost says changes, grams and minutes', () => {
   assert.equal(colourCost(kCost), '2 filament changes, 0.3 g and 4 min of waste');
@@ -14,4 +22,12 @@ test('The cost says changes, grams and minutes', () => {
 test('On a printer without filament changes only their number is known', () => {
   const unpriced = { ...kCost, firstWasteG: null, secondWasteG: null, wasteMinutes: null };
   assert.equal(colourCost(unpriced), '2 filament changes');
+});
+
+test('A wipe tower is an addition', () => {
+  assert.equal(
+    colourCostWithTower(kCost),
+    '2 filament changes, 0.3 g and 4 min of waste; plus up to 22 g for a wipe tower',
+  );
+  for (const towerG of [null, 0]) assert.equal(colourCostWithTower({ ...kCost, towerG }), colourCost(kCost));
 });

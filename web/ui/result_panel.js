@@ -4,7 +4,7 @@ import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatSeconds } from '../i18n/format.js';
 import { showMarkCost } from './carve_panel.js';
-import { colourCost } from './colour_cost.js';
+import { colourCostWithTower } from './colour_cost.js';
 import { DownloadChoice } from './download_choice.js';
 import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
@@ -130,7 +130,7 @@ export class ResultPanel {
         text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) }),
       ),
       ...depthRow(report),
-      ...(report.mark === 'shadow' ? [] : row(text('page.secondColour'), colourCost(report.colour))),
+      ...(report.mark === 'shadow' ? [] : row(text('page.secondColour'), colourCostWithTower(report.colour))),
       ...row(text('page.time'), formatSeconds(elapsedMs)),
       ...row(text('page.code'), text('page.codeValue', symbol)),
     );
