@@ -21,7 +21,7 @@ struct CodeOnSurface {
   std::shared_ptr<const VisibilityMap> reach;  ///< as the size map knows it; the decal may know it more exactly
 
   double moduleMm() const { return symbolMm / modules; }
-  /// Returns true if the point lies in the symbol or its quiet zone and the eye sees it.
+  /// Returns true if the point lies in the decal and the eye sees it.
   bool covers(const Mesh& mesh, const SurfacePoint& at) const;
   /// Turns and resizes the code, whether or not it then fits.
   /// @param outer  edge of the square that must fit, in symbol edges

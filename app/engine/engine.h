@@ -176,11 +176,11 @@ class Engine {
   ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
   std::string look(const std::string& action);
 
-  /// Returns {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x,
-  /// y]}], axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper
-  /// left first, clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a
-  /// line from each lamp to the middle of the code, `from` null for a lamp behind the camera; `axes`: the camera's, z
-  /// up.
+  /// Returns {code: {corners: [[x, y]], facing, edgeMm, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null,
+  /// to: [x, y]}], axes: [right, up, back]}. `corners`: of the code with its quiet zone or label, a square of `edgeMm`
+  /// on the QR plane, on the screen, upper left first, clockwise for the viewer; `facing`: cosine between the camera's
+  /// direction and the code's; `lamps`: a line from each lamp to the middle of the code, `from` null for a lamp behind
+  /// the camera; `axes`: the camera's, z up.
   std::string viewState() const;
   /// Draws a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);

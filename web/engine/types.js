@@ -59,9 +59,10 @@
  */
 
 /**
- * Position of the code with its quiet zone on the screen. `corners`: CSS pixels, clockwise from the upper left as seen
- * by the viewer; `facing`: cosine of the angle between the camera's view and the code's normal.
- * @typedef {{ corners: [number, number][], facing: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
+ * Position of the code with its quiet zone and label on the screen. `corners`: CSS pixels, clockwise from the upper left
+ * as seen by the viewer, `edgeMm` apart on the QR plane; `facing`: cosine of the angle between the camera's view and the
+ * code's normal.
+ * @typedef {{ corners: [number, number][], facing: number, edgeMm: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
  * @typedef {{ from: [number, number] | null, to: [number, number] }} LampOnScreen
  *   line from the lamp, null behind the camera, to the centre of the code, CSS pixels
  * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], axes: [number, number, number][] }} ViewState
