@@ -149,6 +149,10 @@ class Engine {
   /// code in colour, and if no solid body can fill the pockets.
   /// @param slicer  program that will open a 3MF file, a name of kSlicerNames
   std::vector<std::uint8_t> exportModel(const std::string& format, const std::string& slicer = "any");
+  /// Writes the carved model as the files that `qrelief batch` writes for that name: a code in two colours as STL has a
+  /// second file with the body of the second colour, and as OBJ one with its materials (io/write_files.h). None where
+  /// exportModel() has no bytes. @param name  of the first file; its extension tells the format
+  std::vector<NamedFile> exportFiles(const std::string& name);
 
   /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0

@@ -95,6 +95,7 @@
  */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
+/** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} NamedFile */
 /**
  * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse
  *   `heapBytes` never shrinks
@@ -172,8 +173,9 @@
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
  *   `settings`: only the values that differ from the shared settings
  * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: failed checks
- * @typedef {{ number: number, id: string, text: string, file: string, status: 'done' | 'failed', reason?: string,
- *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  plus `details` of DescribedRow
+ * @typedef {{ number: number, id: string, text: string, file: string, second?: string, status: 'done' | 'failed',
+ *   reason?: string, sha256: { input: string, settings: string, output?: string, second?: string } }} ManifestEntry
+ *   plus `details` of DescribedRow; `second`: file with the body or the materials of the second colour
  */
 
 /**
