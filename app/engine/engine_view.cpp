@@ -124,7 +124,7 @@ std::string Engine::viewState() const {
   Json axes = Json::array();
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
   const CodeOnSurface* placed = preview_.code();
-  const Json code = placed && !showsCarved() ? onScreen(*placed, camera) : Json();
+  const Json code = placed ? onScreen(*placed, camera) : Json();
   const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
   return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});
 }

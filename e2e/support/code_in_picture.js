@@ -38,6 +38,10 @@ class CodeInPicture {
     this.light_ = this.at_(-2, -2);
   }
 
+  get moduleWidth() {
+    return this.module_;
+  }
+
   /** Returns the brightness at a place in modules from the symbol's upper left. @param {number} x @param {number} y */
   at_(x, y) {
     const { width, values } = this.grey_;

@@ -358,6 +358,18 @@ TEST_F(EngineTest, ALabelMustFitToo) {
   EXPECT_NEAR(larger["code"]["missingShare"].get<double>(), 4 * 6 * 6 / (1.44 * 2 * 30 * 30), 0.01);
 }
 
+TEST_F(EngineTest, ReportsWhereTheCodeIsOfTheCarvedModelToo) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "A", "size": 30})");
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  engine_->placement();
+  const Json before = Json::parse(engine_->viewState())["code"];
+  engine_->startJob("engrave");
+  while (!Json::parse(engine_->advanceJob("engrave"))["done"].get<bool>()) continue;
+  engine_->show(R"({"carved": true})");
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"], before);
+}
+
 TEST_F(EngineTest, ShowsTheDepthSearchWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
