@@ -2,6 +2,8 @@
 // A code for every part: from the list to the ZIP.
 import { expect, test } from '@playwright/test';
 import { createHash } from 'node:crypto';
+import { volume } from '../web/samples/solid.js';
+import { readStl } from '../web/samples/stl.js';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
 import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
@@ -233,4 +235,36 @@ test('Numbered parts are placed on plates, and the ZIP is written to the chosen 
     'Nr. 003 plate-002.3mf',
   ]);
   expect(lines[0].sha256.output).toBe(lines[1].sha256.output);
+});
+
+test('Inlaid parts named .stl have a second file each, in the ZIP and in the manifest', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.assign(window, { showSaveFilePicker: undefined }); // a test cannot use the system’s dialog
+  });
+  const app = new Engraver(page);
+  await app.open('?sample=plate&mark=inlay');
+  await page.getByRole('radio', { name: 'A code for every part' }).check();
+  await page.getByLabel('The parts come from').selectOption('Numbers, without a list');
+  await page.getByLabel('Number of parts').fill('2');
+  await page.getByLabel('Text of each code').fill('No {n}');
+  await page.getByLabel('File names').fill('{n}.stl');
+  await expect(page.locator('#code-state')).toHaveText('2 parts, version 1, 21 × 21 modules');
+  await expect(app.status).toHaveText('Ready.');
+  await page.getByRole('button', { name: 'Engrave the first part' }).click();
+  await page.getByRole('button', { name: 'Make all 2 parts' }).click({ timeout: 240_000 });
+  await expect(page.locator('#parts-state')).toHaveText('2 parts are engraved');
+  const files = filesOf((await app.download('Download as ZIP')).bytes);
+  expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', '1.stl', '1-2.stl', '2.stl', '2-2.stl']);
+  const plate = volume(readStl(new Uint8Array(await (await page.request.get('samples/plate.stl')).body())));
+  const lines = String(files.get('manifest.jsonl')).trimEnd().split('\n');
+  for (const { file, second, sha256 } of lines.map((line) => JSON.parse(line))) {
+    const [body, inlay] = [file, second].map((name) => /** @type {Buffer} */ (files.get(name)));
+    expect([body, inlay].map((bytes) => createHash('sha256').update(bytes).digest('hex'))).toEqual([
+      sha256.output,
+      sha256.second,
+    ]);
+    const volumes = [body, inlay].map((bytes) => volume(readStl(new Uint8Array(bytes))));
+    expect(volumes[1]).toBeGreaterThan(1);
+    expect((volumes[0] + volumes[1]) / plate).toBeCloseTo(1, 5);
+  }
 });

@@ -5,11 +5,17 @@ import { checkSolid, volume } from '../web/samples/solid.js';
 import { readStl } from '../web/samples/stl.js';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
+import { isDark, shareOf } from './support/pixels.js';
 import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
 const kCost =
   /Second colour\s*\d+ filament changes?, [\d.]+ g and \d+ min of waste; plus up to [\d.]+ g for a wipe tower/;
+
+/** The body's material. @type {import('./support/pixels.js').Colour} */
+const isLight = (red) => red > 180;
+/** Where the materials bleed into each other. @type {import('./support/pixels.js').Colour} */
+const isBetween = (red) => red > 90 && red < 165;
 
 /** Opens the plate with a short code, made by `mark`. @param {import('@playwright/test').Page} page @param {string} mark */
 async function open(page, mark) {
@@ -40,6 +46,19 @@ test('A painted code keeps the model’s shape and has the second filament', asy
   await test.step('The view shows the code in its colours', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
     await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+  });
+
+  await test.step('The print is shown beside the design, in both colours and with softer borders', async () => {
+    const print = page.locator('.print-picture');
+    await page.getByRole('button', { name: 'As printed' }).click();
+    await expect(page.getByRole('group', { name: 'Phone view' })).toContainText('reads');
+    await expect.poll(async () => decodePng(await print.screenshot())).toBe('A');
+    const [dark, light, between] = await Promise.all([isDark, isLight, isBetween].map((tone) => shareOf(print, tone)));
+    expect(dark).toBeGreaterThan(0.1);
+    expect(light).toBeGreaterThan(0.5);
+    expect(between).toBeGreaterThan(0.02);
+    await page.getByRole('button', { name: 'As designed' }).click();
+    await expect(print).toBeHidden();
   });
 
   await test.step('Only 3MF is offered, and its facets have two filaments', async () => {
@@ -100,4 +119,22 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
     await page.getByRole('button', { name: 'Phone view' }).click();
     await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
   });
+});
+
+test('A colour chosen just before Engrave is engraved', async ({ page }) => {
+  const app = new Engraver(page);
+  for (const [mark, addition] of [
+    ['Second colour, inlaid', 'inlay'],
+    ['Second colour, painted', 'paint'],
+  ]) {
+    await app.open('?sample=plate&text=A');
+    await app.expectReady();
+    await app.setting('Made by').selectOption(mark);
+    await app.engrave();
+    await expect(app.result).toContainText('Reads as A');
+    await expect(app.result).toContainText(kCost);
+    const { name, bytes } = await app.download();
+    expect(name).toMatch(new RegExp(`-${addition}\\.3mf$`));
+    expect(coloursOf(modelsOf(unzip(bytes))).size).toBe(2);
+  }
 });

@@ -2,6 +2,7 @@
 // The simulation of the print: it runs while the user looks at the result, shows the print next to the design, and can
 // be stopped and started again.
 import { expect, test } from '@playwright/test';
+import { lookRound } from './support/code_in_picture.js';
 import { Engraver } from './support/engraver.js';
 
 const kPrinted = { timeout: 120_000 };
@@ -41,6 +42,14 @@ test('The print is simulated with the result, shown in the reader’s view, and 
     await expect(picture).toBeVisible();
     const [over, canvas] = [await picture.boundingBox(), await app.canvas.boundingBox()];
     expect(over && canvas && Math.abs(over.x + over.width / 2 - canvas.x - canvas.width / 2)).toBeLessThan(30);
+    expect(over && Math.abs(over.width - over.height)).toBeLessThan(1);
+    // The printed modules are as large as the designed ones.
+    const edges = () => lookRound(app.canvas).then((code) => code?.moduleWidth ?? 0);
+    const printed = await edges();
+    await view.getByRole('button', { name: 'As designed' }).click();
+    await expect(picture).toBeHidden();
+    expect(Math.abs(printed / (await edges()) - 1)).toBeLessThan(0.05);
+    await view.getByRole('button', { name: 'As printed' }).click();
     await view.getByRole('button', { name: 'As designed' }).click();
     await expect(picture).toBeHidden();
     await page.getByRole('button', { name: 'Fit' }).click();

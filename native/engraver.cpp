@@ -4,10 +4,7 @@
 #include <map>
 
 #include "base/clock.h"
-#include "io/sniff_format.h"
 #include "native/read_carving.h"
-#include "pipeline/carved_file.h"
-#include "pipeline/carved_objects.h"
 
 namespace qrelief {
 namespace {
@@ -123,22 +120,6 @@ Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell
 
 Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
   return follow({request, {.looksAtPrint = looksAtPrint}}, tell);
-}
-
-Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
-                                 const WriteOptions& options) {
-  const ModelFormat format = formatOfName(fileName);
-  const bool hasInlay = withInlay && result.inlay;
-  if (format == ModelFormat::Stl && !options.ascii && !hasInlay) return CarvedFiles{{{fileName, result.stl}}, {}};
-  if (format == ModelFormat::ThreeMf) {
-    auto written = writeCarved3mf(before, result, partNames, withInlay, options);
-    if (!written) return tl::unexpected(written.error());
-    return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
-  }
-  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay), fileName, options);
-  if (!files) return tl::unexpected(files.error());
-  return CarvedFiles{std::move(*files), {}};
 }
 
 }  // namespace qrelief

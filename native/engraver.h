@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "io/write_files.h"
 #include "pipeline/engrave.h"
 #include "verdict/engrave_plan.h"
 
@@ -73,17 +72,5 @@ class Engraver {
   std::shared_ptr<const LuminancePrograms> programs_;  // null: the processor computes the light
   mutable std::list<Place> places_;                    // the latest first
 };
-
-/// A carved model as files.
-struct CarvedFiles {
-  std::vector<NamedFile> files;    ///< the named one first (io/write_files.h)
-  std::optional<Message> notKept;  ///< why the contents of the model's own 3MF file are lost, see writeCarved3mf()
-};
-
-/// Encodes the carved model in the format that the file name implies.
-/// @param before  the model before carving
-Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
-                                 const WriteOptions& options);
 
 }  // namespace qrelief

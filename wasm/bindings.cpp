@@ -78,6 +78,20 @@ struct Crossing<std::vector<GreyImage>> {
 };
 
 template <>
+struct Crossing<std::vector<NamedFile>> {
+  static val out(const std::vector<NamedFile>& files) {
+    val list = val::array();
+    for (const NamedFile& file : files) {
+      val object = val::object();
+      object.set("name", file.name);
+      object.set("bytes", copied<std::uint8_t>("Uint8Array", file.bytes));
+      list.call<void>("push", object);
+    }
+    return list;
+  }
+};
+
+template <>
 struct Crossing<ColourImage> {
   static val out(const ColourImage& image) { return picture(image.width, image.height, image.rgba); }
 };

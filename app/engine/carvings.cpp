@@ -282,15 +282,19 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
   return aside.width > 0 ? readingVariants(aside, seen.pixelsPerModule) : std::vector<GreyImage>();
 }
 
+/// Makes the body that fills the pockets, unless it is there. @returns false if no solid body can fill them
+bool Carvings::fillPockets(const LoadedModel& model) {
+  EngraveResult& result = *current_.result;
+  if (result.inlay) return true;
+  return addInlay(*model.engravable, current_.request.depth.surface, result) && result.inlaySolidity.solid();
+}
+
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer) {
   if (!current_.result) return {};
-  EngraveResult& result = *current_.result;
+  const EngraveResult& result = *current_.result;
   const bool isPainted = current_.request.marking.mark == Mark::Paint;
   const bool withInlay = current_.request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
-  if (withInlay && !result.inlay) {
-    const Status made = addInlay(*model.engravable, current_.request.depth.surface, result);
-    if (!made || !result.inlaySolidity.solid()) return {};
-  }
+  if (withInlay && !fillPockets(model)) return {};
   const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);
   if (!holdsColoursOf(current_.request, written)) return {};
   if (written == ModelFormat::ThreeMf) {
@@ -301,6 +305,15 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   const auto bytes =
       writeChecked(carvedObjects(result, model.partNames, withInlay), written, {.title = model.fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
+}
+
+std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name) {
+  if (!current_.result || !holdsColoursOf(current_.request, formatOfName(name))) return {};
+  const bool withInlay = current_.request.marking.hasInlay();
+  if (withInlay && !fillPockets(model)) return {};
+  auto encoded = encodeCarved(model.engravable->prepared, *current_.result, model.partNames, name, withInlay,
+                              {.title = model.fileName});
+  return encoded ? std::move(encoded->files) : std::vector<NamedFile>();
 }
 
 const SearchRecord* Carvings::search() const {

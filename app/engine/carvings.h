@@ -9,7 +9,7 @@
 
 #include "engine/loaded_model.h"
 #include "gl/pass_timings.h"
-#include "io/write_model.h"
+#include "io/write_files.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "verdict/engrave_plan.h"
@@ -95,6 +95,8 @@ class Carvings {
   std::vector<GreyImage> viewTrialPictures(const Ground& ground);
   /// See Engine::exportModel. Not for "stl": that is printable()->stl.
   std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format, Slicer slicer);
+  /// See Engine::exportFiles.
+  std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name);
 
   // For the inspector; all of it about the last engraving that was started.
   /// Measures the passes of every engraving that starts from now on.
@@ -130,6 +132,7 @@ class Carvings {
                                               const PlacementSearch* placed,
                                               std::shared_ptr<PlacementMeasurement> measured);
   Status compilePrograms();
+  bool fillPockets(const LoadedModel& model);
   void forgetCurrent();
   Verdict verdict() const;
   Result<EngraveRequest> printedAs(const std::string& changed) const;

@@ -19,7 +19,7 @@ void CodeInput::choose(std::optional<Vec3> centreMm, std::optional<Vec3> directi
 
 EngraveRequest CodeInput::request(Vec3 upHint) const {
   EngraveRequest request = settings_;
-  request.placement = placementAt(*centreMm_, upHint);
+  request.placement = movedTo(*centreMm_, upHint);
   if (direction_) request.placement.direction = direction_;
   BuildDirection& build = request.print.buildUp;
   const bool isFilesUp = upHint == Vec3(0, 0, 1);
@@ -27,11 +27,17 @@ EngraveRequest CodeInput::request(Vec3 upHint) const {
   return request;
 }
 
-PlacementRequest CodeInput::placementAt(Vec3 centreMm, Vec3 upHint) const {
+PlacementRequest CodeInput::movedTo(Vec3 centreMm, Vec3 upHint) const {
   PlacementRequest request = settings_.placement;
   request.centreMm = centreMm;
   request.upHint = upHint;
   return request;
+}
+
+PlacementRequest CodeInput::placementAt(Vec3 centreMm, Vec3 upHint) const {
+  EngraveRequest request = settings_;
+  request.placement = movedTo(centreMm, upHint);
+  return searchedPlacement(request, symbol_->size);
 }
 
 }  // namespace qrelief

@@ -21,7 +21,7 @@ struct CodeOnSurface {
   std::shared_ptr<const VisibilityMap> reach;  ///< coarse; the decal may have a finer one
 
   double moduleMm() const { return symbolMm / modules; }
-  /// Returns true if the point lies in the symbol or its quiet zone and the eye sees it.
+  /// Returns true if the point lies in the decal and the eye sees it.
   bool covers(const Mesh& mesh, const SurfacePoint& at) const;
   /// Turns and resizes the code, whether or not it then fits.
   /// @param outer  edge of the square that must fit, in symbol edges

@@ -149,6 +149,10 @@ class Engine {
   /// code in colour, and if no solid body can fill the pockets.
   /// @param slicer  program that will open a 3MF file, a name of kSlicerNames
   std::vector<std::uint8_t> exportModel(const std::string& format, const std::string& slicer = "any");
+  /// Writes the carved model as the files that `qrelief batch` writes for that name: a code in two colours as STL has a
+  /// second file with the body of the second colour, and as OBJ one with its materials (io/write_files.h). None where
+  /// exportModel() has no bytes. @param name  of the first file; its extension tells the format
+  std::vector<NamedFile> exportFiles(const std::string& name);
 
   /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0
@@ -176,11 +180,11 @@ class Engine {
   ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
   std::string look(const std::string& action);
 
-  /// Returns {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x,
-  /// y]}], axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper
-  /// left first, clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a
-  /// line from each lamp to the middle of the code, `from` null for a lamp behind the camera; `axes`: the camera's, z
-  /// up.
+  /// Returns {code: {corners: [[x, y]], facing, edgeMm, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null,
+  /// to: [x, y]}], axes: [right, up, back]}. `corners`: of the code with its quiet zone or label, a square of `edgeMm`
+  /// on the QR plane, on the screen, upper left first, clockwise for the viewer; `facing`: cosine between the camera's
+  /// direction and the code's; `lamps`: a line from each lamp to the middle of the code, `from` null for a lamp behind
+  /// the camera; `axes`: the camera's, z up.
   std::string viewState() const;
   /// Draws a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);

@@ -142,6 +142,10 @@ std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const s
   return carvings_.result() && wanted ? carvings_.exported(*model_, format, *wanted) : std::vector<std::uint8_t>();
 }
 
+std::vector<NamedFile> Engine::exportFiles(const std::string& name) {
+  return carvings_.result() ? carvings_.exportedFiles(*model_, name) : std::vector<NamedFile>();
+}
+
 std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
   const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };

@@ -108,7 +108,8 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
                                                with::angleDeg<"rotation">(rotateDeg)));
-  preview_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement));
+  const int modules = wanted_.symbol()->size;
+  preview_.adjust(rotateDeg, symbolMm, roomFactor(modules, searchedPlacement(settings(), modules)));
   scene_.setDecal(preview_.code());
   return describeCode(*preview_.code());
 }

@@ -25,13 +25,14 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
   }
   return {{"corners", corners},
           {"facing", glm::dot(glm::normalize(eye - decal.frame.centre), decal.frame.normal)},
+          {"edgeMm", decal.edgeMm},
           {"symbolMm", code.symbolMm},
           {"rotationDeg", code.rotationDeg}};
 }
 
 /// Returns each lamp as a line from where it is drawn, null behind the camera, to the middle of the code.
 Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
-  constexpr double kAwayEdges = 0.85;  // in edges of the code and its quiet zone
+  constexpr double kAwayEdges = 0.85;  // in edges of the decal
   const ProjectionFrame& frame = code.decal.frame;
   const Vec3 eye = camera.view().eye(), back = camera.view().back;
   Json lines = Json::array();
@@ -123,7 +124,7 @@ std::string Engine::viewState() const {
   Json axes = Json::array();
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
   const CodeOnSurface* placed = preview_.code();
-  const Json code = placed && !showsCarved() ? onScreen(*placed, camera) : Json();
+  const Json code = placed ? onScreen(*placed, camera) : Json();
   const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
   return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});
 }

@@ -1,26 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/symbol_decal.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "label/ring_coverage.h"
 #include "pipeline/default_patterns.h"
 #include "viewer/inked_surface.h"
 
 namespace qrelief {
+namespace {
+
+constexpr int kTexelsWithLabel = 2;  // along a submodule's edge: letters are finer than submodules
+
+SubmoduleMask maskOf(const Symbol& symbol, double symbolMm, const EngraveRequest& request) {
+  if (request.marking.isInColour()) return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
+  const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
+  return submodulesToCarve(symbol, *carved.code.modulePattern, *carved.code.finderPattern);
+}
+
+}  // namespace
 
 Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm, const EngraveRequest& request) {
-  const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
-  const SubmoduleMask mask = request.marking.isInColour()
-                                 ? submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None)
-                                 : submodulesToCarve(symbol, *carved.code.modulePattern, *carved.code.finderPattern);
-  const int border = kSubmodulesPerModule * kQuietZoneModules;
+  const SubmoduleMask mask = maskOf(symbol, symbolMm, request);
+  const LabelOptions& label = request.code.label;
+  const int scale = label.empty() ? 1 : kTexelsWithLabel;
+  const double margin = std::max<double>(kQuietZoneModules, labelMarginModules(label, symbol.size));
+  const int border = static_cast<int>(std::ceil(margin * scale * kSubmodulesPerModule));
   Decal decal;
   if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink);
   decal.frame = frame;
-  decal.size = mask.size + 2 * border;
-  decal.edgeMm = symbolMm * decal.size / mask.size;
-  decal.ink.assign(static_cast<std::size_t>(decal.size) * static_cast<std::size_t>(decal.size), 0);
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column)
-      if (mask.isCarved(row, column))
+  decal.size = scale * mask.size + 2 * border;
+  const double edgeModules = static_cast<double>(decal.size) / (scale * kSubmodulesPerModule);
+  decal.edgeMm = symbolMm * edgeModules / symbol.size;
+  const auto layout = layOutLabel(label, symbol.size);
+  decal.ink = ringCoverage(layout ? layout->rings : std::vector<Ring>(), decal.size, edgeModules);
+  for (int row = 0; row < scale * mask.size; ++row)
+    for (int column = 0; column < scale * mask.size; ++column)
+      if (mask.isCarved(row / scale, column / scale))
         decal.ink[static_cast<std::size_t>((row + border) * decal.size + column + border)] = 255;
   return decal;
 }

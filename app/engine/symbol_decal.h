@@ -6,11 +6,13 @@
 
 namespace qrelief {
 
-/// Returns the symbol with its quiet zone as the viewer shows it on the surface before carving: ink where the patterns
-/// carve. A code in colour has whole modules in the colours of its materials.
+/// Returns the code as the viewer shows it on the surface before carving: the symbol with ink where the patterns carve,
+/// its quiet zone, and frame and text around it. A code in colour has whole modules in the colours of its materials. A
+/// label that cannot be laid out is left out, but has its room.
 ///
+/// Cost: milliseconds with a label.
 /// @param symbolMm  edge without quiet zone
-/// @param request   its patterns, mark and ink count
+/// @param request   its patterns, mark, ink and label count
 Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm, const EngraveRequest& request);
 
 }  // namespace qrelief

@@ -27,7 +27,7 @@ struct Decal {
   ProjectionFrame frame;
   double edgeMm = 0;              ///< of the picture on the QR plane
   int size = 0;                   ///< texels along an edge
-  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = ink
+  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = ink, 0 = none
   SurfaceColours colours{{0.78f, 0.78f, 0.77f}, SurfaceColours{}.ink};
   /// Surface that takes the decal. Parts of the square that are not reached get a warning colour, hidden parts none.
   /// None: every surface that faces the eye takes the decal. Its centre and normal are the frame's.

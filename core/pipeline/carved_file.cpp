@@ -35,4 +35,20 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
   return Carved3mf{std::move(*bytes), std::move(notKept)};
 }
 
+Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
+                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
+                                 const WriteOptions& options) {
+  const ModelFormat format = formatOfName(fileName);
+  const bool hasInlay = withInlay && result.inlay;
+  if (format == ModelFormat::Stl && !options.ascii && !hasInlay) return CarvedFiles{{{fileName, result.stl}}, {}};
+  if (format == ModelFormat::ThreeMf) {
+    auto written = writeCarved3mf(before, result, partNames, withInlay, options);
+    if (!written) return tl::unexpected(written.error());
+    return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
+  }
+  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay), fileName, options);
+  if (!files) return tl::unexpected(files.error());
+  return CarvedFiles{std::move(*files), {}};
+}
+
 }  // namespace qrelief

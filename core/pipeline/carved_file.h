@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "io/write_model.h"
+#include "io/write_files.h"
 #include "mesh/prepare.h"
 #include "pipeline/engrave.h"
 
@@ -15,6 +15,12 @@ namespace qrelief {
 struct Carved3mf {
   std::vector<std::uint8_t> bytes;
   std::optional<Message> notKept;  ///< why the contents of the model's own 3MF file are lost
+};
+
+/// A carved model as files.
+struct CarvedFiles {
+  std::vector<NamedFile> files;    ///< the named one first (io/write_files.h)
+  std::optional<Message> notKept;  ///< why the contents of the model's own 3MF file are lost, see writeCarved3mf()
 };
 
 /// Writes a carved model as 3MF. If the model comes from a 3MF file, that file is rewritten with a new mesh for the
@@ -27,5 +33,12 @@ struct Carved3mf {
 /// @returns the errors of writeChecked()
 Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResult& result,
                                  std::span<const std::string> partNames, bool withInlay, const WriteOptions& options);
+
+/// Encodes a carved model in the format that the file name implies, with all files that the format needs.
+/// @param before  the model before carving
+/// @returns the errors of writeCheckedFiles()
+Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
+                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
+                                 const WriteOptions& options);
 
 }  // namespace qrelief

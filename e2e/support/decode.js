@@ -40,14 +40,23 @@ export async function decodePath(path, edge) {
 }
 
 /**
+ * Finds a QR code and its corners.
+ * @param {Uint8Array} png
+ * @returns {Promise<import('zxing-wasm/reader').ReadResult | undefined>}
+ */
+export async function findCode(png) {
+  for (const tryDenoise of [false, true]) {
+    // denoising closes the gaps between the squares of a pattern
+    const [symbol] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
+    if (symbol?.isValid) return symbol;
+  }
+  return undefined;
+}
+
+/**
  * @param {Uint8Array} png
  * @returns {Promise<string>}  '' if no code is found
  */
 export async function decodePng(png) {
-  for (const tryDenoise of [false, true]) {
-    // denoising closes the gaps between the squares of a pattern
-    const [symbol] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
-    if (symbol?.isValid) return symbol.text;
-  }
-  return '';
+  return (await findCode(png))?.text ?? '';
 }

@@ -14,6 +14,7 @@
 #include "native/files.h"
 #include "native/sha256.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
 
 namespace qrelief {

@@ -17,6 +17,7 @@
 #include "native/graphics.h"
 #include "native/png_file.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
 #include "report/report.h"
 #include "settings/preset.h"

@@ -6,6 +6,7 @@
 #include "engine/engine.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "pipeline/verify.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -210,6 +211,33 @@ TEST_F(EngineCarvingsTest, ExportsCodesInColourForASlicerAndOnlyWhereBothColours
     EXPECT_TRUE(engine_->exportModel("3mf-inlay", "cura").empty()) << mark;
     EXPECT_TRUE(engine_->exportModel("ply").empty()) << mark;
   }
+}
+
+TEST_F(EngineCarvingsTest, FilesOfABatchAreThoseThatTheCommandWrites) {
+  const auto namesOf = [&](const std::string& name) {
+    std::vector<std::string> names;
+    for (const NamedFile& file : engine_->exportFiles(name)) names.push_back(file.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(namesOf("a.stl"), Names());
+  for (const std::string settings : {R"("mark": "inlay")", R"("inlay": true)"}) {
+    engine_->configure(R"({"text": "a", "size": 30, )" + settings + "}");
+    ASSERT_GT(carveBy("{}"), 0);
+    EXPECT_EQ(namesOf("a.3mf"), Names({"a.3mf"})) << settings;
+    EXPECT_EQ(namesOf("a.obj"), Names({"a.obj", "a.mtl"})) << settings;
+    EXPECT_EQ(namesOf("a.ply"), Names()) << settings;
+    const std::vector<NamedFile> files = engine_->exportFiles("a.stl");
+    ASSERT_EQ(files.size(), 2u) << settings;
+    EXPECT_EQ(files[1].name, "a-2.stl");
+    double volumeMm3 = 0;
+    for (const NamedFile& file : files) volumeMm3 += signedVolume(*meshAsFound(*readModel(file.bytes, file.name), 1));
+    EXPECT_NEAR(volumeMm3, 60 * 50 * 20, 0.1) << settings;
+  }
+  engine_->configure(R"({"text": "a", "size": 30, "mark": "paint"})");
+  ASSERT_GT(carveBy("{}"), 0);
+  EXPECT_EQ(namesOf("a.obj"), Names({"a.obj", "a.mtl"}));
+  EXPECT_EQ(namesOf("a.stl"), Names());
 }
 
 }  // namespace

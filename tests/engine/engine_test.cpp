@@ -330,6 +330,46 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) {
   expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
 }
 
+constexpr const char* kLabelled = R"({"text": "A", "size": "free", "label": "No 7", "frame": "rounded"})";
+
+TEST_F(EngineTest, ALabelTakesTheSameRoomUnderThePointerAsWherePlaced) {
+  load(shapes::icosphere(30, 5));
+  engine_->configure(kLabelled);
+  const Json hovered = Json::parse(engine_->hover("[200, 150]"));
+  ASSERT_EQ(hovered["hit"], true) << hovered;
+  engine_->setCentre(R"({"at": [200, 150]})");
+  const Json placed = Json::parse(engine_->placement());
+  ASSERT_EQ(placed["ok"], true) << placed;
+  // An estimate; without the label's room it would be half as large again.
+  EXPECT_NEAR(hovered["code"]["symbolMm"].get<double>() / placed["placement"]["symbolMm"].get<double>(), 1, 0.1);
+}
+
+TEST_F(EngineTest, ALabelMustFitToo) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kLabelled);
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  const Json placed = Json::parse(engine_->placement());
+  ASSERT_EQ(placed["ok"], true) << placed;
+  // The square with the label fits a circle of 30 mm radius about the centre.
+  EXPECT_NEAR(Json::parse(engine_->viewState())["code"]["edgeMm"].get<double>(), std::sqrt(2.0) * 30, 0.5);
+  // A fifth larger and turned by 45 degrees, its corners stick out by 6 mm.
+  const double symbolMm = 1.2 * placed["placement"]["symbolMm"].get<double>();
+  const Json larger = Json::parse(engine_->adjustCode(Json{{"rotateDeg", 45}, {"symbolMm", symbolMm}}.dump()));
+  EXPECT_NEAR(larger["code"]["missingShare"].get<double>(), 4 * 6 * 6 / (1.44 * 2 * 30 * 30), 0.01);
+}
+
+TEST_F(EngineTest, ReportsWhereTheCodeIsOfTheCarvedModelToo) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "A", "size": 30})");
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  engine_->placement();
+  const Json before = Json::parse(engine_->viewState())["code"];
+  engine_->startJob("engrave");
+  while (!Json::parse(engine_->advanceJob("engrave"))["done"].get<bool>()) continue;
+  engine_->show(R"({"carved": true})");
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"], before);
+}
+
 TEST_F(EngineTest, ShowsTheDepthSearchWhileItRuns) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);

@@ -40,7 +40,7 @@ async function* asTable(pieces, tracker) {
 }
 
 /**
- * Yields the files of the ZIP: the manifest of all attempted rows as JSON lines and as CSV, and the models of finished
+ * Yields the files of the ZIP: the manifest of all attempted rows as JSON lines and as CSV, and the files of finished
  * rows.
  * @param {BatchStore} store @param {Tracker} tracker
  */
@@ -52,11 +52,14 @@ export async function* archiveContents(store, tracker) {
   yield { name: 'manifest.csv', input: asTable(linesInOrder(manifest, tracker), tracker) };
   for await (const lines of linesInOrder(manifest, tracker)) {
     for (const line of lines.trimEnd().split('\n')) {
-      /** @type {import('../engine/types.js').ManifestEntry} */ const { status, file } = JSON.parse(line);
-      if (status !== 'done' || there.has(file)) continue;
-      const model = await store.file(file);
-      there.add(file);
-      if (model) yield { name: file, input: model };
+      /** @type {import('../engine/types.js').ManifestEntry} */ const { status, file, second } = JSON.parse(line);
+      if (status !== 'done') continue;
+      for (const name of second === undefined ? [file] : [file, second]) {
+        if (there.has(name)) continue;
+        there.add(name);
+        const input = await store.file(name);
+        if (input) yield { name, input };
+      }
     }
   }
 }

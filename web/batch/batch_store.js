@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stores a batch in a folder of the browser: its record, list and model, the manifest, and the finished files. A
-// row's file is written before its line.
+// row's files are written before its line.
 import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 
@@ -60,13 +60,13 @@ export class BatchStore {
   }
 
   /**
-   * Writes the rows' file, then their manifest lines.
+   * Writes the rows' files, then their manifest lines.
    * @param {CarvedUnit} carved
    * @param {(entry: ManifestEntry) => string} lineOf
    * @returns {Promise<string>}  the lines
    */
-  async save({ rows, file, bytes }, lineOf) {
-    if (bytes) await this.folder_.write(file, bytes);
+  async save({ rows, files }, lineOf) {
+    for (const { name, bytes } of files) await this.folder_.write(name, bytes);
     await messageWords.come();
     /** @type {string[]} */ const lines = [];
     for (const { entry, why } of rows) {

@@ -21,8 +21,7 @@ const done = (/** @type {number} */ number, bytes = `model ${number}`) =>
   store.save(
     /** @type {any} */ ({
       rows: [{ entry: { number, file: `${number}.stl`, status: 'done' } }],
-      file: `${number}.stl`,
-      bytes: bytesOf(bytes),
+      files: [{ name: `${number}.stl`, bytes: bytesOf(bytes) }],
     }),
     lineOf,
   );
@@ -30,7 +29,7 @@ const failed = (/** @type {number} */ number) =>
   store.save(
     /** @type {any} */ ({
       rows: [{ entry: { number, file: `${number}.stl`, status: 'failed' }, why: message('row-without-text') }],
-      file: `${number}.stl`,
+      files: [],
     }),
     lineOf,
   );
@@ -148,11 +147,22 @@ test('The archive has the files of done rows and both manifests in row order', a
 
 test('A plate of several rows is in the archive once', async () => {
   const rows = [1, 2].map((number) => ({ entry: { number, file: 'plate-001.3mf', status: 'done' } }));
-  const lines = await store.save(/** @type {any} */ ({ rows, file: 'plate-001.3mf', bytes: bytesOf('both') }), lineOf);
+  const plate = [{ name: 'plate-001.3mf', bytes: bytesOf('both') }];
+  const lines = await store.save(/** @type {any} */ ({ rows, files: plate }), lineOf);
   assert.equal(lines.split('\n').length, 2);
   const files = await read(archiveContents(store, new FakeReader([1, 2])));
   assert.deepEqual(Object.keys(files), ['manifest.jsonl', 'manifest.csv', 'plate-001.3mf']);
   assert.equal(files['manifest.jsonl'].split('\n').length, 3);
+});
+
+test('A second file of a row is in the archive after its first one', async () => {
+  await done(2);
+  const files = ['1.stl', '1-2.stl'].map((name) => ({ name, bytes: bytesOf(name) }));
+  const entry = { number: 1, file: '1.stl', second: '1-2.stl', status: 'done' };
+  await store.save(/** @type {any} */ ({ rows: [{ entry }], files }), lineOf);
+  const saved = await read(archiveContents(store, new FakeReader([1, 2])));
+  assert.deepEqual(Object.keys(saved), ['manifest.jsonl', 'manifest.csv', '1.stl', '1-2.stl', '2.stl']);
+  assert.equal(saved['1-2.stl'], '1-2.stl');
 });
 
 test('Long manifests are written in pieces', async () => {

@@ -9,6 +9,7 @@ import { sha256 } from './hashes.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').ManifestEntry} ManifestEntry */
+/** @typedef {import('../engine/types.js').NamedFile} NamedFile */
 /** @typedef {import('../engine/message.js').Message} Message */
 
 /**
@@ -24,8 +25,8 @@ import { sha256 } from './hashes.js';
 /**
  * The result of a row; `why`: the error if it failed.
  * @typedef {{ entry: ManifestEntry, why?: Message }} CarvedRow
- * The result of one file: of one row, or of all rows on a plate. `bytes`: absent if all failed.
- * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
+ * The result of one row, or of all rows on a plate. `files`: none if all rows failed.
+ * @typedef {{ rows: CarvedRow[], files: NamedFile[] }} CarvedUnit
  */
 
 /** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
@@ -75,42 +76,42 @@ export class RowEngine {
     const isPlate = this.job_.wanted.perPlate > 0;
     const pending = await this.pending(unit[0].index);
     /** @type {CarvedRow[]} */ const rows = [];
-    /** @type {Uint8Array<ArrayBuffer> | undefined} */ let bytes;
+    /** @type {NamedFile[]} */ let files = [];
     for (const [place, { index, print }] of unit.entries()) {
-      const carved = await this.carveRow_(index, pending[place], print);
-      const { row, withInlay } = carved;
+      const row = await this.carveRow_(index, pending[place], print);
       const { id, status, file } = row.entry;
       rows.push(row);
       if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, unit.length);
-      else if (status === 'done')
-        bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
+      else if (status === 'done') files = await this.written_([row], () => this.client_.exportFiles(file));
     }
-    const [
-        {
-          entry: { file },
-        },
-      ] = rows,
-      done = rows.filter(({ entry }) => entry.status === 'done');
-    if (isPlate && done.length > 0) bytes = await this.written_(done, () => this.client_.exportPlate(file));
-    return { rows, file, ...(bytes && { bytes }) };
+    const [{ entry }] = rows,
+      done = rows.filter(({ entry: { status } }) => status === 'done');
+    if (isPlate && done.length > 0)
+      files = await this.written_(done, async () => [
+        { name: entry.file, bytes: await this.client_.exportPlate(entry.file) },
+      ]);
+    return { rows, files };
   }
 
   /**
-   * Writes the file of finished rows. If that fails, the rows have failed.
+   * Writes the files of finished rows. If that fails, the rows have failed.
    * @param {CarvedRow[]} rows
-   * @param {() => Promise<Uint8Array<ArrayBuffer>>} write
+   * @param {() => Promise<NamedFile[]>} write  the rows' file, and a second file if there is one
    */
   async written_(rows, write) {
     try {
-      const bytes = await write();
-      const output = await sha256(bytes);
-      for (const { entry } of rows) entry.sha256.output = output;
-      return bytes;
+      const files = await write();
+      const [output, second] = await Promise.all(files.map(({ bytes }) => sha256(bytes)));
+      for (const { entry } of rows) {
+        Object.assign(entry.sha256, { output, ...(second && { second }) });
+        if (second) entry.second = files[1].name; // an open mark shows only now whether there is one
+      }
+      return files;
     } catch (thrown) {
       if (isLost(thrown)) throw thrown;
       for (const row of rows)
         Object.assign(row, { entry: { ...row.entry, status: 'failed' }, why: describeThrown(thrown) });
-      return undefined;
+      return [];
     }
   }
 
@@ -119,21 +120,20 @@ export class RowEngine {
    * @param {number} index
    * @param {ManifestEntry} entry  the row before it is carved
    * @param {boolean} looksAtPrint
-   * @returns {Promise<{ row: CarvedRow, withInlay: boolean }>}
+   * @returns {Promise<CarvedRow>}
    */
   async carveRow_(index, entry, looksAtPrint) {
     const begun = performance.now();
     const { settings: own } = await this.client_.batchRow(index);
-    const settings = /** @type {Settings & { inlay?: boolean }} */ ({ ...this.job_.wanted.settings, ...own });
-    const withInlay = settings.inlay ?? false;
+    const settings = /** @type {Settings} */ ({ ...this.job_.wanted.settings, ...own });
     try {
       await this.carver_.carve(settings, looksAtPrint, { signal: this.ended_.signal, onProgress: () => {} });
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
-      if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
-      return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
+      if (!passed) return { entry: { ...entry, ...details }, why: failed[0] };
+      return { entry: { ...entry, ...details, status: 'done' } };
     } catch (thrown) {
       if (isLost(thrown)) throw thrown;
-      return { row: { entry, why: describeThrown(thrown) }, withInlay };
+      return { entry, why: describeThrown(thrown) };
     }
   }
 
@@ -154,10 +154,4 @@ export class RowEngine {
       Promise.all((await this.client_.unitTexts(index, { of, centre, others, mates })).map(sha256));
     return this.client_.unitEntries(index, { input, settings: await hashesOf('rows', await hashesOf('plate', [])) });
   }
-}
-
-/** Returns a file's format by the names of Engine.exportModel(). @param {string} file @param {boolean} withInlay */
-export function formatOf(file, withInlay) {
-  const extension = file.slice(file.lastIndexOf('.') + 1).toLowerCase();
-  return extension === '3mf' && withInlay ? '3mf-inlay' : extension;
 }

@@ -25,10 +25,9 @@ const kJob = /** @type {any} */ ({
 const carveSecond = async (looks = false) => {
   const {
     rows: [row],
-    bytes,
-    file,
+    files,
   } = await engine.carve([{ index: 1, print: looks }]);
-  return { ...row, bytes, file };
+  return { ...row, files };
 };
 
 beforeEach(() => {
@@ -51,7 +50,7 @@ beforeEach(() => {
     nextStep: () => steps.shift() ?? { step: 'deliver', carving: 7 },
     configure: (/** @type {any} */ settings) => void configured.push(settings),
     describeRow: { passed: true, failed: [], details: { grades: 'A' } },
-    exportModel: new Uint8Array([1, 2]),
+    exportFiles: (/** @type {string} */ name) => [{ name, bytes: new Uint8Array([1, 2]) }],
     printJob: { order: {}, stl: new Uint8Array() },
     carving: 7,
     setPrintedReadings: { passed: true },
@@ -99,8 +98,7 @@ test('A row is carved with common and own settings, and its line has the hashes 
     { of: 'plate', ...placed },
     { of: 'rows', ...placed },
   ]);
-  assert.deepEqual([...(carved.bytes ?? [])], [1, 2]);
-  assert.ok(calls.includes('exportModel 3mf'));
+  assert.deepEqual(carved.files, [{ name: 'b.3mf', bytes: new Uint8Array([1, 2]) }]);
   assert.ok(!calls.includes('printJob'));
 });
 
@@ -142,8 +140,8 @@ test('A row with failed checks has no file and names the checks', async () => {
   answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
   const carved = await carveSecond();
   assert.deepEqual(
-    [carved.entry.status, /** @type {any} */ (carved.entry).grades, carved.why?.code, carved.bytes],
-    ['failed', 'F', 'row-without-text', undefined],
+    [carved.entry.status, /** @type {any} */ (carved.entry).grades, carved.why?.code, carved.files],
+    ['failed', 'F', 'row-without-text', []],
   );
 });
 
@@ -155,16 +153,23 @@ test('A row that cannot be carved fails; a broken engine is reported', async () 
   await assert.rejects(carveSecond(), { code: 'engine-crashed' });
 });
 
-test('An inlay is written for a row that requests it', async () => {
-  answers.batchRow.settings.inlay = true;
-  await carveSecond();
-  assert.ok(calls.includes('exportModel 3mf-inlay'));
+test('A row with a second file has both files and both hashes', async () => {
+  const written = [
+    { name: 'b.stl', bytes: new Uint8Array([1]) },
+    { name: 'b-2.stl', bytes: new Uint8Array([2]) },
+  ];
+  answers.exportFiles = () => written;
+  const { entry, files } = await carveSecond();
+  assert.deepEqual(files, written);
+  const [output, second] = await Promise.all(written.map(({ bytes }) => sha256(bytes)));
+  assert.deepEqual(entry.sha256, { input: 'aa', settings: await sha256('hash me'), output, second });
+  assert.equal(entry.second, 'b-2.stl');
 });
 
 test('A row whose file cannot be written fails', async () => {
-  answers.exportModel = new EngineFailure(internal(message('model-not-written', { format: { term: 'STL' } })));
+  answers.exportFiles = new EngineFailure(internal(message('model-not-written', { format: { term: 'STL' } })));
   const carved = await carveSecond();
-  assert.deepEqual([carved.entry.status, carved.why?.code, carved.bytes], ['failed', 'model-not-written', undefined]);
+  assert.deepEqual([carved.entry.status, carved.why?.code, carved.files], ['failed', 'model-not-written', []]);
 });
 
 test('Rows of a plate share its file, without those that failed', async () => {
@@ -187,8 +192,8 @@ test('Rows of a plate share its file, without those that failed', async () => {
   let described = 0;
   answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
   answers.exportPlate = new Uint8Array([9]);
-  const { rows, file, bytes } = await engine.carve([0, 1, 2].map((index) => ({ index, print: false })));
-  assert.deepEqual([file, [...(bytes ?? [])]], ['plate-001.3mf', [9]]);
+  const { rows, files } = await engine.carve([0, 1, 2].map((index) => ({ index, print: false })));
+  assert.deepEqual(files, [{ name: 'plate-001.3mf', bytes: new Uint8Array([9]) }]);
   const output = await sha256(new Uint8Array([9]));
   assert.deepEqual(
     rows.map(({ entry }) => [entry.status, entry.sha256.output]),

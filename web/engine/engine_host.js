@@ -321,6 +321,16 @@ export class EngineHost {
     return written(this.engine_.exportModel(format, slicer), format);
   }
 
+  /**
+   * Returns the carved model as files, the named one first, see Engine::exportFiles().
+   * @param {string} name
+   */
+  exportFiles(name) {
+    const files = this.engine_.exportFiles(name);
+    written(files[0]?.bytes ?? new Uint8Array(), name.slice(name.lastIndexOf('.') + 1));
+    return files;
+  }
+
   /** Returns the plate as 3MF and empties it. @param {string} title */
   exportPlate(title) {
     return written(this.engine_.exportPlate(title), '3mf');
@@ -529,5 +539,6 @@ export function transferables(value) {
   if (value instanceof Uint8Array) return [value.buffer];
   if (value?.stl instanceof Uint8Array) return [value.stl.buffer];
   if (value?.pixels instanceof Uint8Array) return [value.pixels.buffer];
+  if (value?.[0]?.bytes instanceof Uint8Array) return value.map((/** @type {any} */ file) => file.bytes.buffer);
   return [];
 }

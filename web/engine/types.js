@@ -59,9 +59,10 @@
  */
 
 /**
- * Position of the code with its quiet zone on the screen. `corners`: CSS pixels, clockwise from the upper left as seen
- * by the viewer; `facing`: cosine of the angle between the camera's view and the code's normal.
- * @typedef {{ corners: [number, number][], facing: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
+ * Position of the code with its quiet zone and label on the screen. `corners`: CSS pixels, clockwise from the upper left
+ * as seen by the viewer, `edgeMm` apart on the QR plane; `facing`: cosine of the angle between the camera's view and the
+ * code's normal.
+ * @typedef {{ corners: [number, number][], facing: number, edgeMm: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
  * @typedef {{ from: [number, number] | null, to: [number, number] }} LampOnScreen
  *   line from the lamp, null behind the camera, to the centre of the code, CSS pixels
  * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], axes: [number, number, number][] }} ViewState
@@ -94,6 +95,7 @@
  */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
+/** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} NamedFile */
 /**
  * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse
  *   `heapBytes` never shrinks
@@ -171,8 +173,9 @@
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
  *   `settings`: only the values that differ from the shared settings
  * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: failed checks
- * @typedef {{ number: number, id: string, text: string, file: string, status: 'done' | 'failed', reason?: string,
- *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  plus `details` of DescribedRow
+ * @typedef {{ number: number, id: string, text: string, file: string, second?: string, status: 'done' | 'failed',
+ *   reason?: string, sha256: { input: string, settings: string, output?: string, second?: string } }} ManifestEntry
+ *   plus `details` of DescribedRow; `second`: file with the body or the materials of the second colour
  */
 
 /**

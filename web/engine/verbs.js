@@ -144,6 +144,8 @@ export const kInnerVerbs = {
   judgePrint: { part: 'prints' },
   /** @type {Verb<(format: string, slicer: import('./types.js').Slicer) => Uint8Array<ArrayBuffer>>} */
   exportModel: {},
+  /** @type {Verb<(name: string) => import('./types.js').NamedFile[]>} */
+  exportFiles: {},
   /** @type {Verb<(title: string) => Uint8Array<ArrayBuffer>>} */
   exportPlate: {},
 
@@ -266,6 +268,7 @@ export const kHostVerbs = /** @type {const} */ ([
   'judgePrint',
   'setPrintedReadings',
   'exportModel',
+  'exportFiles',
   'exportPlate',
   'picture',
   'inspector',

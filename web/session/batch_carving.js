@@ -4,7 +4,7 @@ import { saveArchive } from '../batch/archive.js';
 import { BatchRun } from '../batch/batch_run.js';
 import { readManifest } from '../batch/batch_store.js';
 import { sha256 } from '../batch/hashes.js';
-import { RowEngine, formatOf } from '../batch/row_engine.js';
+import { RowEngine } from '../batch/row_engine.js';
 import { loadTracker } from '../batch/tracker.js';
 import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
@@ -140,10 +140,11 @@ export class BatchCarving {
    * @param {number} count
    * @param {import('../engine/types.js').BatchRow} first
    */
-  async checkRoom_(count, { file, settings }) {
+  async checkRoom_(count, { file }) {
     const { quota = Infinity, usage = 0 } = (await navigator.storage?.estimate?.()) ?? {};
-    const bytes = await this.options_.client.exportModel(formatOf(file, settings.inlay === true));
-    const [needed, room] = [count * bytes.length, kRoomLeft * (quota - usage)].map((size) => Math.round(size / 1e6));
+    const files = await this.options_.client.exportFiles(file);
+    const ofRow = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    const [needed, room] = [count * ofRow, kRoomLeft * (quota - usage)].map((size) => Math.round(size / 1e6));
     if (needed <= room) return;
     throw new EngineFailure(
       internal(message('storage-too-small', { count: { count }, needed: { count: needed }, room: { count: room } })),
@@ -170,7 +171,7 @@ export class BatchCarving {
       saveLost: async ([{ index }], why) => {
         const entries = await client.unitEntries(index, { input: job.input, settings: [] });
         const rows = entries.map((entry) => ({ entry, why }));
-        return storage.save({ rows, file: entries[0].file }, tracker.manifestLine);
+        return storage.save({ rows, files: [] }, tracker.manifestLine);
       },
       onChange: () => this.showProgress_(),
     });

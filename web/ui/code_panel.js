@@ -2,6 +2,7 @@
 // The content of the code: the text, the builders that write it, and the resulting symbol.
 import { ContentPanel } from './content_panel.js';
 import { SymbolPanel } from './symbol_panel.js';
+import { TypingPause } from './typing_pause.js';
 import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 import { showStep } from './steps.js';
@@ -12,8 +13,6 @@ import { showStep } from './steps.js';
  * @typedef {{ words: () => string, isWrong: boolean, first?: { text: string } }} Parts  state of a batch, with its
  *   first part if there is one
  */
-
-const kTypingPauseMs = 250;
 
 /**
  * @typedef {object} CodeOptions
@@ -38,7 +37,7 @@ export class CodePanel {
     this.builderWrote_ = false;
     /** @type {Parts | undefined} */ this.parts_ = undefined;
     /** @type {Placement | undefined} */ this.placement_ = undefined;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
+    this.pause_ = new TypingPause(() => this.listener_?.onChange());
     this.builder_ = new ContentPanel({
       onPayload: (payload) => this.take_(payload),
       onPlain: () => this.restorePlain_(),
@@ -125,18 +124,14 @@ export class CodePanel {
   changed_(content) {
     this.set_(content);
     this.listener_?.onInput(content);
-    clearTimeout(this.pause_);
-    this.pause_ = undefined;
+    this.pause_.forget();
     if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
-    else this.pause_ = setTimeout(() => void this.settle(), kTypingPauseMs);
+    else this.pause_.typed();
   }
 
   /** Applies the typed text now instead of after the pause. */
   async settle() {
-    if (this.pause_ === undefined) return;
-    clearTimeout(this.pause_);
-    this.pause_ = undefined;
-    await this.listener_?.onChange();
+    await this.pause_.settle();
   }
 
   /** @param {string} payload  from the builder */

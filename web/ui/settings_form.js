@@ -7,6 +7,7 @@ import { choiceLabel, controlName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
 import { LampsField } from './lamps_field.js';
 import { SettingFields, isWhole, kFixed, kNotANumber, kOneLight, sizeKey } from './setting_fields.js';
+import { TypingPause } from './typing_pause.js';
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
@@ -27,8 +28,7 @@ export class SettingsForm {
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       prepare(control);
-      control.addEventListener('input', () => this.listener_?.onInput(control.id, heldBy(control)));
-      control.addEventListener('change', () => this.listener_?.onChange(control.id, heldBy(control)));
+      this.watch_(control);
     }
     /** @type {Values} */
     this.values_ = Object.fromEntries(this.controls_.map((control) => [control.id, heldBy(control)]));
@@ -57,6 +57,18 @@ export class SettingsForm {
     }
     if (values.light !== light) this.lamps_.read();
     this.follow_();
+  }
+
+  /** Reports the edits of a control. A text is edited once typing pauses. @param {Control} control */
+  watch_(control) {
+    const isText = kSettings[keyOf(control)].kind === 'text';
+    const apply = () => this.listener_?.onChange(control.id, heldBy(control));
+    const pause = new TypingPause(apply);
+    control.addEventListener('input', () => {
+      this.listener_?.onInput(control.id, heldBy(control));
+      if (isText) pause.typed();
+    });
+    control.addEventListener('change', () => void (isText ? pause.settle() : apply()));
   }
 
   nameAll_() {

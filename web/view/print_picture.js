@@ -5,7 +5,6 @@ import { make } from '../dom/dom.js';
 /** @typedef {import('../engine/types.js').Print} Print */
 /** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
 
-const kQuietZoneModules = 4; // margin around the symbol within the code's corners
 const kPictureMarginModules = 6; // margin around the symbol within the picture
 const kMark = 'rgb(255 64 32 / 90%)';
 
@@ -62,7 +61,8 @@ export class PrintPicture {
     const [upperLeft, upperRight, lowerRight] = code.corners;
     const edge = Math.hypot(upperRight[0] - upperLeft[0], upperRight[1] - upperLeft[1]);
     const turn = Math.atan2(upperRight[1] - upperLeft[1], upperRight[0] - upperLeft[0]);
-    const edgePx = (edge * (this.modules_ + 2 * kPictureMarginModules)) / (this.modules_ + 2 * kQuietZoneModules);
+    const symbolPx = (edge * code.symbolMm) / code.edgeMm;
+    const edgePx = (symbolPx * (this.modules_ + 2 * kPictureMarginModules)) / this.modules_;
     const [x, y] = [0, 1].map((axis) => (upperLeft[axis] + lowerRight[axis]) / 2);
     this.canvas_.style.transform = `translate(${x}px, ${y}px) rotate(${turn}rad) scale(${edgePx / this.canvas_.width}) translate(-50%, -50%)`;
   }
