@@ -131,6 +131,11 @@ const kStates = {
     query: kPlate,
     walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Orientation on the printer': 'code-up' }),
   },
+  'printed-painted': {
+    query: kPlate,
+    walk: (app, page) =>
+      seePrint(app, page, { 'Made by': 'Second colour, painted', 'Orientation on the printer': 'code-up' }),
+  },
   unread: {
     query: '?sample=bunny&text=too%20small',
     walk: async (app) => {
@@ -165,6 +170,8 @@ const kShown = [
   { file: 'web/guide/pictures/printed_lying.jpg', state: 'printed-lying', look: 'view' },
   { file: 'web/guide/pictures/printed_fine.jpg', state: 'printed-fine', look: 'view' },
   { file: 'web/guide/pictures/printed_resin.jpg', state: 'printed-resin', look: 'view' },
+  { file: 'web/guide/pictures/painted.jpg', state: 'painted', look: 'view' },
+  { file: 'web/guide/pictures/printed_painted.jpg', state: 'printed-painted', look: 'view' },
 ];
 
 /** @param {Page} page @param {string} file */
@@ -204,10 +211,10 @@ async function take(browser, site, { state, look, file }) {
   }
 }
 
-/** @param {string | undefined} wantedState @param {string} [wantedLook] */
+/** @param {string | undefined} wantedState @param {string} [wantedLook]  of pictures that are shown: part of their file */
 const chosen = (wantedState, wantedLook = '') =>
   wantedState === 'shown'
-    ? kShown
+    ? kShown.filter(({ file }) => file.includes(wantedLook))
     : Object.keys(kStates)
         .filter((name) => !wantedState || name === wantedState)
         .flatMap((state) =>

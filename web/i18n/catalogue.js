@@ -115,7 +115,7 @@ export function textIn(of, key, values = {}) {
 
 /**
  * Writes texts where the markup names them: `data-text="page.model"` for the content, `data-text-label` for aria-label,
- * and `data-text-placeholder`, `data-text-title` and `data-text-content` for these attributes.
+ * and `data-text-placeholder`, `data-text-title`, `data-text-alt` and `data-text-content` for these attributes.
  * @param {ParentNode} root
  */
 export function localise(root) {
@@ -123,10 +123,11 @@ export function localise(root) {
     textLabel: 'aria-label',
     textPlaceholder: 'placeholder',
     textTitle: 'title',
+    textAlt: 'alt',
     textContent: 'content',
   };
   for (const element of root.querySelectorAll(
-    '[data-text],[data-text-label],[data-text-placeholder],[data-text-title],[data-text-content]',
+    '[data-text],[data-text-label],[data-text-placeholder],[data-text-title],[data-text-alt],[data-text-content]',
   )) {
     if (!(element instanceof HTMLElement || element instanceof SVGElement)) continue;
     if (element.dataset.text) element.textContent = text(/** @type {Key} */ (element.dataset.text));

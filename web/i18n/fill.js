@@ -16,7 +16,7 @@ export const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<',
 const textOf = (key) => escaped(text(/** @type {import('./catalogue.js').Key} */ (key)));
 
 /**
- * Fills empty elements that name a text, and the page's description.
+ * Fills empty elements that name a text, the page's description, and the texts that stand for pictures.
  * @param {string} html
  * @returns {string}
  */
@@ -27,6 +27,6 @@ export const fillTexts = (html) =>
       (_, open, _tag, key, close) => open + textOf(key) + close,
     )
     .replace(
-      /(<meta\b[^>]*\bdata-text-content="([^"]+)"[^>]*\bcontent=")(")/g,
-      (_, open, key, close) => open + textOf(key) + close,
+      /(<(?:meta|img)\b[^>]*\bdata-text-(content|alt)="([^"]+)"[^>]*\s\2=")(")/g,
+      (_, open, _attribute, key, close) => open + textOf(key) + close,
     );

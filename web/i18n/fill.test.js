@@ -18,6 +18,14 @@ test('a description gets its text', () => {
   );
 });
 
+test('a picture gets the text that stands for it', () => {
+  assert.equal(
+    fillTexts('<img src="a.jpg" data-text-alt="guide.paintedAlt" alt="" width="4" />'),
+    `<img src="a.jpg" data-text-alt="guide.paintedAlt" alt="${text('guide.paintedAlt')}" width="4" />`,
+  );
+  assert.equal(fillTexts('<img src="a.jpg" alt="" />'), '<img src="a.jpg" alt="" />');
+});
+
 test('a text that does not exist fails the build', () => {
   assert.throws(() => fillTexts('<p data-text="guide.nothing"></p>'), /guide\.nothing/);
 });

@@ -63,6 +63,11 @@ export const guide = {
       'Matt, opaque filament is best. Highlights on glossy or silky filament and the glow of translucent filament hide the shadows.',
     materialTwo:
       'With two filaments, set “Made by” to a second colour: inlaid as a thin, flush body, or painted onto the surface. Such a code needs no shadow, and the 3MF file opens with both filaments. Lay the code facing up, which takes only a few filament changes; on a wall, every layer takes one.',
+    painted: 'A code painted in a second colour. The surface keeps its shape.',
+    paintedAlt: 'A dark QR code on the light, curved side of a model of a rabbit, flush with its surface',
+    printedPainted:
+      'A painted code as printed, facing up: lines of 0.45 mm round the corners of modules, and the colours bleed.',
+    printedPaintedAlt: 'A dark QR code on a light plate, with slightly rounded modules',
 
     light: 'Light and reading',
     lightEven:
@@ -173,6 +178,11 @@ export const guide = {
       'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
     materialTwo:
       'Mit zwei Filamenten „Gemacht durch“ auf eine zweite Farbe stellen: eingelegt als dünner, bündiger Körper oder auf die Oberfläche gemalt. Ein solcher Code braucht keinen Schatten, und die 3MF-Datei öffnet sich mit beiden Filamenten. Den Code nach oben legen, das kostet nur wenige Filamentwechsel; an einer Wand kostet jede Schicht einen.',
+    painted: 'Ein Code, in einer zweiten Farbe aufgemalt. Die Oberfläche behält ihre Form.',
+    paintedAlt: 'Ein dunkler QR-Code auf der hellen, gewölbten Seite eines Hasenmodells, bündig mit der Oberfläche',
+    printedPainted:
+      'Ein gemalter Code wie gedruckt, liegend: Linien von 0,45 mm runden die Ecken der Module, und die Farben verlaufen.',
+    printedPaintedAlt: 'Ein dunkler QR-Code auf einer hellen Platte, mit leicht gerundeten Modulen',
 
     light: 'Licht und Lesen',
     lightEven:
