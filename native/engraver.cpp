@@ -118,8 +118,9 @@ Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell
   return follow({request, {.mayChange = false}}, tell);
 }
 
-Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
-  return follow({request, {.looksAtPrint = looksAtPrint}}, tell);
+Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell,
+                                   const EngravePlan::Options& options) const {
+  return follow({request, options}, tell);
 }
 
 }  // namespace qrelief

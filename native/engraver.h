@@ -36,8 +36,9 @@ class Engraver {
   static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
 
   /// Carves as requested or, where that does not decode well, with changed settings: see EngravePlan.
-  /// @param looksAtPrint  also simulate the print, which takes two fifths of the time
-  Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
+  /// @param options  simulating the print, the default, takes two fifths of the time
+  Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell,
+                           const EngravePlan::Options& options = {}) const;
 
   /// Carves once as requested, without trying any change.
   Result<Engraved> engraveOnce(const EngraveRequest& request, const Tell& tell) const;

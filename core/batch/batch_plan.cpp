@@ -35,7 +35,9 @@ bool isDeviceName(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> BatchRow::files() const { return fileNames(file, request.marking.isTwoColoured()); }
+std::vector<std::string> BatchRow::files() const {
+  return fileNames(file, request.marking.isTwoColoured() || request.marking.isOpen);
+}
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
   if (name.empty()) return message("name-empty");
@@ -58,7 +60,8 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   plan.firstNumber_ = request.firstNumber;
   const std::string text = request.all.code.text.empty() ? "{text}" : request.all.code.text;
   const bool hasFile = plan.list_.find(kFile).has_value();
-  const char* const usual = hasFile ? "{file}" : request.all.marking.isInColour() ? "{id}.3mf" : "{id}.stl";
+  const bool mayBeInColour = request.all.marking.isInColour() || request.all.marking.isOpen;
+  const char* const usual = hasFile ? "{file}" : mayBeInColour ? "{id}.3mf" : "{id}.stl";
   const std::string name = request.name.empty() ? usual : request.name;
   const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name),
              labelTemplate = TextTemplate::parse(request.all.code.label.text);

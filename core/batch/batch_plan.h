@@ -30,7 +30,7 @@ struct BatchRow {
   std::string file;        ///< a plain name, without a folder
   EngraveRequest request;
 
-  /// Returns the names of all files of this row, `file` first (io/write_files.h).
+  /// Returns the names of all files that this row may have, `file` first (io/write_files.h).
   std::vector<std::string> files() const;
 };
 

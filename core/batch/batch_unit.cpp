@@ -29,7 +29,7 @@ std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const
     entry.file = unit.hasOwnFiles ? row.file : unit.plate;
     entry.plate = unit.hasOwnFiles ? unit.plate : std::string();
     if (const std::vector<std::string> files = row.files(); unit.hasOwnFiles && files.size() > 1)
-      entry.second = files[1];
+      (row.request.marking.isOpen ? entry.possibleSecond.emplace() : entry.second) = files[1];
     entry.sha256.input = unit.input;
     if (entries.size() < hashes.size()) entry.sha256.settings = hashes[entries.size()];
     entries.push_back(std::move(entry));
@@ -39,8 +39,8 @@ std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const
 
 void EarlierRow::add(const ManifestEntry& listed, const ManifestEntry& wanted, const HashOf& hashOf) {
   if (state == State::Done || listed.file != wanted.file || listed.plate != wanted.plate ||
-      listed.second != wanted.second || listed.sha256.input != wanted.sha256.input ||
-      listed.sha256.settings != wanted.sha256.settings)
+      (listed.second != wanted.second && listed.second != wanted.possibleSecond) ||
+      listed.sha256.input != wanted.sha256.input || listed.sha256.settings != wanted.sha256.settings)
     return;
   if (listed.status != RowStatus::Done) {
     if (state == State::New) *this = {State::Failed, listed};

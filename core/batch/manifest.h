@@ -41,6 +41,8 @@ struct ManifestEntry {
   std::string reason;       ///< why it is not Done, in words; otherwise empty
   std::string details;      ///< a JSON object, see describeRow(); or empty
   std::string second = {};  ///< second file of this row (BatchRow::files()); empty: none
+  /// Of a row that is still to be carved with an open mark: the name of a second file if it gets one. Not written.
+  std::optional<std::string> possibleSecond = {};
 };
 
 /// Writes an entry as a line of JSON without its end:

@@ -40,7 +40,8 @@ Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResul
                                  const WriteOptions& options) {
   const ModelFormat format = formatOfName(fileName);
   const bool hasInlay = withInlay && result.inlay;
-  if (format == ModelFormat::Stl && !options.ascii && !hasInlay) return CarvedFiles{{{fileName, result.stl}}, {}};
+  if (format == ModelFormat::Stl && !options.ascii && !hasInlay && result.painted.empty())
+    return CarvedFiles{{{fileName, result.stl}}, {}};
   if (format == ModelFormat::ThreeMf) {
     auto written = writeCarved3mf(before, result, partNames, withInlay, options);
     if (!written) return tl::unexpected(written.error());

@@ -31,6 +31,16 @@ bool holdsColoursOf(const EngraveRequest& request, ModelFormat format) {
   return !request.marking.isInColour() && !request.marking.inlay;
 }
 
+std::vector<Mark> marksInColour(ModelFormat format) {
+  std::vector<Mark> marks;
+  for (const Mark mark : {Mark::Inlay, Mark::Paint}) {
+    EngraveRequest request;
+    request.marking.mark = mark;
+    if (holdsColoursOf(request, format)) marks.push_back(mark);
+  }
+  return marks;
+}
+
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay) {
   std::vector<ModelObject> objects = objectsOf(result.mesh, result.partOfTriangle, partNames);

@@ -16,6 +16,9 @@ namespace qrelief {
 /// facets.
 bool holdsColoursOf(const EngraveRequest& request, ModelFormat format);
 
+/// Returns the marks in colour that files of that format can hold.
+std::vector<Mark> marksInColour(ModelFormat format);
+
 /// Returns the objects of a carved model's file, one for each part of the model. The carved part's object has the inlay
 /// as its second body, in its own colour, if there is an inlay and `withInlay` is set. Painted facets have the inlay's
 /// colour.

@@ -48,16 +48,15 @@ void EngravePlan::settle() {
     step_ = Step::Print;
     return;
   }
-  if (keptRank_ != kBestRank && tryColour()) return;
+  if (keptRank_ != kBestRank && tryOtherMark()) return;
   current_ = kept_;
   step_ = Step::Deliver;
 }
 
-/// Carves the next mark in colour, if the mark is open and one is left.
-bool EngravePlan::tryColour() {
-  if (!isMarkOpen_ || current_.request.marking.mark == Mark::Paint) return false;
-  const Mark next = phase_ == Phase::OtherMark ? Mark::Paint : Mark::Inlay;
-  const auto change = allowed(SettingChange{"mark", std::string(markName(next))});
+/// Carves the next of the other marks, if the mark is open and one is left.
+bool EngravePlan::tryOtherMark() {
+  if (!isMarkOpen_ || marksTried_ == options_.otherMarks.size()) return false;
+  const auto change = allowed(SettingChange{"mark", std::string(markName(options_.otherMarks[marksTried_++]))});
   if (!change) return false;
   phase_ = Phase::OtherMark;
   carveNext(*change);

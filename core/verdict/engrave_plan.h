@@ -26,6 +26,7 @@ class EngravePlan {
     bool looksAtPrint = true;             ///< also simulate prints, if the request names a process
     bool mayChange = true;                ///< false: carve as requested only
     std::vector<std::string> fixed = {};  ///< keys of settings that must not change
+    std::vector<Mark> otherMarks = {Mark::Inlay, Mark::Paint};  ///< to try for an open mark, in this order
   };
 
   EngravePlan(EngraveRequest request, Options options);
@@ -64,11 +65,12 @@ class EngravePlan {
   void settle();
   void keepCurrent(const Verdict& verdict);
   void settleColour(const Verdict& verdict);
-  bool tryColour();
+  bool tryOtherMark();
 
   Options options_;
   bool looksAtPrint_ = false;
   bool isMarkOpen_ = false;
+  std::size_t marksTried_ = 0;   // of the other marks
   std::optional<int> keptRank_;  // of the kept carving, see rankOf(); none: not carved
   Step step_ = Step::Carve;
   Phase phase_ = Phase::Design;

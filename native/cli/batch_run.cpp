@@ -107,8 +107,9 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     entry.status = RowStatus::Done;
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
-    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.marking.hasInlay()),
-                                           row.id, row.request.code.text, offsets[i]))
+    for (ModelObject& object :
+         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay()), row.id,
+                     row.request.code.text, offsets[i]))
       objects.push_back(std::move(object));
   }
   if (objects.empty()) return {};
@@ -124,8 +125,10 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
   const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - 1);
+  EngravePlan::Options plan{.looksAtPrint = looksAtPrint};
+  if (isFiled()) plan.otherMarks = marksInColour(formatOfName(row.file));
   auto engraved = engraver_->engrave(
-      row.request, [](const Progress&) {}, looksAtPrint);
+      row.request, [](const Progress&) {}, plan);
   if (!engraved) return engraved;
   entry.details = describeRow({engraved->request, engraved->result, engraved->reading, engraved->printed,
                                engraved->verdict, millisecondsSince(start)});
@@ -133,13 +136,14 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
     return fail(ErrorKind::NoSolution, failures.front());
   if (isFiled()) {
     const auto encoded = encodeCarved(model_->prepared, engraved->result, partNames_, row.file,
-                                      row.request.marking.hasInlay(), options_->fileFlags.writeOptions(row.id));
+                                      engraved->request.marking.hasInlay(), options_->fileFlags.writeOptions(row.id));
     if (!encoded) return tl::unexpected(encoded.error());
     tellNotKept(encoded->notKept);
     for (const NamedFile& file : encoded->files) {
       if (const Status written = writeFileAtomically(folder_.pathOf(file.name), file.bytes); !written)
         return tl::unexpected(written.error());
       (file.name == row.file ? entry.sha256.output : entry.sha256.second) = sha256(file.bytes);
+      if (file.name != row.file) entry.second = file.name;
     }
   }
   if (options_->reports)

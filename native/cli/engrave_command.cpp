@@ -65,7 +65,7 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
   const auto encoded =
-      encodeCarved(model.prepared, result, partNames, options.output, options.request.marking.hasInlay(),
+      encodeCarved(model.prepared, result, partNames, options.output, result.request.marking.hasInlay(),
                    options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
   if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
@@ -163,7 +163,8 @@ int engraveModel(EngraveOptions& options) {
   const EngraveRequest asked = options.request;
   auto carved = [&] {
     ProgressBar bar(options.quiet);
-    return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); });
+    return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); },
+                             {.otherMarks = marksInColour(formatOfName(options.output))});
   }();
   if (!carved) return printError(carved.error(), context.fileName);
   options.request = carved->request;

@@ -98,6 +98,24 @@ TEST_F(EarlierRowTest, IsNewIfItsFileIsGoneOrItsInputsDiffer) {
   EXPECT_TRUE(row.isOpen(false));
 }
 
+TEST_F(EarlierRowTest, OfAnOpenMarkMayHaveASecondFileOrNot) {
+  BatchUnit unit = unitOf(1);
+  unit.rows[0].request.marking.isOpen = true;
+  const ManifestEntry open = pendingEntries(unit, std::vector<std::string>{"h"})[0];
+  EXPECT_EQ(open.second, "");
+  for (const auto& [second, state] :
+       {std::pair("", State::Done), std::pair("a-2.stl", State::Done), std::pair("b-2.stl", State::New)}) {
+    ManifestEntry before = open;
+    before.status = RowStatus::Done;
+    before.sha256.output = "out";
+    before.second = second;
+    before.sha256.second = *second ? "out" : "";
+    EarlierRow earlier;
+    earlier.add(before, open, [](const std::string& file) { return file.empty() ? "" : "out"; });
+    EXPECT_EQ(earlier.state, state) << second;
+  }
+}
+
 TEST_F(EarlierRowTest, IsOpenAfterAFailureOrAChangeOnlyIfRetried) {
   add(listed(RowStatus::Failed));
   EXPECT_EQ(row.state, State::Failed);

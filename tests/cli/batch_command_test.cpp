@@ -93,6 +93,23 @@ TEST_F(BatchCommandTest, LabelsEveryCodeFromATemplate) {
   EXPECT_EQ(first["label"]["capitalMm"], second["label"]["capitalMm"]);
 }
 
+TEST_F(BatchCommandTest, AnOpenMarkWritesTheFilesOfTheMarkThatItTook) {
+  model_ = writeModel("thin.stl", shapes::plate({60, 60}, 1.05, 4, 4));
+  const auto batch = [&] {
+    return run({"batch", model_,   "-o",  path("out"),  "--at",     "0,0,1.05", "--up",
+                "0,1,0", "--size", "25",  "--build-up", "code-up",  "--quiet",  "--count",
+                "1",     "--text", "{n}", "--name",     "{id}.stl", "--mark",   "auto"});
+  };
+  ASSERT_EQ(batch().status, 0);
+  ASSERT_EQ(manifest().size(), 1u);
+  const Json row = manifest()[0];
+  EXPECT_EQ(row["second"], "1-2.stl");
+  EXPECT_EQ(row["sha256"]["second"].get<std::string>().size(), 64u);
+  EXPECT_THAT(filesIn("out"), Contains("1-2.stl"));
+  ASSERT_EQ(batch().status, 0);
+  EXPECT_EQ(manifest().size(), 1u) << "the row is done";
+}
+
 TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {
   const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
   ASSERT_EQ(run(arguments({"--list", list})).status, 0);

@@ -201,6 +201,13 @@ TEST_F(EngraveCommandTest, AnOpenMarkTakesAnInlayWhereWallsAreTooThinForAShadow)
   EXPECT_NE(outcome.out.find("made as " + report["mark"].get<std::string>() + ": as a shadow,"), std::string::npos)
       << outcome.out;
   EXPECT_EQ(report["verification"]["verdict"]["prints"]["level"], "good");
+  const Outcome inStl =
+      run({"engrave", model, "--text", "x", "--at", "0,0,1.05", "--up", "0,1,0", "--size", "25", "--mark", "auto",
+           "--build-up", "code-up", "--quiet", "-o", path("out.stl"), "--report", path("stl.json")});
+  EXPECT_EQ(inStl.status, 0) << inStl.err;
+  const auto inlaid = nlohmann::json::parse(contentOf(path("stl.json")));
+  EXPECT_EQ(inlaid["mark"], "inlay") << "STL holds no paint";
+  EXPECT_TRUE(std::filesystem::exists(path("out-2.stl")));
 }
 
 TEST_F(EngraveCommandTest, AnInlayIsWrittenReportedAndVerified) {

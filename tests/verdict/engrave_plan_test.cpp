@@ -206,6 +206,19 @@ TEST_F(OpenMarkTest, PaintsWhereAnInlayIsNoBetter) {
   expectMark(Mark::Paint);
 }
 
+TEST_F(OpenMarkTest, TriesOnlyMarksThatTheOutputHolds) {
+  begin({.otherMarks = {Mark::Inlay}});
+  carve(true);
+  printWith(20);
+  expectCarving(Mark::Inlay);
+  plan_->notCarved();
+  expectMark(Mark::Shadow);
+  begin({.otherMarks = {}});
+  carve(true);
+  printWith(20);
+  expectMark(Mark::Shadow);
+}
+
 TEST_F(OpenMarkTest, KeepsTheShadowIfNoColourIsBetter) {
   begin();
   carve(true);
