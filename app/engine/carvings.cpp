@@ -288,8 +288,8 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   const bool isPainted = current_.request.marking.mark == Mark::Paint;
   const bool withInlay = current_.request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
   if (withInlay && !result.inlay) {
-    const Status made = addInlay(*model.engravable, current_.request.depth.surface, result);
-    if (!made || !result.inlaySolidity.solid()) return {};
+    const Status added = addInlay(*model.engravable, current_.request.depth.surface, result);
+    if (!added || !result.inlaySolidity.solid()) return {};
   }
   const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);
   if (!holdsColoursOf(current_.request, written)) return {};

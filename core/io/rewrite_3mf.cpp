@@ -37,16 +37,16 @@ struct Element {
 std::optional<Element> findElement(std::string_view text, std::string_view name, std::size_t id, std::size_t from = 0,
                                    std::size_t to = std::string_view::npos) {
   XmlTags tags(text.substr(0, to));
-  std::optional<Element> found;
+  std::optional<Element> element;
   while (const auto tag = tags.next()) {
     if (tag->begin < from) continue;
-    if (!found && tag->starts(name) && numberFrom(tag->attribute("id")) == id) {
-      found = Element{tag->begin, tag->end, tag->end, tag->end};
-      if (tag->isEmpty) return found;
-    } else if (found && tag->ends(name)) {
-      found->insideEnd = tag->begin;
-      found->end = tag->end;
-      return found;
+    if (!element && tag->starts(name) && numberFrom(tag->attribute("id")) == id) {
+      element = Element{tag->begin, tag->end, tag->end, tag->end};
+      if (tag->isEmpty) return element;
+    } else if (element && tag->ends(name)) {
+      element->insideEnd = tag->begin;
+      element->end = tag->end;
+      return element;
     }
   }
   return std::nullopt;
@@ -133,8 +133,8 @@ class Rewriter {
   /// Returns the text of a part; nullptr if there is none.
   const std::string* textOf(std::string_view name) const {
     const ZipEntry* entry = archive_.find(name);
-    const auto found = entry ? texts_.find(entry) : texts_.end();
-    return found == texts_.end() ? nullptr : &found->second;
+    const auto it = entry ? texts_.find(entry) : texts_.end();
+    return it == texts_.end() ? nullptr : &it->second;
   }
 
   void edit(std::string_view name, TextEdit edit) { edits_[archive_.find(name)].push_back(std::move(edit)); }

@@ -5,7 +5,7 @@ import { colourCost } from './colour_cost.js';
 
 const kCost = { layers: 2, changes: 2, secondG: 0.1, firstWasteG: 0.18, secondWasteG: 0.12, wasteMinutes: 4.4 };
 
-test('The cost says changes, grams and minutes', () => {
+test('The cost lists filament changes, grams and minutes', () => {
   assert.equal(colourCost(kCost), '2 filament changes, 0.3 g and 4 min of waste');
   assert.match(colourCost({ ...kCost, changes: 1 }), /^1 filament change,/);
   assert.match(colourCost({ ...kCost, firstWasteG: 14.6, secondWasteG: 10 }), / 25 g and/);
