@@ -33,13 +33,13 @@ int run(std::uint64_t cases, std::uint64_t first, bool carvingOnly) {
   std::uint64_t faults = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     Choices choices(seed);
-    const EngraveCase made = makeEngraveCase(choices);
-    const OracleVerdict verdict = carvingOnly ? runCarvingCase(made, choices) : runEngraveCase(made);
-    ++shapesByKind[verdict.kind][made.shape];
+    const EngraveCase engraveCase = makeEngraveCase(choices);
+    const OracleVerdict verdict = carvingOnly ? runCarvingCase(engraveCase, choices) : runEngraveCase(engraveCase);
+    ++shapesByKind[verdict.kind][engraveCase.shape];
     if (verdict.fault.empty() && cases > 1) continue;
     faults += verdict.fault.empty() ? 0 : 1;
-    fmt::print("qrelief_property_bench 1 {}{}: {}: {}: {}\n", seed, carvingOnly ? " carving" : "", made.describe(),
-               verdict.kind, verdict.fault);
+    fmt::print("qrelief_property_bench 1 {}{}: {}: {}: {}\n", seed, carvingOnly ? " carving" : "",
+               engraveCase.describe(), verdict.kind, verdict.fault);
     std::fflush(stdout);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -34,21 +34,21 @@ struct Case {
 };
 
 Case caseFrom(int argc, char** argv) {
-  Case made;
+  Case result;
   if (argc < 4) {
-    made.bytes = writeStl(shapes::bumpySphere(50, 2, 5, 6));
-    made.name += ".stl";
+    result.bytes = writeStl(shapes::bumpySphere(50, 2, 5, 6));
+    result.name += ".stl";
   } else {
-    made.name = argv[1];
+    result.name = argv[1];
     std::ifstream stream(argv[1], std::ios::binary);
-    made.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    made.scale = std::atof(argv[2]);
-    std::sscanf(argv[3], "%lf,%lf,%lf", &made.centre.x, &made.centre.y, &made.centre.z);
-    made.centre *= made.scale;
+    result.bytes.assign(std::istreambuf_iterator<char>(stream), {});
+    result.scale = std::atof(argv[2]);
+    std::sscanf(argv[3], "%lf,%lf,%lf", &result.centre.x, &result.centre.y, &result.centre.z);
+    result.centre *= result.scale;
   }
-  if (argc > 4) made.sizeMm = std::atof(argv[4]);
-  if (argc > 5) made.runs = std::max(1, std::atoi(argv[5]));
-  return made;
+  if (argc > 4) result.sizeMm = std::atof(argv[4]);
+  if (argc > 5) result.runs = std::max(1, std::atoi(argv[5]));
+  return result;
 }
 
 int failed(const Error& error) {

@@ -61,8 +61,8 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   std::vector<std::string> texts;
   for (const GreyImage& image : frontalPictures(picture, texels, kTexelsAModule))
     for (const Decoder& read : zxingDecoders()) {
-      const auto found = read(image);
-      texts.push_back(found && !found->mirrored ? found->text : "");
+      const auto decoded = read(image);
+      texts.push_back(decoded && !decoded->mirrored ? decoded->text : "");
     }
   seen.reading = evidenceOf(texts, text, true);
   seen.readMs = millisecondsSince(start);

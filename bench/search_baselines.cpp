@@ -104,11 +104,11 @@ Result<Row> runRedrawing(const Spot& spot) {
     if (!luminance) return tl::unexpected(luminance.error());
     luminance->run();
     const std::vector<float> means = luminance->readLuminance();
-    std::vector<double> told;
+    std::vector<double> luminance;
     for (int row = 0; row < spot.edge(); ++row)
       for (int column = 0; column < spot.edge(); ++column)
-        told.push_back(means[static_cast<std::size_t>((cells - 1 - row - border) * cells + column + border)]);
-    search.update(told);
+        luminance.push_back(means[static_cast<std::size_t>((cells - 1 - row - border) * cells + column + border)]);
+    search.update(luminance);
   }
   return Row{"redraw", search.iterations(), summarise(search.depths()).meanMm, millisecondsSince(start)};
 }

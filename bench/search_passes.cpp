@@ -119,27 +119,27 @@ int run() {
     int version;
     double sizeMm, plateMm;
   };
-  for (const Case& wanted : {Case{3, 24, 60}, Case{10, 58, 160}}) {
+  for (const Case& each : {Case{3, 24, 60}, Case{10, 58, 160}}) {
     auto prepared =
-        prepareModel(shapes::soupOf(shapes::plate({wanted.plateMm, wanted.plateMm}, wanted.plateMm / 8, 8, 8)), {});
+        prepareModel(shapes::soupOf(shapes::plate({each.plateMm, each.plateMm}, each.plateMm / 8, 8, 8)), {});
     if (!prepared) return 1;
     const auto model = EngravableModel::upload(std::move(*prepared));
     EngraveRequest request;
     request.code.text = "https://example.org/p/0123456789";
-    request.code.symbol.version = wanted.version;
+    request.code.symbol.version = each.version;
     request.depth.contrast = 0.3;  // a default contrast would change with the patterns
-    request.placement.centreMm = Vec3(0, 0, wanted.plateMm / 16);
+    request.placement.centreMm = Vec3(0, 0, each.plateMm / 16);
     request.placement.sizeMode = SizeMode::Fixed;
-    request.placement.sizeMm = wanted.sizeMm;
+    request.placement.sizeMm = each.sizeMm;
     for (const bool onGpu : {false, true}) {
       const auto counts = count(model, request, onGpu);
       if (!counts) {
         fmt::print(stderr, "{}\n", sentenceAndHint(counts.error().message));
         return 1;
       }
-      fmt::print("{:8} {:8} {:8} {:7} {:11} {:15} {:7} {:9.4f}\n", 17 + 4 * wanted.version,
-                 onGpu ? "batches" : "passes", counts->carved, counts->passes, counts->readBacks,
-                 kTexelsPerCell * counts->measured, counts->sweeps, counts->meanMm);
+      fmt::print("{:8} {:8} {:8} {:7} {:11} {:15} {:7} {:9.4f}\n", 17 + 4 * each.version, onGpu ? "batches" : "passes",
+                 counts->carved, counts->passes, counts->readBacks, kTexelsPerCell * counts->measured, counts->sweeps,
+                 counts->meanMm);
     }
   }
   return 0;

@@ -52,20 +52,21 @@ int run(const bench::TableArguments& arguments) {
             continue;
           }
           const ReadingEvidence reading = readCarving(request, *result);
-          VerifyRequest wanted = verifyRequestOf(request, *result);
-          wanted.isTraced = true;
-          auto job = VerifyJob::create(result->mesh, wanted, zxingDecoders());
+          VerifyRequest verification = verifyRequestOf(request, *result);
+          verification.isTraced = true;
+          auto job = VerifyJob::create(result->mesh, verification, zxingDecoders());
           if (!job) return tl::unexpected(job.error());
           const auto verified = runToEnd(**job);
           if (!verified) return tl::unexpected(verified.error());
-          const bool engraves = judge(request, *result, reading).passed(), verifies = judge(wanted, *verified).passed();
+          const bool engraves = judge(request, *result, reading).passed(),
+                     verifies = judge(verification, *verified).passed();
           agreeing += engraves == verifies;
           ++number;
           const int more = verified->reading.frontal.reads - reading.count.reads;
           leastMore = std::min(leastMore, more);
           mostMore = std::max(mostMore, more);
           fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}), verify --traced {} ({} of {}){}\n", centre.name, k,
-                     wanted.symbolMm, engraves, reading.count.reads, reading.count.tries, verifies,
+                     verification.symbolMm, engraves, reading.count.reads, reading.count.tries, verifies,
                      verified->reading.frontal.reads, verified->reading.frontal.tries,
                      engraves == verifies ? "" : " DIFFER");
           std::fflush(stdout);

@@ -146,9 +146,9 @@ std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
 EarlierRow BatchFolder::known(const ManifestEntry& wanted) const {
   EarlierRow known;
   for (const auto& [name, index] : manifests_) {
-    const auto found = index.lines().find(wanted.number);
-    if (found == index.lines().end()) continue;
-    if (const auto listed = entryAt(name, found->second))
+    const auto it = index.lines().find(wanted.number);
+    if (it == index.lines().end()) continue;
+    if (const auto listed = entryAt(name, it->second))
       known.add(*listed, wanted, [&](const std::string& file) { return hashOf(file); });
   }
   return known;
@@ -156,9 +156,9 @@ EarlierRow BatchFolder::known(const ManifestEntry& wanted) const {
 
 void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
   for (const auto& [name, index] : manifests_) {
-    const auto found = index.lines().find(failed.number);
-    if (found == index.lines().end()) continue;
-    const auto entry = entryAt(name, found->second);
+    const auto it = index.lines().find(failed.number);
+    if (it == index.lines().end()) continue;
+    const auto entry = entryAt(name, it->second);
     if (!entry || entry->status != RowStatus::Done || entry->file != failed.file) continue;
     for (const auto& [made, hash] :
          {std::pair(entry->file, entry->sha256.output), std::pair(entry->second, entry->sha256.second)})

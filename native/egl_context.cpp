@@ -13,8 +13,8 @@ namespace {
 
 std::vector<EGLDisplay> candidateDisplays(bool onlyGpu) {
   std::vector<EGLDisplay> displays;
-  const char* wanted = std::getenv("QRELIEF_GL");
-  const bool softwareOnly = wanted && std::string_view(wanted) == "software";
+  const char* choice = std::getenv("QRELIEF_GL");
+  const bool softwareOnly = choice && std::string_view(choice) == "software";
   const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
   const auto queryString =
       reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));

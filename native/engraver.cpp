@@ -25,16 +25,16 @@ Result<Engraver> Engraver::create(std::shared_ptr<const EngravableModel> model) 
 }
 
 Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int modules) const {
-  const PlacementRequest wanted = searchedPlacement(request, modules);
+  const PlacementRequest placement = searchedPlacement(request, modules);
   for (Place& place : places_)
-    if (place.modules == modules && place.request == wanted) return &place;
-  PlacementSearch search(model_->prepared, *model_->renderer, modules, wanted);
+    if (place.modules == modules && place.request == placement) return &place;
+  PlacementSearch search(model_->prepared, *model_->renderer, modules, placement);
   for (;;) {
     const Result<bool> done = search.step();
     if (!done) return tl::unexpected(done.error());
     if (*done) break;
   }
-  places_.push_front({modules, wanted, std::move(search), nullptr});
+  places_.push_front({modules, placement, std::move(search), nullptr});
   if (places_.size() > kPlaces) places_.pop_back();
   return &places_.front();
 }

@@ -60,10 +60,10 @@ Result<std::shared_ptr<const EngravableModel>> StudyContext::model(const std::st
   const std::string key = name + " " + std::to_string(scale);
   if (const auto known = models_.find(key); known != models_.end()) return known->second;
   PolygonSoup soup;
-  const auto made =
+  const auto result =
       std::find_if(generated().begin(), generated().end(), [&](const Generated& g) { return name == g.name; });
-  if (made != generated().end()) {
-    soup = shapes::soupOf(made->make());
+  if (result != generated().end()) {
+    soup = shapes::soupOf(result->make());
   } else {
     const std::string file = name + ".stl";
     const auto bytes = readFile(samplesFolder_ + "/" + file);

@@ -119,7 +119,7 @@ function connect(notices) {
   messages.say(() => text('page.starting'));
   const recovery = new Recovery(messages, () => client.replace());
   const guard = recovery.guard.bind(recovery);
-  const theme = new Theme((dark) => guard(() => client.setTheme(dark)));
+  const theme = new Theme((dark) => guard(() => client.show({ dark })));
   const { client, tools, inspecting } = makeEngine(panels, guard, {
     onEvent: (event) => guard(() => recovery.recoverFrom(event)),
     onReplaced: () => guard(() => starting.restore()),

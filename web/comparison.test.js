@@ -13,7 +13,7 @@ const held = [...list.matchAll(/^- \[(\d+)\] `([^`]+)` “([^”]+)”$/gm)].map
   name,
 }));
 
-test('every feature of ours names tests, and every named test belongs to one', () => {
+test('every feature names its tests, and every named test belongs to a feature', () => {
   const features = [...table.matchAll(/\[(\d+)\]/g)].map(([, number]) => number);
   assert.ok(features.length >= 15);
   assert.deepEqual(new Set(held.map(({ feature }) => feature)), new Set(features));

@@ -39,10 +39,10 @@ std::string answer(const Error& error) {
 std::string answer(ErrorKind kind, Message message) { return answer(Error{kind, std::move(message)}); }
 
 std::string answer(const Progress& progress, const Json& more) {
-  Json told = {
+  Json json = {
       {"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}};
-  told.update(more);
-  return textOf(told);
+  json.update(more);
+  return textOf(json);
 }
 
 double numberOf(const Json& json) {

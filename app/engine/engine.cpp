@@ -6,7 +6,6 @@
 
 #include "base/parse_json.h"
 #include "engine/answers.h"
-#include "engine/facts.h"
 #include "engine/model_file.h"
 #include "settings/setting_json.h"
 
@@ -70,8 +69,6 @@ std::string Engine::configure(const std::string& settings) {
   wanted_.configure(std::move(*request));
   return done();
 }
-
-std::string Engine::symbol(const std::string& settings) const { return Facts().symbol(settings); }
 
 std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
   if (!model_) return {};

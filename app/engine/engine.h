@@ -44,8 +44,6 @@ class Engine {
 
   /// Sets the settings for the next engraving, see requestFromJson(). The last call counts.
   std::string configure(const std::string& settings);
-  /// Describes the symbol for some settings and changes nothing, see describeSymbol.
-  std::string symbol(const std::string& settings) const;
 
   /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: true,
   /// centre} if the model is there, else {hit: false}; BadUsage if the spot does not exist.
@@ -73,7 +71,7 @@ class Engine {
   ///             "spots": the search for the best spots for the settings
   ///             "settling": the search for the exact place of the hovered code; the next hover ends it
   ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
-  ///                 with pictures() and noteViewTrial() for its steps. Returns {tried, all}
+  ///                 each step with the pictures of pictures(). Returns {tried, all}
   /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
   ///                    [keys of settings that must not change]}; all may be missing: false, true, none
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
@@ -92,7 +90,10 @@ class Engine {
   ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
   ///                 is never started. Returns {done}. There is nothing to do (done) while other work is running or no
   ///                 code is placed
-  std::string advanceJob(const std::string& job);
+  ///             "view-trials": notes whether one of the trial's pictures decoded. Returns {done, tried, all, views:
+  ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
+  /// @param given  of "view-trials": {"read"}; all other jobs ignore it
+  std::string advanceJob(const std::string& job, const std::string& given = "{}");
   /// Ends "engrave" or "spots".
   void cancelJob(const std::string& job);
   /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
@@ -140,9 +141,6 @@ class Engine {
   /// in batch/manifest.h, and the failed checks. @param totalMs  of all its work
   std::string describeRow(double totalMs) const;
 
-  /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
-  /// forgiving, pixelsPerModule, distanceMm}}.
-  std::string noteViewTrial(bool read);
   /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (in two colours: with the body
   /// that fills the pockets, or painted), reads it back and compares. Empty before an engraving is done ("stl": before
   /// it is printable), for any other format or slicer, if the file would differ from the model, if it cannot hold a
@@ -164,14 +162,13 @@ class Engine {
 
   void resize(double width, double height, double devicePixelRatio) { scene_.resize(width, height, devicePixelRatio); }
   void setTheme(bool dark) { scene_.setTheme(dark); }
-  /// Sets the model's up axis, "y" or "z", for the view and as the direction of the code's top.
-  void setUpAxis(const std::string& axis);
   /// Shows or hides what `what` names, and leaves the rest as it is. Returns {topMm, deepestMm}: depth of the last
   /// colour and of the deepest pocket; 0 where nothing is carved.
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
   ///              are known, "depths": true: carved depths as colours, "section": cuts the model open across the code,
   ///              from top to bottom as its viewer sees it, at that offset from the code's middle in half edges of its
-  ///              square, -1 … 1; null: no section}
+  ///              square, -1 … 1; null: no section, "upAxis": the model's axis, "y" or "z", that points up in the view
+  ///              and along which the code's top points}
   std::string show(const std::string& what);
   /// Moves the camera.
   /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
@@ -215,12 +212,14 @@ class Engine {
   std::string advanceSpotSearch();
   std::string advanceSettling();
   std::string advancePreparation();
+  std::string advanceViewTrials(const std::string& outcome);
 
   // Parts of the answers to the page.
   std::string describeModel() const;
   std::string describePlacement() const;
   std::string describeCode(const CodeOnSurface& code) const;
 
+  void setUpAxis(const std::string& axis);
   void showCarved(bool carved);
   void showSizes(bool shown);
   void zoom(double factor, double x, double y);

@@ -8,7 +8,6 @@
 #include "engine/engine.h"
 #include "engine/printed_code.h"
 #include "io/slicer_names.h"
-#include "projection/flatness.h"
 #include "report/json_parts.h"
 #include "verdict/other_prints.h"
 
@@ -76,9 +75,9 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
 
 std::string Engine::printOrder(const std::string& changed) const {
   if (!carvings_.printable()) return answer(kNoResult);
-  const auto wanted = carvings_.printedView(changed);
-  if (!wanted) return answer(wanted.error());
-  return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
+  const auto view = carvings_.printedView(changed);
+  if (!view) return answer(view.error());
+  return textOf({{"ok", true}, {"order", *view ? jsonOf(**view) : Json()}});
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
@@ -117,29 +116,10 @@ std::string Engine::describeRow(double totalMs) const {
                  {"details", Json::parse(row.details)}});
 }
 
-std::string Engine::noteViewTrial(bool read) {
-  ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
-  if (!trials || trials->done()) return answer(kNoResult);
-  trials->note(read);
-  const ViewTrialSummary summary = trials->summary();
-  Json tilts = Json::array();
-  for (const ViewTrialSummary::Tilt& tilt : summary.tilts)
-    tilts.push_back({{"tiltDeg", tilt.tiltDeg}, {"reads", tilt.reads}, {"all", tilt.all}});
-  const std::optional<double> pixels = summary.pixelsPerModule;
-  const double moduleMm = carvings_.result()->placement.moduleMm;
-  const Json views = {{"tilts", tilts},
-                      {"safeTiltDeg", summary.safeTiltDeg},
-                      {"forgiving", summary.safeTiltDeg >= kForgivingTiltDeg},
-                      {"pixelsPerModule", pixels ? Json(*pixels) : Json()},
-                      {"distanceMm", pixels ? Json(videoDistanceMm(moduleMm, *pixels)) : Json()}};
-  return textOf(
-      {{"ok", true}, {"done", trials->done()}, {"tried", trials->tried()}, {"all", trials->all()}, {"views", views}});
-}
-
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const std::string& slicer) {
   if (format == "stl") return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
-  const auto wanted = slicerByName(slicer);
-  return carvings_.result() && wanted ? carvings_.exported(*model_, format, *wanted) : std::vector<std::uint8_t>();
+  const auto program = slicerByName(slicer);
+  return carvings_.result() && program ? carvings_.exported(*model_, format, *program) : std::vector<std::uint8_t>();
 }
 
 std::vector<NamedFile> Engine::exportFiles(const std::string& name) {

@@ -5,6 +5,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "projection/flatness.h"
 
 namespace qrelief {
 namespace {
@@ -97,6 +98,27 @@ std::string Engine::advanceSettling() {
   return describeCode(*preview_.hovered());
 }
 
+std::string Engine::advanceViewTrials(const std::string& outcome) {
+  const Result<Json> parsed = parseJson(outcome);
+  if (!parsed) return answer(parsed.error());
+  ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
+  if (!trials || trials->done()) return answer(kNoResult);
+  trials->note(parsed->at("read"));
+  const ViewTrialSummary summary = trials->summary();
+  Json tilts = Json::array();
+  for (const ViewTrialSummary::Tilt& tilt : summary.tilts)
+    tilts.push_back({{"tiltDeg", tilt.tiltDeg}, {"reads", tilt.reads}, {"all", tilt.all}});
+  const std::optional<double> pixels = summary.pixelsPerModule;
+  const double moduleMm = carvings_.result()->placement.moduleMm;
+  const Json views = {{"tilts", tilts},
+                      {"safeTiltDeg", summary.safeTiltDeg},
+                      {"forgiving", summary.safeTiltDeg >= kForgivingTiltDeg},
+                      {"pixelsPerModule", pixels ? Json(*pixels) : Json()},
+                      {"distanceMm", pixels ? Json(videoDistanceMm(moduleMm, *pixels)) : Json()}};
+  return textOf(
+      {{"ok", true}, {"done", trials->done()}, {"tried", trials->tried()}, {"all", trials->all()}, {"views", views}});
+}
+
 std::string Engine::startJob(const std::string& job, const std::string& options,
                              const std::function<EngraveRequest(EngraveRequest)>& overridden) {
   if (job == "spots") return startSpotSearch();
@@ -109,10 +131,11 @@ std::string Engine::startJob(const std::string& job, const std::string& options,
   return startEngrave(options, overridden);
 }
 
-std::string Engine::advanceJob(const std::string& job) {
+std::string Engine::advanceJob(const std::string& job, const std::string& given) {
   if (job == "spots") return advanceSpotSearch();
   if (job == "settling") return advanceSettling();
   if (job == "preparation") return advancePreparation();
+  if (job == "view-trials") return advanceViewTrials(given);
   assert(job == "engrave");
   return advanceEngrave();
 }

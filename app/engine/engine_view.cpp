@@ -100,6 +100,7 @@ std::string Engine::show(const std::string& what) {
   if (given->contains("carved")) showCarved(given->at("carved"));
   if (given->contains("sizes")) showSizes(given->at("sizes"));
   if (given->contains("depths")) scene_.showDepths(given->at("depths"));
+  if (given->contains("upAxis")) setUpAxis(given->at("upAxis"));
   if (given->contains("section")) {
     const Json& offset = given->at("section");
     scene_.showSection(!offset.is_null(), offset.is_null() ? 0 : offset.get<double>());

@@ -46,21 +46,21 @@ Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass,
 
 std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& camera, double eyeDistanceMm) {
   const Mesh& mesh = model.mesh();
-  const double wanted = std::min(kProposedMm, kProposedFraction * boundingBox(mesh).diagonal());
+  const double proposedMm = std::min(kProposedMm, kProposedFraction * boundingBox(mesh).diagonal());
   std::optional<Vec3> centre;
   double largest = 0;
   const auto spots =
-      firstSpots(*model.engravable->renderer, camera.frame(), camera.widthAtTargetMm(), wanted, kSpotsTried);
+      firstSpots(*model.engravable->renderer, camera.frame(), camera.widthAtTargetMm(), proposedMm, kSpotsTried);
   for (const OrientedPoint& spot : spots ? *spots : std::vector<OrientedPoint>{}) {
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;
     const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.skyward, eyeDistanceMm);
-    const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, wanted);
-    const double fits = patch ? std::min(wanted, freeSize(patch->silhouette)) : 0;
+    const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, proposedMm);
+    const double fits = patch ? std::min(proposedMm, freeSize(patch->silhouette)) : 0;
     if (centre && fits <= largest) continue;
     centre = surface->position;
     largest = fits;
-    if (fits >= kGoodFit * wanted) break;
+    if (fits >= kGoodFit * proposedMm) break;
   }
   if (centre) return centre;
   const auto towardsCamera = closestPoint(mesh, camera.eye());

@@ -15,26 +15,26 @@ Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& r
   const Result<Symbol>& symbol = task.wanted.symbol();
   if (found(request, symbol)) return {};
   found_.reset();
-  const PlacementRequest wanted = searchedPlacement(request, symbol->size);
+  const PlacementRequest placement = searchedPlacement(request, symbol->size);
   const EngravableModel& model = *task.model.engravable;
-  PlacementSearch search(model.prepared, *model.renderer, symbol->size, wanted);
+  PlacementSearch search(model.prepared, *model.renderer, symbol->size, placement);
   for (bool done = false; !done;) {
     const Result<bool> step = search.step();
     if (!step) return tl::unexpected(step.error());
     done = *step;
   }
-  found_ = {wanted, symbol->size, std::move(search)};
+  found_ = {placement, symbol->size, std::move(search)};
   return {};
 }
 
 Status PlacementPreview::place(const PlacementTask& task) {
   const EngraveRequest request = task.wanted.request(task.upHint);
-  if (const Status found = find(task, request); !found) {
+  if (const Status status = find(task, request); !status) {
     const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
     if (auto about =
-            surface ? estimatedCode(task.model, task.wanted, task.upHint, *surface) : tl::unexpected(found.error()))
+            surface ? estimatedCode(task.model, task.wanted, task.upHint, *surface) : tl::unexpected(status.error()))
       code_ = std::move(*about);
-    return found;
+    return status;
   }
   auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->search.placement());
   if (!code) return tl::unexpected(code.error());
@@ -85,10 +85,10 @@ bool PlacementPreview::startSettling(const PlacementTask& task) {
 }
 
 Result<bool> PlacementPreview::settle(const PlacementTask& task) {
-  const Result<bool> found = settling_->step();
-  if (found && !*found) return false;
-  auto code = found ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
-                    : tl::unexpected(found.error());
+  const Result<bool> isSettled = settling_->step();
+  if (isSettled && !*isSettled) return false;
+  auto code = isSettled ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
+                        : tl::unexpected(isSettled.error());
   settling_.reset();
   if (!code) return tl::unexpected(code.error());
   hovered_ = std::move(*code);

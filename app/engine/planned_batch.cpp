@@ -14,11 +14,6 @@ namespace {
 
 const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
 
-/// Returns the columns of a row that the manifest and the page's table share.
-Json nameOf(const BatchRow& row, const std::string& file) {
-  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.code.text}, {"file", file}};
-}
-
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
 Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
   const Json given = Json::parse(settingsJson(request)), common = Json::parse(settingsJson(all));
@@ -51,19 +46,19 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
   for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
   Json warnings = Json::array();
   for (const Message& warning : plan.warnings()) warnings.push_back(jsonOf(warning));
-  Json told = {{"ok", true},
+  Json json = {{"ok", true},
                {"rows", problems.empty() ? plan.size() : 0},
                {"mayBeMore", problems.size() == BatchPlan::kMostProblems},
                {"unused", plan.unusedColumns()},
                {"warnings", std::move(warnings)}};
   if (problems.empty()) {
     const int version = *plan.row(0).request.code.symbol.version;
-    told["version"] = version;
-    told["modules"] = 17 + 4 * version;
+    json["version"] = version;
+    json["modules"] = 17 + 4 * version;
     plan_ = std::move(plan);
   }
-  told["problems"] = std::move(problems);
-  return textOf(told);
+  json["problems"] = std::move(problems);
+  return textOf(json);
 }
 
 std::optional<BatchRow> PlannedBatch::at(double index) const {
@@ -76,19 +71,17 @@ std::string PlannedBatch::fileOf(const BatchRow& row) const {
   return perPlate_ == 0 ? row.file : layout().plate(layout().of(row.number - 1));
 }
 
-std::string PlannedBatch::batchRows(double from, double count) const {
-  Json rows = Json::array();
-  for (double index = from; index < from + count; ++index)
-    if (const auto row = at(index)) rows.push_back(nameOf(*row, fileOf(*row)));
-  return textOf({{"ok", true}, {"rows", std::move(rows)}});
-}
-
 std::string PlannedBatch::batchRow(double index) const {
   const auto row = at(index);
   if (!row) return answer(kNoRow);
-  Json told = nameOf(*row, fileOf(*row));
-  told["settings"] = ownSettings(row->request, all_);
-  return textOf({{"ok", true}, {"row", std::move(told)}});
+  return textOf({{"ok", true},
+                 {"row",
+                  {{"number", row->number},
+                   {"line", row->line},
+                   {"id", row->id},
+                   {"text", row->request.code.text},
+                   {"file", fileOf(*row)},
+                   {"settings", ownSettings(row->request, all_)}}}});
 }
 
 std::optional<BatchUnit> PlannedBatch::unitAt(double index) const {

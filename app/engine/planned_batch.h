@@ -25,11 +25,8 @@ class PlannedBatch {
   ///                per plate, or 0
   std::string planBatch(const std::vector<std::uint8_t>& list, const std::string& wanted);
 
-  /// Returns {rows: [{number, line, id, text, file}]}: at most `count` rows, starting at `from`, which counts from 0.
-  /// For rows on a plate, `file` is the plate's.
-  std::string batchRows(double from, double count) const;
-  /// Returns {row: {number, line, id, text, file, settings}}. `settings` are those in which the row differs from the
-  /// common ones, and always its text and version. @param index  from 0
+  /// Returns {row: {number, line, id, text, file, settings}}. For a row on a plate, `file` is the plate's. `settings`
+  /// are those in which the row differs from the common ones, and always its text and version. @param index  from 0
   std::string batchRow(double index) const;
   /// Returns {texts}: for the rows of a unit (core/batch/batch_layout.h) the texts to hash as their settings; or, with
   /// `of` "plate", the texts whose hashes that needs as `mates`, none without a plate. @param index  of any of its rows

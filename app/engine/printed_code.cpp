@@ -84,9 +84,9 @@ std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string&
   if (!mesh) return answer(mesh.error());
   carved_ = std::move(*mesh);
   view_ = {};
-  const Result<Json> wanted = parseJson(order);
-  if (!wanted) return answer(wanted.error());
-  const PrintedViewRequest request = requestOf(*wanted);
+  const Result<Json> parsed = parseJson(order);
+  if (!parsed) return answer(parsed.error());
+  const PrintedViewRequest request = requestOf(*parsed);
   modules_ = request.symbol.size;
   auto job = PrintedViewJob::create(carved_, request);
   if (!job) return answer(job.error());

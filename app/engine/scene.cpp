@@ -142,9 +142,9 @@ ColourImage Scene::picture(const std::shared_ptr<const GpuMesh>& model, const De
     quality.movingScale = 1;
     quality.settleMs = 0;
     quality.stillSamples = kPictureFrames;
-    auto made = Viewer::create(quality);
-    if (!made) return {};
-    pictureViewer_ = std::make_unique<Viewer>(std::move(*made));
+    auto viewer = Viewer::create(quality);
+    if (!viewer) return {};
+    pictureViewer_ = std::make_unique<Viewer>(std::move(*viewer));
   }
   OrbitCamera camera = camera_;
   camera.setViewport(width, height);

@@ -32,16 +32,16 @@ Result<Progress> SpotOffers::advance() {
 }
 
 void SpotOffers::finish() {
-  const SpotSearchResult found = job_->takeResult();
+  const SpotSearchResult result = job_->takeResult();
   job_.reset();
-  spots_ = found.spots;
+  spots_ = result.spots;
   // The map has squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
-  const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
+  const double largest = static_cast<double>(*std::max_element(result.map.sizeMm.begin(), result.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
   if (!model_->gpu) return;  // nothing can be shown
   sizesDisplay_ = std::make_shared<const GpuMesh>(
-      heatMesh(model_->prepared.mesh, found.map, request_.leastPrintableMm * outer, topMm_ * outer));
+      heatMesh(model_->prepared.mesh, result.map, request_.leastPrintableMm * outer, topMm_ * outer));
 }
 
 double SpotOffers::offeredMm(const Spot& spot) const {

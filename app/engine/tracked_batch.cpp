@@ -20,6 +20,15 @@ std::vector<ManifestEntry> entriesOf(const std::string& lines) {
   return entries;
 }
 
+/// @param page  {"state", "skipped", "count"}
+Json rowsOf(const BatchProgress& progress, const Json& page) {
+  Json rows = Json::array();
+  for (const std::size_t row : progress.page(readRowState(page["state"].get<std::string>()),
+                                             page["skipped"].get<std::size_t>(), page["count"].get<std::size_t>()))
+    rows.push_back({{"index", row}, {"state", rowStateName(progress.state(row))}, {"reason", progress.reason(row)}});
+  return rows;
+}
+
 }  // namespace
 
 std::string TrackedBatch::begin(const std::string& layout) {
@@ -31,33 +40,26 @@ std::string TrackedBatch::begin(const std::string& layout) {
   return done();
 }
 
-std::string TrackedBatch::state(double workedMs) const {
+std::string TrackedBatch::state(const std::string& asked) const {
+  const Result<Json> parsed = parseJson(asked);
+  if (!parsed) return answer(parsed.error());
   const BatchProgress::Counts& counts = progress_.counts();
-  const auto remaining = progress_.remainingMs(workedMs);
+  const auto remaining = progress_.remainingMs(parsed->value("workedMs", 0.0));
   return textOf({{"ok", true},
                  {"waiting", counts.waiting},
                  {"running", counts.running},
                  {"done", counts.done},
                  {"failed", counts.failed},
                  {"finished", counts.finished()},
-                 {"remainingMs", remaining ? Json(*remaining) : Json()}});
+                 {"remainingMs", remaining ? Json(*remaining) : Json()},
+                 {"rows", parsed->contains("page") ? rowsOf(progress_, parsed->at("page")) : Json::array()}});
 }
 
-std::string TrackedBatch::page(const std::string& state, double skipped, double count) const {
-  Json rows = Json::array();
-  for (const std::size_t row :
-       progress_.page(readRowState(state), static_cast<std::size_t>(skipped), static_cast<std::size_t>(count)))
-    rows.push_back({{"index", row}, {"state", rowStateName(progress_.state(row))}, {"reason", progress_.reason(row)}});
-  return textOf({{"ok", true}, {"rows", std::move(rows)}});
-}
-
-std::string TrackedBatch::startRun(bool retriesFailed) {
-  progress_.startRun(retriesFailed);
-  return done();
-}
-
-std::string TrackedBatch::endRun() {
-  progress_.endRun();
+std::string TrackedBatch::run(const std::string& what) {
+  if (what == "end")
+    progress_.endRun();
+  else
+    progress_.startRun(what == "retry");
   return done();
 }
 

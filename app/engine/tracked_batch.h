@@ -17,17 +17,14 @@ class TrackedBatch {
   /// Begins with all rows waiting. @param layout  {"rows", "perPlate", "printEvery"}, see BatchLayout
   std::string begin(const std::string& layout);
 
-  /// Returns {waiting, running, done, failed, finished, remainingMs}: counts of rows, and the estimated time to the
-  /// end; null before the run's first row. @param workedMs  time of the run without pauses
-  std::string state(double workedMs) const;
-  /// Returns {rows: [{index, state, reason}]}: up to `count` rows after the first `skipped`. @param state  of the rows,
-  /// or "all"
-  std::string page(const std::string& state, double skipped, double count) const;
+  /// Returns {waiting, running, done, failed, finished, remainingMs, rows: [{index, state, reason}]}: counts of rows,
+  /// the estimated time to the end, null before the run's first row, and the rows asked for.
+  /// @param asked  {"workedMs": time of the run without pauses, "page": {"state": of the rows, or "all", "skipped",
+  ///               "count"}}: up to `count` rows after the first `skipped`; both may be missing: 0, no rows
+  std::string state(const std::string& asked) const;
 
-  /// Begins a run. @param retriesFailed  failed rows wait again
-  std::string startRun(bool retriesFailed);
-  /// Ends the run: running rows wait again.
-  std::string endRun();
+  /// Begins or ends a run. @param what  "start"; "retry": failed rows wait again; "end": running rows wait again
+  std::string run(const std::string& what);
   /// Returns {rows: [{index, print}]}: the rows to carve next, all of one file, and whether to simulate their print;
   /// empty: no row waits.
   std::string take();

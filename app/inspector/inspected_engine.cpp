@@ -16,10 +16,15 @@ void InspectedEngine::resize(double width, double height, double devicePixelRati
   if (window_) window_->resize(width, height, devicePixelRatio);
 }
 
-void InspectedEngine::setTheme(bool dark) {
-  dark_ = dark;
-  engine_.setTheme(dark);
-  if (window_) window_->setTheme(dark);
+std::string InspectedEngine::show(const std::string& what) {
+  const Result<Json> given = parseJson(what);
+  if (!given) return answer(given.error());
+  if (given->contains("dark")) {
+    dark_ = given->at("dark");
+    engine_.setTheme(dark_);
+    if (window_) window_->setTheme(dark_);
+  }
+  return engine_.show(what);
 }
 
 std::string InspectedEngine::startJob(const std::string& job, const std::string& options) {
@@ -45,10 +50,10 @@ void InspectedEngine::open() {
   engine_.timePasses(withTimerQueries_);
 }
 
-void InspectedEngine::show(bool shown) {
-  if (shown && window_) window_->resize(size_.x, size_.y, devicePixelRatio_);
-  hasGone_ = isShown_ && !shown;
-  isShown_ = shown;
+void InspectedEngine::showWindow(bool isShown) {
+  if (isShown && window_) window_->resize(size_.x, size_.y, devicePixelRatio_);
+  hasGone_ = isShown_ && !isShown;
+  isShown_ = isShown;
 }
 
 std::string InspectedEngine::inspector(const std::string& event) {
@@ -60,7 +65,7 @@ std::string InspectedEngine::inspector(const std::string& event) {
   if (kind == "open")
     open();
   else if (kind == "show")
-    show(given->at("shown"));
+    showWindow(given->at("shown"));
   else if (kind == "texts")
     setTranslation(given->at("texts").get<Translation>());
   else if (kind == "area" && window_)

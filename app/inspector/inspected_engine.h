@@ -25,7 +25,8 @@ class InspectedEngine {
   Engine& engine() { return engine_; }
 
   void resize(double width, double height, double devicePixelRatio);
-  void setTheme(bool dark);
+  /// Shows or hides what `what` names, see Engine::show(). `what` has also {"dark": dark colours}.
+  std::string show(const std::string& what);
   /// Starts a job, see Engine::startJob(). `options` of "engrave" has also {"withOverrides"}: use the inspector's
   /// settings where they differ from the page's.
   std::string startJob(const std::string& job, const std::string& options);
@@ -48,7 +49,7 @@ class InspectedEngine {
 
  private:
   void open();
-  void show(bool shown);
+  void showWindow(bool isShown);
   InspectorWindow* shownWindow() const { return isShown_ ? window_.get() : nullptr; }
 
   Engine engine_;

@@ -53,8 +53,8 @@ std::optional<ImGuiKey> keyByName(const std::string& name) {
                                                         {"x", ImGuiKey_X},
                                                         {"y", ImGuiKey_Y},
                                                         {"z", ImGuiKey_Z}};
-  const auto found = kKeys.find(name);
-  return found == kKeys.end() ? std::optional<ImGuiKey>() : found->second;
+  const auto key = kKeys.find(name);
+  return key == kKeys.end() ? std::optional<ImGuiKey>() : key->second;
 }
 
 Json jsonOf(const std::optional<float>& value) { return value ? Json(*value) : Json(); }
@@ -240,10 +240,10 @@ void Inspector::endFrame() {
 }
 
 bool Inspector::tab(const char* name) {
-  const bool wanted = openMaps_ && std::string_view(name) == "Maps";
-  const bool open = ImGui::BeginTabItem(label(name).c_str(), nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+  const bool opensMaps = openMaps_ && std::string_view(name) == "Maps";
+  const bool open = ImGui::BeginTabItem(label(name).c_str(), nullptr, opensMaps ? ImGuiTabItemFlags_SetSelected : 0);
   noteControl(controls_, name);
-  if (wanted) openMaps_ = false;
+  if (opensMaps) openMaps_ = false;
   if (open) tab_ = name;
   return open;
 }

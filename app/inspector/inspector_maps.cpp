@@ -109,9 +109,9 @@ void Inspector::moveMap(Vec2 pointer, float edge) {
     mapIsHovered_ = true;
     mapPointer_ = inMap();
     if (io.MouseWheel != 0) {
-      const Vec2 kept = inMap();
+      const Vec2 place = inMap();
       mapZoom_ = std::clamp(mapZoom_ * std::pow(kWheelZoom, static_cast<double>(io.MouseWheel)), 1.0, kMostZoom);
-      mapCentre_ = kept - (pointer - 0.5) / mapZoom_;
+      mapCentre_ = place - (pointer - 0.5) / mapZoom_;
     }
   }
   if (ImGui::IsItemActivated()) mapMoved_ = false;

@@ -110,10 +110,10 @@ std::optional<SubmoduleFacts> SearchView::facts(int pass, SubmodulePlace place) 
   facts.role = symbol_.role(moduleRow, moduleColumn);
   facts.dark = symbol_.isDark(moduleRow, moduleColumn);
   const auto index = static_cast<std::uint32_t>(place.row * size + place.column);
-  const auto found = std::lower_bound(record_.carved.begin(), record_.carved.end(), index);
-  facts.carved = found != record_.carved.end() && *found == index;
+  const auto it = std::lower_bound(record_.carved.begin(), record_.carved.end(), index);
+  facts.carved = it != record_.carved.end() && *it == index;
   if (facts.carved) {
-    const auto k = static_cast<std::size_t>(found - record_.carved.begin());
+    const auto k = static_cast<std::size_t>(it - record_.carved.begin());
     facts.luminance = passAt(pass).luminance[k];
     facts.depthMm = passAt(pass).depthMm[k];
     facts.limitMm = record_.limitMm[k];

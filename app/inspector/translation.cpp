@@ -16,8 +16,8 @@ Translation& current() {
 void setTranslation(Translation translation) { current() = std::move(translation); }
 
 const char* translated(const char* english) {
-  const auto found = current().find(std::string_view(english));
-  return found == current().end() ? english : found->second.c_str();
+  const auto it = current().find(std::string_view(english));
+  return it == current().end() ? english : it->second.c_str();
 }
 
 std::vector<const char*> translated(std::span<const char* const> english) {

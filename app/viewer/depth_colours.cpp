@@ -63,11 +63,11 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
   for (std::size_t v = 0; v < values.size(); ++v)
     if (isSurface[v]) values[v] = 0;
   for (const Floor& floor : floors) {
-    const Triangle& shown = display.mesh.triangles[floor.triangle];
+    const Triangle& triangle = display.mesh.triangles[floor.triangle];
     // A crease separates floors from the surface. Without one, it is a sliver of the surface, as outlines move a
     // little.
-    if (isSurface[shown[0]] || isSurface[shown[1]] || isSurface[shown[2]]) continue;
-    for (const std::uint32_t v : shown) values[v] = std::max(values[v], floor.value);
+    if (isSurface[triangle[0]] || isSurface[triangle[1]] || isSurface[triangle[2]]) continue;
+    for (const std::uint32_t v : triangle) values[v] = std::max(values[v], floor.value);
   }
   return values;
 }

@@ -16,16 +16,16 @@ struct CornersOfVertices {
 };
 
 CornersOfVertices collectCorners(const Mesh& mesh) {
-  CornersOfVertices found;
-  found.first.assign(mesh.positions.size() + 1, 0);
+  CornersOfVertices result;
+  result.first.assign(mesh.positions.size() + 1, 0);
   for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t) ++found.first[v + 1];
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) found.first[v + 1] += found.first[v];
-  found.corners.resize(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> next(found.first.begin(), found.first.end() - 1);
+    for (const std::uint32_t v : t) ++result.first[v + 1];
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) result.first[v + 1] += result.first[v];
+  result.corners.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k) found.corners[next[mesh.triangles[t][k]]++] = 3 * t + k;
-  return found;
+    for (std::uint32_t k = 0; k < 3; ++k) result.corners[next[mesh.triangles[t][k]]++] = 3 * t + k;
+  return result;
 }
 
 // With more facets around a vertex (the tip of a fan), each keeps its own normal: comparing each with all others would

@@ -39,16 +39,16 @@ Triangle sorted(Triangle triangle) {
 /// Adds an inlay to the body in whose pockets it lies.
 InkedSurface withInlay(const EngraveResult& result) {
   Mesh body = result.mesh;
-  const std::size_t kept = result.keptTriangles;
-  const std::vector<Triangle> inlay = joined(*result.inlay, body, kept);
+  const std::size_t keptTriangles = result.keptTriangles;
+  const std::vector<Triangle> inlay = joined(*result.inlay, body, keptTriangles);
   std::set<Triangle> ofBody, touching;
-  for (std::size_t t = kept; t < body.triangles.size(); ++t) ofBody.insert(sorted(body.triangles[t]));
+  for (std::size_t t = keptTriangles; t < body.triangles.size(); ++t) ofBody.insert(sorted(body.triangles[t]));
   for (const Triangle& triangle : inlay)
     if (ofBody.contains(sorted(triangle))) touching.insert(sorted(triangle));
   const auto isInside = [&](const Triangle& triangle) { return touching.contains(sorted(triangle)); };
-  body.triangles.erase(
-      std::remove_if(body.triangles.begin() + static_cast<std::ptrdiff_t>(kept), body.triangles.end(), isInside),
-      body.triangles.end());
+  body.triangles.erase(std::remove_if(body.triangles.begin() + static_cast<std::ptrdiff_t>(keptTriangles),
+                                      body.triangles.end(), isInside),
+                       body.triangles.end());
   InkedSurface surface{std::move(body), {}};
   surface.isInk.assign(surface.mesh.triangles.size(), false);
   for (const Triangle& triangle : inlay) {

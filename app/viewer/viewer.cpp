@@ -378,9 +378,9 @@ Status Viewer::makePlain(const CameraView& camera) {
   if (plain_.width() != width_ || plain_.height() != height_) {
     plain_ = gl::Texture(width_, height_, gl::Format::RGBA8);
     const gl::Texture* const colours[] = {&plain_};
-    auto made = gl::Framebuffer::create(colours, false);
-    if (!made) return tl::unexpected(made.error());
-    plainTarget_ = std::move(*made);
+    auto framebuffer = gl::Framebuffer::create(colours, false);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    plainTarget_ = std::move(*framebuffer);
   }
   presentPicture(camera, &plainTarget_);
   if (withDecal) drawDecal(decal_, kBesideGhost, camera, &plainTarget_);
@@ -414,8 +414,8 @@ void Viewer::adaptToInterval(double nowMs) {
   slowFrames_ = interval > kSlowFrameMs ? slowFrames_ + 1 : 0;
   fastFrames_ = interval < kFastFrameMs ? fastFrames_ + 1 : 0;
   if (slowFrames_ < kSlowFrames && fastFrames_ < kFastFrames) return;
-  const double wanted = quality_.movingScale * (slowFrames_ > 0 ? 0.75 : 1.15);
-  quality_.movingScale = std::clamp(wanted, std::min(kCoarsestScale, mostScale_), mostScale_);
+  const double scale = quality_.movingScale * (slowFrames_ > 0 ? 0.75 : 1.15);
+  quality_.movingScale = std::clamp(scale, std::min(kCoarsestScale, mostScale_), mostScale_);
   slowFrames_ = fastFrames_ = 0;
 }
 

@@ -26,7 +26,7 @@ template <class State>
 class JobStages {
  public:
   struct Stage {
-    MessageCode<> name;
+    Message name;
     double weight = 1;  ///< the stage's time in relation to the others', > 0
     Result<StageStep> (State::*step)() = nullptr;
     bool isNeeded = true;  ///< false: the job goes without this stage
@@ -45,9 +45,7 @@ class JobStages {
   bool done() const { return current_ == stages_.size(); }
 
   /// Returns the stage of the next step, or of a finished job the last stage.
-  Progress progress() const {
-    return {message(stages_[std::min(current_, stages_.size() - 1)].name), fraction_, done()};
-  }
+  Progress progress() const { return {stages_[std::min(current_, stages_.size() - 1)].name, fraction_, done()}; }
 
   /// Does the next step. Do not call it again after an error or `done`.
   Result<Progress> advance(State& state) {

@@ -36,17 +36,17 @@ MessageValue numeric(const char* name, Kind kind, double x, double y, double z) 
 MessageValue textual(const char* name, Kind kind, std::string_view text) { return {name, kind, {}, text}; }
 
 MessageValue chosen(const char* name, std::string_view key, std::string_view value) {
-  MessageValue made = textual(name, Kind::Choice, value);
-  made.key = key;
-  return made;
+  MessageValue choice = textual(name, Kind::Choice, value);
+  choice.key = key;
+  return choice;
 }
 
 MessageValue listed(const char* name, std::vector<double> list) { return {name, Kind::Indices, std::move(list), {}}; }
 
 MessageValue caused(const char* name, Message message) {
-  MessageValue made{name, Kind::Cause, {}, {}};
-  made.cause.push_back(std::move(message));
-  return made;
+  MessageValue value{name, Kind::Cause, {}, {}};
+  value.cause.push_back(std::move(message));
+  return value;
 }
 
 }  // namespace with

@@ -215,9 +215,9 @@ void BatchList::addRow(std::uint32_t line, std::span<const std::string> cells) {
 }
 
 std::optional<std::size_t> BatchList::find(std::string_view column) const {
-  const auto found = std::find(columns_.begin(), columns_.end(), column);
-  if (found == columns_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - columns_.begin());
+  const auto it = std::find(columns_.begin(), columns_.end(), column);
+  if (it == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - columns_.begin());
 }
 
 std::string_view BatchList::cell(std::size_t row, std::size_t column) const {

@@ -80,8 +80,8 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
 
 /// Finds the use of each column.
 Status BatchPlan::prepare() {
-  for (const TextTemplate* wanted : {&text_, &name_, &label_})
-    if (const Status known = checkNames(*wanted); !known) return known;
+  for (const TextTemplate* text : {&text_, &name_, &label_})
+    if (const Status known = checkNames(*text); !known) return known;
   const std::vector<std::string>& columns = list_.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto names = [&](const TextTemplate& in) {

@@ -16,9 +16,9 @@ constexpr std::size_t kMostLosses = 3;  // without a carved row in between
 std::string_view rowStateName(RowState state) { return kStateNames[static_cast<std::size_t>(state)]; }
 
 std::optional<RowState> readRowState(std::string_view name) {
-  const auto found = std::find(kStateNames.begin(), kStateNames.end(), name);
-  if (found == kStateNames.end()) return std::nullopt;
-  return static_cast<RowState>(found - kStateNames.begin());
+  const auto it = std::find(kStateNames.begin(), kStateNames.end(), name);
+  if (it == kStateNames.end()) return std::nullopt;
+  return static_cast<RowState>(it - kStateNames.begin());
 }
 
 BatchProgress::BatchProgress(const BatchLayout& layout, const Shard& share)
@@ -27,8 +27,8 @@ BatchProgress::BatchProgress(const BatchLayout& layout, const Shard& share)
 }
 
 std::string_view BatchProgress::reason(std::size_t row) const {
-  const auto found = reasons_.find(row);
-  return found == reasons_.end() ? std::string_view() : found->second;
+  const auto it = reasons_.find(row);
+  return it == reasons_.end() ? std::string_view() : it->second;
 }
 
 std::vector<std::size_t> BatchProgress::page(std::optional<RowState> state, std::size_t skipped,

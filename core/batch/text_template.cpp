@@ -18,7 +18,7 @@ tl::unexpected<Error> broken(std::string_view text, std::size_t at) {
 }  // namespace
 
 Result<TextTemplate> TextTemplate::parse(std::string_view text) {
-  TextTemplate made;
+  TextTemplate result;
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -43,14 +43,15 @@ Result<TextTemplate> TextTemplate::parse(std::string_view text) {
       if (digits == 0 || digits > kMostDigits) return broken(text, i);
     }
     if (name.empty()) return broken(text, i);
-    made.pieces_.push_back({std::move(plain)});
+    result.pieces_.push_back({std::move(plain)});
     plain.clear();
-    made.pieces_.push_back({std::string(name), true, digits});
-    if (std::find(made.names_.begin(), made.names_.end(), name) == made.names_.end()) made.names_.emplace_back(name);
+    result.pieces_.push_back({std::string(name), true, digits});
+    if (std::find(result.names_.begin(), result.names_.end(), name) == result.names_.end())
+      result.names_.emplace_back(name);
     i = end;
   }
-  made.pieces_.push_back({std::move(plain)});
-  return made;
+  result.pieces_.push_back({std::move(plain)});
+  return result;
 }
 
 Result<std::string> TextTemplate::filled(const std::function<std::string(std::string_view)>& valueOf) const {

@@ -189,10 +189,10 @@ void seedLabels(Labels& labels, const PlaneTriangulation& cdt, std::span<const C
   for (std::size_t t = 0; t < cdt.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = cdt.triangles[t][k], b = cdt.triangles[t][(k + 1) % 3];
-      const std::uint32_t found = index.find(a, b);
-      labels.constraints[t][k] = found;
-      if (found == kNoFacet) continue;
-      const Constraint& c = constraints[found];
+      const std::uint32_t constraint = index.find(a, b);
+      labels.constraints[t][k] = constraint;
+      if (constraint == kNoFacet) continue;
+      const Constraint& c = constraints[constraint];
       assign(labels.facets[t], c.from == a ? c.leftFacet : c.rightFacet, kNoFacet);
       assign(labels.levels[t], c.from == a ? c.leftLevel : c.rightLevel, kUnknown);
     }
@@ -251,13 +251,13 @@ std::optional<Error> findLeak(const PlaneTriangulation& cdt, const Labels& label
                               std::span<const Constraint> constraints, std::span<const Vec2> points) {
   for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t found = labels.constraints[t][k];
-      if (found == kNoFacet) continue;
+      const std::uint32_t constraint = labels.constraints[t][k];
+      if (constraint == kNoFacet) continue;
       const std::uint32_t other = cdt.neighbours[t][k];
       const bool outside = labels.facets[t] == kNoFacet;
       const bool rim = outside || other == kNoNeighbour || labels.facets[other] == kNoFacet;
-      if (!rim || (constraints[found].onEdge && (outside || labels.levels[t] == 0))) continue;
-      return leavesSurface((points[constraints[found].from] + points[constraints[found].to]) * 0.5);
+      if (!rim || (constraints[constraint].onEdge && (outside || labels.levels[t] == 0))) continue;
+      return leavesSurface((points[constraints[constraint].from] + points[constraints[constraint].to]) * 0.5);
     }
   return std::nullopt;
 }

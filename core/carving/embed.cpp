@@ -160,8 +160,8 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
 
 EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving, bool paint) {
   const std::vector<char>& untouched = carving.untouched;
-  std::vector<char> kept(mesh.triangles.size(), 1);
-  for (std::size_t f = 0; f < footprint.facets.size(); ++f) kept[footprint.facets[f]] = untouched[f];
+  std::vector<char> isKept(mesh.triangles.size(), 1);
+  for (std::size_t f = 0; f < footprint.facets.size(); ++f) isKept[footprint.facets[f]] = untouched[f];
 
   EmbedResult result;
   const LiftedSurface& surface = carving.surface;
@@ -173,7 +173,7 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
     return &place[footprint.vertices[vertex.point]];
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (kept[t])
+    if (isKept[t])
       for (const std::uint32_t v : mesh.triangles[t]) place[v] = kUsed;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (carving.isNew(t))
@@ -191,7 +191,7 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
 
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& corners = mesh.triangles[t];
-    if (kept[t]) result.mesh.triangles.push_back({place[corners[0]], place[corners[1]], place[corners[2]]});
+    if (isKept[t]) result.mesh.triangles.push_back({place[corners[0]], place[corners[1]], place[corners[2]]});
   }
   result.keptTriangles = result.mesh.triangles.size();
   const auto placeOf = [&](std::uint32_t v) { return modelVertex(v) ? *modelVertex(v) : newPlace[v]; };

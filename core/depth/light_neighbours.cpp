@@ -21,14 +21,14 @@ LightNeighbours::LightNeighbours(const Symbol& symbol) {
   for (int row = 0; row < m; ++row) {
     for (int column = 0; column < m; ++column) {
       if (!symbol.isDark(row, column)) continue;
-      auto& found = around_[static_cast<std::size_t>(row * m + column)];
-      for (int ring = 1; found.size() < kDarkest && ring < withQuiet; ++ring) {
+      auto& neighbours = around_[static_cast<std::size_t>(row * m + column)];
+      for (int ring = 1; neighbours.size() < kDarkest && ring < withQuiet; ++ring) {
         for (int r = row - ring; r <= row + ring; ++r) {
           for (int c = column - ring; c <= column + ring; ++c) {
             if (std::max(std::abs(r - row), std::abs(c - column)) != ring) continue;
             const int quietRow = r + kQuietZoneModules, quietColumn = c + kQuietZoneModules;
             if (quietRow < 0 || quietColumn < 0 || quietRow >= withQuiet || quietColumn >= withQuiet) continue;
-            if (isLight(r, c)) found.push_back(static_cast<std::uint32_t>(quietRow * withQuiet + quietColumn));
+            if (isLight(r, c)) neighbours.push_back(static_cast<std::uint32_t>(quietRow * withQuiet + quietColumn));
           }
         }
       }

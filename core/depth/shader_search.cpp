@@ -56,17 +56,17 @@ ShaderSearch::ShaderSearch(CarvingTarget target, Place place) : target_(std::mov
 Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target, const FastSearchOptions& options,
                                                            Place place) {
   std::unique_ptr<ShaderSearch> search(new ShaderSearch(std::move(target), std::move(place)));
-  const CarvingTarget& made = search->target_;
+  const CarvingTarget& ownTarget = search->target_;
   LuminancePass& light = *search->place_.light;
   auto passes = FloorPasses::create({.cellsAlongEdge = light.cellsAlongEdge(),
                                      .cells = search->place_.cells,
-                                     .steps = floorSteps(made.mask->size, search->depths_.submoduleMm()),
+                                     .steps = floorSteps(ownTarget.mask->size, search->depths_.submoduleMm()),
                                      .quantumMm = static_cast<float>(kDepthQuantumMm),
                                      .records = kMostRecords},
                                     light.programs());
   if (!passes) return tl::unexpected(passes.error());
   search->passes_ = std::move(*passes);
-  search->passes_.start(static_cast<float>(kFirstDepthModules * made.symbolMm / made.symbol->size),
+  search->passes_.start(static_cast<float>(kFirstDepthModules * ownTarget.symbolMm / ownTarget.symbol->size),
                         static_cast<float>(firstDifference(options.albedo)));
   light.selectCells(search->place_.cells);
   search->restart(options);

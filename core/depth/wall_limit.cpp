@@ -56,12 +56,12 @@ class BaseSurface {
   Sample at(Vec2 point) {
     Sample sample;
     if (!locator_) return sample;
-    const std::uint32_t found = locator_->nearest(point);
-    if (locator_->depthIn(found, point) < -kCoveredMm) return sample;
-    sample.normal = triangleNormal(mesh_, facets_[found]);
+    const std::uint32_t facet = locator_->nearest(point);
+    if (locator_->depthIn(facet, point) < -kCoveredMm) return sample;
+    sample.normal = triangleNormal(mesh_, facets_[facet]);
     sample.down = frame_.rayDirection(point);
     const Vec3 eye = frame_.eye();
-    const double along = glm::dot(sample.normal, mesh_.corner(facets_[found], 0) - eye);
+    const double along = glm::dot(sample.normal, mesh_.corner(facets_[facet], 0) - eye);
     sample.surface = eye + sample.down * (along / glm::dot(sample.normal, sample.down));
     return sample;
   }

@@ -19,9 +19,9 @@ std::string withoutComments(std::string_view source) {
       continue;
     }
     text += ' ';  // a comment separates two words
-    const std::size_t found = source.find(end, at + 2);
-    if (found == std::string_view::npos) break;
-    at = found + (end == "*/" ? 2 : 0);
+    const std::size_t close = source.find(end, at + 2);
+    if (close == std::string_view::npos) break;
+    at = close + (end == "*/" ? 2 : 0);
   }
   return text;
 }

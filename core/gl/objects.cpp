@@ -91,11 +91,11 @@ void Texture::swap(Texture& other) noexcept {
 }
 
 Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours, bool withDepth) {
-  Framebuffer made;
-  made.width_ = colours[0]->width();
-  made.height_ = colours[0]->height();
-  glGenFramebuffers(1, &made.id_);
-  glBindFramebuffer(GL_FRAMEBUFFER, made.id_);
+  Framebuffer framebuffer;
+  framebuffer.width_ = colours[0]->width();
+  framebuffer.height_ = colours[0]->height();
+  glGenFramebuffers(1, &framebuffer.id_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id_);
   std::vector<GLenum> targets;
   for (const Texture* colour : colours) {
     const GLenum target = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(targets.size());
@@ -104,17 +104,17 @@ Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours,
   }
   glDrawBuffers(static_cast<GLsizei>(targets.size()), targets.data());
   if (withDepth) {
-    glGenRenderbuffers(1, &made.depth_);
-    glBindRenderbuffer(GL_RENDERBUFFER, made.depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, made.width_, made.height_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, made.depth_);
+    glGenRenderbuffers(1, &framebuffer.depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, framebuffer.depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, framebuffer.width_, framebuffer.height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, framebuffer.depth_);
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    return fail(ErrorKind::Internal,
-                message("float-texture-refused", with::count<"width">(made.width_), with::count<"height">(made.height_),
-                        with::term<"status">(fmt::format("0x{:x}", status))));
-  return made;
+    return fail(ErrorKind::Internal, message("float-texture-refused", with::count<"width">(framebuffer.width_),
+                                             with::count<"height">(framebuffer.height_),
+                                             with::term<"status">(fmt::format("0x{:x}", status))));
+  return framebuffer;
 }
 
 Framebuffer::~Framebuffer() {
@@ -162,9 +162,9 @@ Buffer::~Buffer() {
 }
 
 VertexArray VertexArray::create() {
-  VertexArray made;
-  glGenVertexArrays(1, &made.id_);
-  return made;
+  VertexArray array;
+  glGenVertexArrays(1, &array.id_);
+  return array;
 }
 
 VertexArray::~VertexArray() {
@@ -181,25 +181,25 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
     glDeleteShader(*vertex);
     return tl::unexpected(fragment.error());
   }
-  Program made;
-  made.id_ = glCreateProgram();
-  glAttachShader(made.id_, *vertex);
-  glAttachShader(made.id_, *fragment);
-  glLinkProgram(made.id_);
+  Program program;
+  program.id_ = glCreateProgram();
+  glAttachShader(program.id_, *vertex);
+  glAttachShader(program.id_, *fragment);
+  glLinkProgram(program.id_);
   glDeleteShader(*vertex);
   glDeleteShader(*fragment);
   GLint linked = GL_FALSE;
-  glGetProgramiv(made.id_, GL_LINK_STATUS, &linked);
+  glGetProgramiv(program.id_, GL_LINK_STATUS, &linked);
   if (linked) {
-    made.name_ = name;
+    program.name_ = name;
 #ifndef NDEBUG
-    made.uniforms_ = declaredUniforms(vertexSource);
-    for (std::string& uniform : declaredUniforms(fragmentSource)) made.uniforms_.push_back(std::move(uniform));
+    program.uniforms_ = declaredUniforms(vertexSource);
+    for (std::string& uniform : declaredUniforms(fragmentSource)) program.uniforms_.push_back(std::move(uniform));
 #endif
-    return made;
+    return program;
   }
   std::array<char, 2048> log{};
-  glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  glGetProgramInfoLog(program.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
   return fail(ErrorKind::Internal,
               message("shader-not-linked", with::term<"shader">(name), with::term<"log">(log.data())));
 }
@@ -273,15 +273,15 @@ bool isSoftware(std::string_view rendererName) {
 }
 
 Result<Capabilities> queryCapabilities() {
-  Capabilities found;
-  found.renderer = rendererName();
-  found.version = glString(GL_VERSION);
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.maxTextureSize);
+  Capabilities capabilities;
+  capabilities.renderer = rendererName();
+  capabilities.version = glString(GL_VERSION);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities.maxTextureSize);
   const Texture probe(4, 4, Format::R32F);
   const Texture* const colours[] = {&probe};
   const Result<Framebuffer> framebuffer = Framebuffer::create(colours, false);
   if (!framebuffer) return tl::unexpected(framebuffer.error());
-  return found;
+  return capabilities;
 }
 
 }  // namespace qrelief::gl

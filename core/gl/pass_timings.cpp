@@ -56,10 +56,9 @@ void PassTimings::collect() {
 }
 
 std::size_t PassTimings::indexOf(std::string_view name) {
-  const auto found =
-      std::find_if(times_.begin(), times_.end(), [&](const PassTime& time) { return time.name == name; });
-  const auto index = static_cast<std::size_t>(found - times_.begin());
-  if (found == times_.end()) times_.push_back({.name = name});
+  const auto it = std::find_if(times_.begin(), times_.end(), [&](const PassTime& time) { return time.name == name; });
+  const auto index = static_cast<std::size_t>(it - times_.begin());
+  if (it == times_.end()) times_.push_back({.name = name});
   return index;
 }
 

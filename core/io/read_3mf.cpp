@@ -103,15 +103,15 @@ class Package {
 
   /// Reads a model part and all parts that its components and items need.
   Status readModels(const std::string& start) {
-    std::vector<std::string> wanted = {start};
-    while (!wanted.empty()) {
-      const std::string name = std::move(wanted.back());
-      wanted.pop_back();
+    std::vector<std::string> paths = {start};
+    while (!paths.empty()) {
+      const std::string name = std::move(paths.back());
+      paths.pop_back();
       if (models_.count(name)) continue;
       if (models_.size() == kMaxParts) return badInput(message("3mf-too-many-parts", with::count<"limit">(kMaxParts)));
       Result<ThreeMfModel> model = readPart(name);
       if (!model) return tl::unexpected(model.error());
-      if (const Status resolved = resolvePaths(*model, name, wanted); !resolved) return resolved;
+      if (const Status resolved = resolvePaths(*model, name, paths); !resolved) return resolved;
       models_.emplace(name, std::move(*model));
     }
     return {};
@@ -256,8 +256,8 @@ class Builder {
 
   const ThreeMfObject* find(const ThreeMfInstance& instance) const {
     const auto& objects = package_.model(instance.path).objects;
-    const auto found = objects.find(instance.object);
-    return found == objects.end() ? nullptr : &found->second;
+    const auto it = objects.find(instance.object);
+    return it == objects.end() ? nullptr : &it->second;
   }
 
   void addItem(const ThreeMfInstance& item, double unitMm) {

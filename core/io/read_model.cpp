@@ -40,15 +40,15 @@ Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_v
     return badInput(
         message("file-too-large", with::count<"bytes">(bytes.size()), with::count<"limit">(limits.maxBytes)));
   const ModelFormat named = formatOfName(fileName);
-  const ModelFormat found = formatOfContent(bytes);
-  if (found == ModelFormat::Unknown)
+  const ModelFormat format = formatOfContent(bytes);
+  if (format == ModelFormat::Unknown)
     if (const std::string_view encoding = wideEncodingOf(bytes); !encoding.empty())
       return badInput(message("text-encoding", with::term<"encoding">(encoding)));
-  if (found == ModelFormat::Unknown || found == named) return readAs(named, bytes, limits);
-  Result<PolygonSoup> soup = readAs(found, bytes, limits);
+  if (format == ModelFormat::Unknown || format == named) return readAs(named, bytes, limits);
+  Result<PolygonSoup> soup = readAs(format, bytes, limits);
   if (soup && named != ModelFormat::Unknown)
     soup->warnings.insert(soup->warnings.begin(), message("format-misnamed", with::term<"named">(nameOf(named)),
-                                                          with::term<"found">(nameOf(found))));
+                                                          with::term<"found">(nameOf(format))));
   return soup;
 }
 

@@ -112,8 +112,8 @@ class Rewriter {
   /// Returns the text of a part; nullptr if there is none.
   const std::string* textOf(std::string_view name) const {
     const ZipEntry* entry = archive_.find(name);
-    const auto found = entry ? texts_.find(entry) : texts_.end();
-    return found == texts_.end() ? nullptr : &found->second;
+    const auto it = entry ? texts_.find(entry) : texts_.end();
+    return it == texts_.end() ? nullptr : &it->second;
   }
 
   void edit(std::string_view name, TextEdit edit) { edits_[archive_.find(name)].push_back(std::move(edit)); }

@@ -38,13 +38,13 @@ MeshText::TriangleText triangleFrom(const XmlTag& tag) {
 std::string attributesOf(const MeshText::TriangleText& triangle, KeptAttributes::What what) {
   if (what == KeptAttributes::What::Nothing || triangle.attributes.empty()) return {};
   if (what == KeptAttributes::What::All) return triangle.attributes;
-  std::string kept;
+  std::string attributes;
   const std::string text = "<t" + triangle.attributes + "/>";
   for (const XmlTag::Attribute& a : XmlTags(text).next()->attributes()) {
     const bool isPaint = std::find(kPaint.begin(), kPaint.end(), a.name) != kPaint.end();
-    if (!isPaint || filamentOfCode(a.value)) kept += fmt::format(" {}", text.substr(a.begin, a.end - a.begin));
+    if (!isPaint || filamentOfCode(a.value)) attributes += fmt::format(" {}", text.substr(a.begin, a.end - a.begin));
   }
-  return kept;
+  return attributes;
 }
 
 /// Writes vertices and triangles one after the other into two texts, and numbers the vertices.
@@ -158,9 +158,10 @@ std::string changedMesh(const MeshText& mesh, const ThreeMfSource& source, std::
     auto painted = change.painted.begin();
     for (std::uint32_t t = 0; t < change.mesh.triangles.size(); ++t) {
       const auto& [a, b, c] = change.mesh.triangles[t];
-      const KeptAttributes& kept = change.kept[t];
-      std::string attributes =
-          kept.what == KeptAttributes::What::Nothing ? std::string() : attributesOf(textOf(kept.triangle), kept.what);
+      const KeptAttributes& origin = change.kept[t];
+      std::string attributes = origin.what == KeptAttributes::What::Nothing
+                                   ? std::string()
+                                   : attributesOf(textOf(origin.triangle), origin.what);
       if (painted != change.painted.end() && *painted == t) {
         ++painted;
         attributes = paint.names;

@@ -88,9 +88,8 @@ std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, st
 std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> wanted) {
   std::vector<std::uint32_t> places;
   for (const std::uint32_t t : wanted) {
-    const auto found = std::lower_bound(triangles.begin(), triangles.end(), t);
-    if (found != triangles.end() && *found == t)
-      places.push_back(static_cast<std::uint32_t>(found - triangles.begin()));
+    const auto it = std::lower_bound(triangles.begin(), triangles.end(), t);
+    if (it != triangles.end() && *it == t) places.push_back(static_cast<std::uint32_t>(it - triangles.begin()));
   }
   return places;
 }

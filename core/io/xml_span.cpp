@@ -19,16 +19,16 @@ std::string_view prefixOf(const XmlTag& tag) {
 std::optional<XmlSpan> findElement(std::string_view text, std::string_view name, std::size_t id, std::size_t from,
                                    std::size_t to) {
   XmlTags tags(text.substr(0, to));
-  std::optional<XmlSpan> found;
+  std::optional<XmlSpan> element;
   while (const auto tag = tags.next()) {
     if (tag->begin < from) continue;
-    if (!found && tag->starts(name) && numberFrom(tag->attribute("id")) == id) {
-      found = XmlSpan{tag->begin, tag->end, tag->end, tag->end};
-      if (tag->isEmpty) return found;
-    } else if (found && tag->ends(name)) {
-      found->insideEnd = tag->begin;
-      found->end = tag->end;
-      return found;
+    if (!element && tag->starts(name) && numberFrom(tag->attribute("id")) == id) {
+      element = XmlSpan{tag->begin, tag->end, tag->end, tag->end};
+      if (tag->isEmpty) return element;
+    } else if (element && tag->ends(name)) {
+      element->insideEnd = tag->begin;
+      element->end = tag->end;
+      return element;
     }
   }
   return std::nullopt;

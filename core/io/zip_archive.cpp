@@ -102,9 +102,9 @@ Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
       *at >= kZip64LocatorBytes && loadBytes<std::uint32_t>(&bytes[*at - kZip64LocatorBytes]) == kZip64LocatorSignature;
   Directory directory;
   if (has64) {
-    const Result<Directory> found = findDirectory64(bytes, *at);
-    if (!found) return found;
-    directory = *found;
+    const Result<Directory> directory64 = findDirectory64(bytes, *at);
+    if (!directory64) return directory64;
+    directory = *directory64;
   } else {
     Fields record(bytes.subspan(*at));
     record.skip(4);
@@ -258,8 +258,8 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   for (std::uint64_t i = 0; i < directory->entries; ++i) {
     Result<Listed> listed = readListed(lines, i);
     if (!listed) return tl::unexpected(listed.error());
-    if (const Status found = findContent(bytes, directory->offset, *listed); !found)
-      return tl::unexpected(found.error());
+    if (const Status located = findContent(bytes, directory->offset, *listed); !located)
+      return tl::unexpected(located.error());
     files.push_back(std::move(*listed));
   }
   if (const Status apart = checkOverlap(bytes, files); !apart) return tl::unexpected(apart.error());
@@ -267,18 +267,18 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   ZipArchive archive;
   for (Listed& file : files) {
     if (file.entry.name.ends_with('/')) continue;  // a folder
-    const std::string shown = excerpt(file.entry.name);
+    const std::string name = excerpt(file.entry.name);
     const std::string key = comparable(file.entry.name);
     archive.order_.push_back(key);
     if (!archive.entries_.emplace(key, std::move(file.entry)).second)
-      return damaged(message("zip-same-name", with::quoted<"file">(shown)));
+      return damaged(message("zip-same-name", with::quoted<"file">(name)));
   }
   return archive;
 }
 
 const ZipEntry* ZipArchive::find(std::string_view name) const {
-  const auto found = entries_.find(comparable(name));
-  return found == entries_.end() ? nullptr : &found->second;
+  const auto it = entries_.find(comparable(name));
+  return it == entries_.end() ? nullptr : &it->second;
 }
 
 std::vector<const ZipEntry*> ZipArchive::files() const {

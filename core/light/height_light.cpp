@@ -93,12 +93,12 @@ std::vector<PointClass> pointClasses(const LightSampling& sampling, const Reach&
   std::vector<PointClass> classes;
   for (int k = 0; k < turns; ++k) {
     const int order = turns == kTurnsOfSinglePoints ? kOrder[static_cast<std::size_t>(k)] : k;
-    PointClass made{points == 1 ? Vec2(0.5) : pointInPatch(points, k % points, k / points), {}};
+    PointClass point{points == 1 ? Vec2(0.5) : pointInPatch(points, k % points, k / points), {}};
     for (int d = 0; d < sampling.directions; ++d) {
       const double angle = 2 * std::numbers::pi * (d + (order + 0.5) / turns) / sampling.directions;
-      made.directions.push_back(directionOf(made.inPatch, angle, reach));
+      point.directions.push_back(directionOf(point.inPatch, angle, reach));
     }
-    classes.push_back(std::move(made));
+    classes.push_back(std::move(point));
   }
   return classes;
 }

@@ -22,10 +22,10 @@ bool isCollinear(const Mesh& mesh, const Triangle& t) {
 
 template <class T>
 void dropMarked(std::vector<T>& items, const std::vector<char>& drop) {
-  std::size_t kept = 0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < items.size(); ++i)
-    if (!drop[i]) items[kept++] = items[i];
-  items.resize(kept);
+    if (!drop[i]) items[count++] = items[i];
+  items.resize(count);
 }
 
 /// Drops the marked triangles and records the origin of the rest.

@@ -123,8 +123,8 @@ class PatchSearch {
     for (std::size_t i = 0; i < n_; ++i) places.emplace_back(hole.corners[i], i);
     std::sort(places.begin(), places.end());
     const auto placeOf = [&](std::uint32_t vertex) {
-      const auto found = std::lower_bound(places.begin(), places.end(), std::pair(vertex, std::size_t{0}));
-      return found != places.end() && found->first == vertex ? found->second : n_;
+      const auto it = std::lower_bound(places.begin(), places.end(), std::pair(vertex, std::size_t{0}));
+      return it != places.end() && it->first == vertex ? it->second : n_;
     };
     for (const auto& [vertex, i] : places)
       for (auto edge = std::lower_bound(neighbours.begin(), neighbours.end(), std::array{vertex, std::uint32_t{0}});

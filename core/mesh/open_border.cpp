@@ -8,20 +8,20 @@ namespace qrelief {
 
 OpenBorder::Found OpenBorder::find(const Mesh& mesh) {
   const EdgeTable edges = buildEdgeTable(mesh.triangles);
-  Found found;
+  Found border;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges.at(e).size() != 1) continue;
     const std::uint32_t halfEdge = edges.at(e)[0];
     const Triangle& t = mesh.triangles[halfEdge / 3];
-    found.halfEdges.push_back(halfEdge);
+    border.halfEdges.push_back(halfEdge);
     const std::uint32_t from = t[halfEdge % 3], to = t[(halfEdge + 1) % 3];
-    found.vertices.insert(found.vertices.end(), {from, to});
+    border.vertices.insert(border.vertices.end(), {from, to});
     const Vec3f a = mesh.positions[from], b = mesh.positions[to];
-    found.boxes.push_back({glm::min(a, b), glm::max(a, b)});
+    border.boxes.push_back({glm::min(a, b), glm::max(a, b)});
   }
-  std::sort(found.vertices.begin(), found.vertices.end());
-  found.vertices.erase(std::unique(found.vertices.begin(), found.vertices.end()), found.vertices.end());
-  return found;
+  std::sort(border.vertices.begin(), border.vertices.end());
+  border.vertices.erase(std::unique(border.vertices.begin(), border.vertices.end()), border.vertices.end());
+  return border;
 }
 
 OpenBorder::OpenBorder(const Mesh& mesh) : OpenBorder(mesh, find(mesh)) {}

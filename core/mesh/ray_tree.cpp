@@ -30,21 +30,21 @@ RayTree::RayTree(const Mesh& mesh, const Bvh& tree)
 std::optional<SurfacePoint> RayTree::firstHit(Vec3 origin, Vec3 direction, double from) const {
   const ShearedRay ray(origin, direction);
   double nearest = std::numeric_limits<double>::infinity();
-  std::uint32_t found = 0;
+  std::uint32_t hit = 0;
   tree_.visit(origin, direction, from, nearest, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t t = order_[i];
       const double parameter =
           hitParameter(ray.apply(mesh_->corner(t, 0)), ray.apply(mesh_->corner(t, 1)), ray.apply(mesh_->corner(t, 2)));
       if (parameter <= from || parameter < 0) continue;
-      if (parameter < nearest || (parameter == nearest && t < found)) {
+      if (parameter < nearest || (parameter == nearest && t < hit)) {
         nearest = parameter;
-        found = t;
+        hit = t;
       }
     }
   });
   if (!(nearest < std::numeric_limits<double>::infinity())) return std::nullopt;
-  return SurfacePoint{origin + direction * nearest, found, nearest * glm::length(direction)};
+  return SurfacePoint{origin + direction * nearest, hit, nearest * glm::length(direction)};
 }
 
 }  // namespace qrelief

@@ -35,7 +35,7 @@ std::uint32_t WideBvh::add(const Bvh& tree, std::uint32_t index) {
     children.push_back(tree.nodes()[parent].begin);
   }
 
-  const auto made = static_cast<std::uint32_t>(nodes_.size());
+  const auto place = static_cast<std::uint32_t>(nodes_.size());
   Node node;
   node.min.fill(all(std::numeric_limits<float>::infinity()));
   node.max.fill(all(-std::numeric_limits<float>::infinity()));
@@ -50,8 +50,8 @@ std::uint32_t WideBvh::add(const Bvh& tree, std::uint32_t index) {
     node.begin[i] = child.count > 0 ? child.begin : add(tree, children[i]);
     node.count[i] = child.count;
   }
-  nodes_[made] = node;
-  return made;
+  nodes_[place] = node;
+  return place;
 }
 
 WideBvh::Ray WideBvh::rayOf(Vec3 origin, Vec3 direction) {

@@ -97,17 +97,17 @@ class Origins {
     const CutFacets cutFacets(before_.mesh, cut_, result_.placement.frame);
     std::vector<char> isSeen(before_.mesh.triangles.size(), 0);
     for (const std::uint32_t t : result_.placement.patch.triangles) isSeen[t] = 1;
-    std::vector<KeptAttributes> kept(result_.mesh.triangles.size());
-    for (std::size_t t = 0; t < kept.size(); ++t) {
+    std::vector<KeptAttributes> attributes(result_.mesh.triangles.size());
+    for (std::size_t t = 0; t < attributes.size(); ++t) {
       const Vec3 a = result_.mesh.corner(t, 0), b = result_.mesh.corner(t, 1), c = result_.mesh.corner(t, 2);
       const Vec3 middle = (a + b + c) / 3.0, area = glm::cross(b - a, c - a);
       const double twice = glm::length(area);
       const bool isOld = old_[t] != kNone;
       if ((!isOld || isSeen[old_[t]]) && isUnderCode(middle)) continue;
       const std::uint32_t facet = isOld ? old_[t] : twice > 0 ? cutFacets.find(middle, area / twice) : kNone;
-      if (facet != kNone) kept[t] = {isOld ? What::All : What::WholePaint, before_.originOfTriangle[facet]};
+      if (facet != kNone) attributes[t] = {isOld ? What::All : What::WholePaint, before_.originOfTriangle[facet]};
     }
-    return kept;
+    return attributes;
   }
 
  private:
@@ -142,7 +142,7 @@ Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const En
   std::vector<std::uint32_t> runs(result.mesh.triangles.size(), static_cast<std::uint32_t>(carved));
   for (std::size_t t = 0; t < runs.size(); ++t)
     if (origins.old(t) != kNone) runs[t] = static_cast<std::uint32_t>(runOfOld(origins.old(t)));
-  const std::vector<KeptAttributes> kept = origins.attributes();
+  const std::vector<KeptAttributes> attributes = origins.attributes();
   std::vector<ChangedRun> changes;
   for (std::size_t r = 0; r < source.runs.size(); ++r) {
     if (r != carved && before.equalsSource) continue;
@@ -150,7 +150,7 @@ Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const En
     change.run = r;
     const std::vector<std::uint32_t> triangles = trianglesOf(runs, static_cast<std::uint32_t>(r));
     change.mesh = submesh(result.mesh, triangles);
-    for (const std::uint32_t t : triangles) change.kept.push_back(kept[t]);
+    for (const std::uint32_t t : triangles) change.kept.push_back(attributes[t]);
     change.painted = placesIn(triangles, result.painted);
     if (r == carved && withInlay && result.inlay) change.inlay = codeBody(*result.inlay);
     changes.push_back(std::move(change));

@@ -31,24 +31,24 @@ std::vector<double> contrastsOf(const Symbol& symbol, const std::vector<double>&
 
 std::vector<double> contrastForPrint(const Symbol& symbol, const std::vector<double>& designed,
                                      const std::vector<double>& printed, double contrast) {
-  const std::vector<double> wanted = contrastsOf(symbol, designed), has = contrastsOf(symbol, printed);
+  const std::vector<double> target = contrastsOf(symbol, designed), has = contrastsOf(symbol, printed);
   const auto kindOf = [&](std::size_t module) {
     const int row = static_cast<int>(module) / symbol.size, column = static_cast<int>(module) % symbol.size;
     return static_cast<std::size_t>(symbol.role(row, column) == ModuleRole::Finder);
   };
   std::array<double, 2> sum{}, count{};
-  for (std::size_t module = 0; module < wanted.size(); ++module) {
+  for (std::size_t module = 0; module < target.size(); ++module) {
     if (!symbol.dark[module]) continue;
-    sum[kindOf(module)] += wanted[module];
+    sum[kindOf(module)] += target[module];
     count[kindOf(module)] += 1;
   }
   const double most = std::max(contrast, std::min(kMostTimes * contrast, kMostContrast));
-  std::vector<double> asked(wanted.size(), contrast);
-  for (std::size_t module = 0; module < wanted.size(); ++module) {
+  std::vector<double> asked(target.size(), contrast);
+  for (std::size_t module = 0; module < target.size(); ++module) {
     const std::size_t kind = kindOf(module);
     if (!symbol.dark[module] || sum[kind] <= 0) continue;
-    const double kept = has[module] / (sum[kind] / count[kind]);
-    asked[module] = std::clamp(contrast * (1 + kPrintedShare - kept), contrast, most);
+    const double share = has[module] / (sum[kind] / count[kind]);
+    asked[module] = std::clamp(contrast * (1 + kPrintedShare - share), contrast, most);
   }
   return asked;
 }

@@ -42,9 +42,9 @@ Status DepthSearchRun::startOnGpu(LuminancePass& light) {
   for (const std::uint32_t i : carved_) place.cells.push_back(cellOf(i));
   place.luminance = ofQuietZone<double>(place_.light->uncarvedLuminance());
   light.setRadius(static_cast<float>(reachMm(*std::max_element(target_.limitMm.begin(), target_.limitMm.end()))));
-  auto made = ShaderSearch::create(target_, fastSearchOptions(request_), std::move(place));
-  if (!made) return tl::unexpected(made.error());
-  onGpu_ = std::move(*made);
+  auto shaderSearch = ShaderSearch::create(target_, fastSearchOptions(request_), std::move(place));
+  if (!shaderSearch) return tl::unexpected(shaderSearch.error());
+  onGpu_ = std::move(*shaderSearch);
   return {};
 }
 
@@ -104,14 +104,14 @@ void DepthSearchRun::step(SearchRecord* record) {
   solver_->update(luminance_);
   if (!record) return;
   const SubmoduleLuminances seen(luminance_, target_.symbol->size);
-  SearchRecord::Pass made;
-  made.ms = millisecondsSince(start);
+  SearchRecord::Pass pass;
+  pass.ms = millisecondsSince(start);
   for (const std::uint32_t i : carved_) {
     const int row = static_cast<int>(i) / tried.size, column = static_cast<int>(i) % tried.size;
-    made.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
-    made.luminance.push_back(static_cast<float>(seen.of(row, column)));
+    pass.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
+    pass.luminance.push_back(static_cast<float>(seen.of(row, column)));
   }
-  record->passes.push_back(std::move(made));
+  record->passes.push_back(std::move(pass));
   record->luminance.assign(luminance_.begin(), luminance_.end());
 }
 

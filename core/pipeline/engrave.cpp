@@ -41,17 +41,17 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 /// Weights are times in ms of the page's samples on a processor (--report, timingsMs).
 JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
   const bool isForPrint = request.isForPrint(), isInColour = request.marking.isInColour();
-  return {{"finding-direction-and-size", 20, &State::place, !isPlaced},
-          {"measuring-surface", 50, &State::map, !isInColour},
-          {"measuring-surface", 10, &State::mapMark, isInColour},
-          {"finding-depth", 70, &State::searchOnce, isForPrint},
-          {"carving-mesh", 60, &State::embed, isForPrint},
-          {"printing", 300, &State::print, isForPrint},
-          {"finding-depth", 200, &State::searchOnce, !isInColour},
-          {"carving-mesh", isInColour ? 4.0 : 60.0, &State::embed},
-          {"checking-solid", isInColour ? 4.0 : 10.0, &State::write},
-          {"checking-solid", isInColour ? 20.0 : 250.0, &State::check},
-          {"looking-at-result", 250, &State::view}};
+  return {{message("finding-direction-and-size"), 20, &State::place, !isPlaced},
+          {message("measuring-surface"), 50, &State::map, !isInColour},
+          {message("measuring-surface"), 10, &State::mapMark, isInColour},
+          {message("finding-depth"), 70, &State::searchOnce, isForPrint},
+          {message("carving-mesh"), 60, &State::embed, isForPrint},
+          {message("printing"), 300, &State::print, isForPrint},
+          {message("finding-depth"), 200, &State::searchOnce, !isInColour},
+          {message("carving-mesh"), isInColour ? 4.0 : 60.0, &State::embed},
+          {message("checking-solid"), isInColour ? 4.0 : 10.0, &State::write},
+          {message("checking-solid"), isInColour ? 20.0 : 250.0, &State::check},
+          {message("looking-at-result"), 250, &State::view}};
 }
 
 Result<StageStep> EngraveJob::State::place() {
@@ -62,10 +62,10 @@ Result<StageStep> EngraveJob::State::place() {
   return kStageDone;
 }
 
-void EngraveJob::State::take(const PlacementSearch& found) {
-  result.placement = found.placement();
-  result.timingsMs.direction = found.directionMs();
-  result.timingsMs.size = found.sizeMs();
+void EngraveJob::State::take(const PlacementSearch& placed) {
+  result.placement = placed.placement();
+  result.timingsMs.direction = placed.directionMs();
+  result.timingsMs.size = placed.sizeMs();
   asked = request;
   if (!request.marking.isInColour()) decidePatterns(false);
 }
@@ -83,14 +83,14 @@ std::vector<double> EngraveJob::State::limitsOfMask() const {
 /// Measures the place, if it is not the one measured before.
 Status EngraveJob::State::measurePlace(bool withLight) {
   const Placement& placement = result.placement;
-  const PlacementMeasurement::Request wanted{
+  const PlacementMeasurement::Request place{
       placement.frame, placement.moduleMm, layout, request.depth.albedo, request.lamps(), device, withLight};
-  if (measured && measured->request() == wanted) {
+  if (measured && measured->request() == place) {
     if (withLight) measured->light().uncarve();
   } else {
-    auto made = PlacementMeasurement::create(model, programs, wanted);
-    if (!made) return tl::unexpected(made.error());
-    measured = std::move(*made);
+    auto measurement = PlacementMeasurement::create(model, programs, place);
+    if (!measurement) return tl::unexpected(measurement.error());
+    measured = std::move(*measurement);
   }
   isMeasured = true;
   return {};
@@ -128,10 +128,10 @@ Result<StageStep> EngraveJob::State::embed() {
   options.paint = request.marking.mark == Mark::Paint;
   if (!request.marking.isInColour()) options.surface = request.depth.surface;
   options.label = result.label;
-  auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                              request.marking.isInColour() ? marked : result.depths, options);
-  if (!made) return tl::unexpected(made.error());
-  embedded = std::move(*made);
+  auto embedding = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
+                                   request.marking.isInColour() ? marked : result.depths, options);
+  if (!embedding) return tl::unexpected(embedding.error());
+  embedded = std::move(*embedding);
   result.keptTriangles = embedded.keptTriangles;
   result.timingsMs.embed += millisecondsSince(start);
   return kStageDone;
@@ -143,10 +143,10 @@ Result<StageStep> EngraveJob::State::print() {
   if (!printing) {
     VerifyRequest printed = verifyRequestOf(request, result);
     printed.symbol = symbol;
-    auto wanted = printedViewOf(printed);
-    if (!wanted) return tl::unexpected(wanted.error());
-    (*wanted)->isRough = true;
-    auto job = PrintedViewJob::create(embedded.mesh, **wanted);
+    auto view = printedViewOf(printed);
+    if (!view) return tl::unexpected(view.error());
+    (*view)->isRough = true;
+    auto job = PrintedViewJob::create(embedded.mesh, **view);
     if (!job) return tl::unexpected(job.error());
     printing = std::move(*job);
   }

@@ -65,10 +65,10 @@ Result<StageStep> EngraveJob::State::check() {
   result.partOfTriangle =
       partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
   if (request.marking.hasInlay())
-    if (const Status made = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
-                                                                : addInlay(*model, request.depth.surface, result);
-        !made)
-      return tl::unexpected(made.error());
+    if (const Status added = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
+                                                                 : addInlay(*model, request.depth.surface, result);
+        !added)
+      return tl::unexpected(added.error());
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   return kStageDone;

@@ -111,8 +111,8 @@ double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
 /// Returns the largest symbol that fits at every rotation. A partly hidden patch for a square is found again for a
 /// disc.
 Result<double> PlacementSearch::guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const {
-  const auto of = [&](const VisiblePatch& found) {
-    return std::min(largestMm(), freeSize(found.silhouette) / outerFactor());
+  const auto of = [&](const VisiblePatch& visible) {
+    return std::min(largestMm(), freeSize(visible.silhouette) / outerFactor());
   };
   if (!patch.partlyHidden || request_.sizeMode == SizeMode::Free) return of(patch);
   const auto forDiscs = decisivePatch(frame, GrowingRegion::Disc);
@@ -184,8 +184,8 @@ Status PlacementSearch::checkCrossings() const {
 /// at the rounded rotation.
 Error PlacementSearch::doesNotFit() const {
   const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
-  const double found = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
-  const double bestDeg = std::round(std::remainder(request_.rotateDeg + found, 360) * 10) / 10;
+  const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
+  const double bestDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
   const double turn = toRadians(bestDeg - request_.rotateDeg);
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
@@ -243,8 +243,8 @@ std::vector<Vec3> PlacementSearch::roundCandidates() const {
 Result<bool> PlacementSearch::refine() {
   {
     const Stopwatch stopwatch(directionMs_);
-    const Result<bool> found = optimal_->step();
-    if (!found || !*found) return found;
+    const Result<bool> isDone = optimal_->step();
+    if (!isDone || !*isDone) return isDone;
   }
   placement_.iterations = optimal_->iterations();
   std::vector<DirectionIteration> looks = optimal_->iterations();
@@ -297,8 +297,8 @@ Result<bool> PlacementSearch::searchOnce() {
                        directionOptions());
   {
     const Stopwatch stopwatch(directionMs_);
-    const Result<bool> found = direction_->step();
-    if (!found || !*found) return found;
+    const Result<bool> isDone = direction_->step();
+    if (!isDone || !*isDone) return isDone;
     placement_.iterations = direction_->iterations();
   }
   const double before = fitMm_;

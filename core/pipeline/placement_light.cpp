@@ -77,13 +77,13 @@ class LightByProcessor final : public PlacementLight {
                                double reachMm) override {
     assert(!cells.empty());
     light_.carve(depthsMm);
-    std::vector<std::uint8_t> wanted(received_.size(), 0);
-    for (const std::uint32_t cell : cells) wanted[cell] = 1;
+    std::vector<std::uint8_t> isMeasured(received_.size(), 0);
+    for (const std::uint32_t cell : cells) isMeasured[cell] = 1;
     light_.measure({.sampling = kPoints,
                     .reachMm = reachMm,
                     .everyPatchMm = kEveryCell * options_.moduleMm / kN,
                     .lamps = options_.lamps},
-                   wanted, received_);
+                   isMeasured, received_);
     luminance_ = luminancesOf(received_, options_);
     depthsMm_.assign(depthsMm.begin(), depthsMm.end());
     return luminance_;
@@ -112,16 +112,16 @@ class LightByProcessor final : public PlacementLight {
 Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
                                                        double eyeDistance, const PlacementLightOptions& options,
                                                        std::shared_ptr<const LuminancePrograms> programs) {
-  LuminanceOptions wanted;
-  wanted.cellTexels = maps.window.texels / (kN * options.modules);
-  wanted.albedo = options.albedo;
-  wanted.lights = options.lamps;
-  wanted.horizonSamples = kHorizonsPerModule * options.modules;
-  wanted.horizonStartMm = static_cast<float>(options.moduleMm);
-  wanted.radiusMm = static_cast<float>(kFirstReachModules * options.moduleMm);
-  auto made = LuminancePass::create(maps, &around, eyeDistance, wanted, std::move(programs));
-  if (!made) return tl::unexpected(made.error());
-  auto light = std::make_unique<LightByShaders>(std::move(*made), options);
+  LuminanceOptions luminance;
+  luminance.cellTexels = maps.window.texels / (kN * options.modules);
+  luminance.albedo = options.albedo;
+  luminance.lights = options.lamps;
+  luminance.horizonSamples = kHorizonsPerModule * options.modules;
+  luminance.horizonStartMm = static_cast<float>(options.moduleMm);
+  luminance.radiusMm = static_cast<float>(kFirstReachModules * options.moduleMm);
+  auto pass = LuminancePass::create(maps, &around, eyeDistance, luminance, std::move(programs));
+  if (!pass) return tl::unexpected(pass.error());
+  auto light = std::make_unique<LightByShaders>(std::move(*pass), options);
   light->lightUncarved(options.moduleMm);
   return light;
 }

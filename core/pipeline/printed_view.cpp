@@ -49,16 +49,16 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 struct PrintedViewJob::State {
   const Mesh* model;
   PrintedViewRequest request;
-  JobStages<State> stages{{"printing", request.mark == Mark::Shadow ? 9.0 : 1.0, &State::print},
-                          {"lighting-print", 1, &State::light}};
+  JobStages<State> stages = stagesOf(request);
   HeightMap printed;
   Mesh outside;      // of a body with its inlay
   Symbol marked;     // of a code in colour: the modules in the second colour
   double bedMm = 0;  // height of the model's lowest point
   PrintedView result;
 
-  State(const Mesh& mesh, const PrintedViewRequest& wanted) : model(&mesh), request(wanted) {}
+  State(const Mesh& mesh, const PrintedViewRequest& viewed) : model(&mesh), request(viewed) {}
 
+  static JobStages<State> stagesOf(const PrintedViewRequest& request);
   int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
   /// Returns the edge of the printed area, in modules.
   int printedModules() const { return request.isRough ? request.symbol.size + 2 * kRoughMarginModules : edgeModules(); }
@@ -71,6 +71,12 @@ struct PrintedViewJob::State {
   void addInk(std::vector<float>& luminance, const PictureGrid& grid) const;
 };
 
+/// Weights are in relation to each other, on the page's samples.
+JobStages<PrintedViewJob::State> PrintedViewJob::State::stagesOf(const PrintedViewRequest& request) {
+  return {{message("printing"), request.mark == Mark::Shadow ? 9.0 : 1.0, &State::print},
+          {message("lighting-print"), 1, &State::light}};
+}
+
 /// Finds the shape to print, and the modules in the second colour.
 const Mesh& PrintedViewJob::State::shape() {
   marked = request.symbol;
@@ -78,10 +84,10 @@ const Mesh& PrintedViewJob::State::shape() {
   const Vec3 up = glm::normalize(request.buildUp);
   for (const Vec3f p : model->positions) bedMm = std::min(bedMm, glm::dot(Vec3(p), up));
   if (request.mark != Mark::Inlay) return *model;
-  InlaidSurface found =
+  InlaidSurface surface =
       inlaidSurface(*model, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
-  marked.dark = std::move(found.inlaid);
-  outside = std::move(found.mesh);
+  marked.dark = std::move(surface.inlaid);
+  outside = std::move(surface.mesh);
   return outside;
 }
 

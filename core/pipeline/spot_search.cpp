@@ -101,7 +101,7 @@ int centreDecimals(double scaleToMm) {
 struct SpotSearchJob::State {
   std::shared_ptr<const EngravableModel> model;
   SpotSearchRequest request;
-  JobStages<State> stages{{"looking-from-all-sides", 60, &State::drawViews}, {"testing-spots", 40, &State::testOnce}};
+  JobStages<State> stages = stagesOf();
   bool findsLargest = false;  // true once the requested size has been found to fit nowhere
   std::optional<SizeMapSearch> mapping;
   double outer = 1;  // request.outerFactor()
@@ -140,6 +140,7 @@ struct SpotSearchJob::State {
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
+  static JobStages<State> stagesOf();
   double mostInMap() const;
   void startMap(double leastMm);
   Result<StageStep> drawViews();
@@ -158,6 +159,10 @@ struct SpotSearchJob::State {
   Error nothingFound() const;
   double testedShare() const;
 };
+
+JobStages<SpotSearchJob::State> SpotSearchJob::State::stagesOf() {
+  return {{message("looking-from-all-sides"), 60, &State::drawViews}, {message("testing-spots"), 40, &State::testOnce}};
+}
 
 double SpotSearchJob::State::mostInMap() const {
   const std::vector<float>& sizes = map().sizeMm;
@@ -322,11 +327,11 @@ Result<StageStep> SpotSearchJob::State::testOnce() {
   if (isEnough() && !recallDeferred()) return finishTests();
   if (!search && screen()) return StageStep{testedShare()};
   if (!search) beginTest();
-  const Result<bool> found = search->step();
-  if (!found && found.error().kind != ErrorKind::NoSolution) return tl::unexpected(found.error());
-  if (!found) {
+  const Result<bool> placed = search->step();
+  if (!placed && placed.error().kind != ErrorKind::NoSolution) return tl::unexpected(placed.error());
+  if (!placed) {
     nextTry();
-  } else if (*found) {
+  } else if (*placed) {
     if (const Status taken = take(search->placement()); !taken) return tl::unexpected(taken.error());
   }
   return StageStep{testedShare()};
@@ -337,8 +342,8 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
   if (result.spots.empty()) {
     findsLargest = true;
     const bool draws = result.map.viewsDropped > 0;  // these views may take a smaller code
-    stages.add({"finding-largest-size", 60, &State::drawViews, draws});
-    stages.add({"finding-largest-size", 10, &State::testOnce});
+    stages.add({message("finding-largest-size"), 60, &State::drawViews, draws});
+    stages.add({message("finding-largest-size"), 10, &State::testOnce});
     if (draws)
       startMap(unaskedLeastMm(*model));
     else

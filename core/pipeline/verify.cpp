@@ -64,23 +64,24 @@ Status checkShared(const VerifyRequest& request) {
 }  // namespace
 
 VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result) {
-  VerifyRequest wanted;
-  wanted.frame = result.placement.frame;
-  wanted.symbolMm = result.placement.symbolMm;
-  wanted.text = request.code.text;
-  wanted.symbol = result.symbol;
-  wanted.printer = request.print.printer;
-  wanted.process = request.print.process;
-  wanted.buildUp = request.print.buildUp.resolve(wanted.frame);
-  wanted.minWallMm = request.depth.minWallMm;
-  wanted.albedo = std::round(1e6 * static_cast<double>(request.surfaceAlbedo())) / 1e6;  // undoes rounding to a float
-  wanted.mark = request.marking.mark;
-  wanted.markDepthMm = result.markDepthMm;
-  wanted.ink = request.marking.ink;
-  if (request.isForOneLight()) wanted.oneLight = request.lamps().front();
-  wanted.ranges = false;
-  wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
-  return wanted;
+  VerifyRequest verification;
+  verification.frame = result.placement.frame;
+  verification.symbolMm = result.placement.symbolMm;
+  verification.text = request.code.text;
+  verification.symbol = result.symbol;
+  verification.printer = request.print.printer;
+  verification.process = request.print.process;
+  verification.buildUp = request.print.buildUp.resolve(verification.frame);
+  verification.minWallMm = request.depth.minWallMm;
+  verification.albedo =
+      std::round(1e6 * static_cast<double>(request.surfaceAlbedo())) / 1e6;  // undoes rounding to a float
+  verification.mark = request.marking.mark;
+  verification.markDepthMm = result.markDepthMm;
+  verification.ink = request.marking.ink;
+  if (request.isForOneLight()) verification.oneLight = request.lamps().front();
+  verification.ranges = false;
+  verification.inheritedSelfIntersections = result.inheritedSelfIntersections;
+  return verification;
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
@@ -103,10 +104,7 @@ struct VerifyJob::State {
   Symbol marked;             // of a code in colour: the modules found to be dark
   VerifyRequest request;
   std::vector<Decoder> decoders;
-  JobStages<State> stages{{"checking-solid", 110, &State::checkSolid},  // weights: times of the page's samples in ms
-                          {"measuring-carving", 35, &State::measureShape},
-                          {"tracing-light", request.isTraced ? 2700.0 : 220.0, &State::bake},
-                          {"reading-pictures", request.ranges ? 10000.0 : 110.0, &State::read}};
+  JobStages<State> stages = stagesOf(request);
   RayTree tree;
   std::optional<BakedLight> light;
   int bakedRows = 0;
@@ -120,6 +118,7 @@ struct VerifyJob::State {
         decoders(std::move(readBy)),
         tree(outerSurface()) {}
 
+  static JobStages<State> stagesOf(const VerifyRequest& request);
   const Mesh& outerSurface();
   bool isInColour() const { return request.mark != Mark::Shadow; }
 
@@ -133,13 +132,22 @@ struct VerifyJob::State {
   Result<StageStep> read();
 };
 
+/// Weights are times in ms of the page's samples.
+JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& request) {
+  return {{message("checking-solid"), 110, &State::checkSolid},
+          {message("measuring-carving"), 35, &State::measureShape},
+          {message("tracing-light"), request.isTraced ? 2700.0 : 220.0, &State::bake},
+          {message("reading-pictures"), request.ranges ? 10000.0 : 110.0, &State::read}};
+}
+
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
 const Mesh& VerifyJob::State::outerSurface() {
   if (request.mark != Mark::Inlay) return mesh;
-  InlaidSurface found = inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
-  marked.dark = std::move(found.inlaid);
-  if (!found.hasBothBodies) body = std::move(mesh);
-  mesh = std::move(found.mesh);
+  InlaidSurface surface =
+      inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
+  marked.dark = std::move(surface.inlaid);
+  if (!surface.hasBothBodies) body = std::move(mesh);
+  mesh = std::move(surface.mesh);
   return mesh;
 }
 
@@ -181,16 +189,16 @@ void VerifyJob::State::lightMesh() {
                                .nearMm = kPictureMarginModules * moduleMm(),
                                .albedo = request.albedo};
   const std::vector<float> sky = meshLuminance(mesh, request.frame, options);
-  std::vector<SurfaceLight> found;
-  for (const float luminance : sky) found.push_back({static_cast<double>(luminance), 0});
+  std::vector<SurfaceLight> texels;
+  for (const float luminance : sky) texels.push_back({static_cast<double>(luminance), 0});
   if (light->options().lamp.strength > 0) {
     options.lamps = {request.oneLight.value_or(kRoomLamp)};
     options.lampRadiusDeg = light->options().lamp.radiusDeg;
     const std::vector<float> all = meshLuminance(mesh, request.frame, options);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      found[i].lamp = static_cast<double>(all[i]) * light->openLight() - found[i].sky;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      texels[i].lamp = static_cast<double>(all[i]) * light->openLight() - texels[i].sky;
   }
-  light->setLight(std::move(found));
+  light->setLight(std::move(texels));
 }
 
 SymbolGrades VerifyJob::State::gradeInk() const {

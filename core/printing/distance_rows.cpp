@@ -56,8 +56,8 @@ void signedDistancesOfRows(float* held, const float* inside, float lessThan, flo
   forVectors(count, [&](auto lanes, std::size_t i) {
     const auto distance = hn::Sqrt(hn::LoadU(lanes, held + i));
     const auto isInside = hn::Lt(hn::LoadU(lanes, inside + i), hn::Set(lanes, lessThan));
-    const auto found = hn::IfThenElse(isInside, hn::Neg(distance), distance);
-    hn::StoreU(hn::Sub(found, hn::Set(lanes, lessMm)), lanes, held + i);
+    const auto signedDistance = hn::IfThenElse(isInside, hn::Neg(distance), distance);
+    hn::StoreU(hn::Sub(signedDistance, hn::Set(lanes, lessMm)), lanes, held + i);
   });
 }
 

@@ -34,7 +34,7 @@ std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const Layer
     return numbers[grid.index(column, row)] > 0;
   };
   constexpr double kPieceSteps = 4;  // length of the pieces tested: only a part of a segment may run through plastic
-  std::vector<Segment2> kept;
+  std::vector<Segment2> segments;
   for (const auto& [a, b] : outline) {
     const double length = glm::distance(a, b);
     const Vec2 across = Vec2(a.y - b.y, b.x - a.x) * (grid.stepMm / std::max(length, 1e-12));
@@ -42,10 +42,10 @@ std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const Layer
     for (int k = 0; k < pieces; ++k) {
       const Segment2 piece{a + (b - a) * (1.0 * k / pieces), a + (b - a) * ((k + 1.0) / pieces)};
       const Vec2 middle = (piece[0] + piece[1]) / 2.0;
-      if (isSolid(middle + across) != isSolid(middle - across)) kept.push_back(piece);
+      if (isSolid(middle + across) != isSolid(middle - across)) segments.push_back(piece);
     }
   }
-  return kept;
+  return segments;
 }
 
 /// Nodes in the middle of a part too thin for the outer wall.

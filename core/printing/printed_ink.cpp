@@ -103,7 +103,7 @@ std::vector<std::uint8_t> eroded(const Nodes& nodes, const std::vector<std::uint
       clear[nodes.index(column, row)] = std::min(clear[nodes.index(column, row)], last);
     }
   });
-  std::vector<std::uint8_t> kept(map.size());
+  std::vector<std::uint8_t> result(map.size());
   parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
     const int row = static_cast<int>(y);
     for (int column = 0; column < edge; ++column) {
@@ -112,10 +112,10 @@ std::vector<std::uint8_t> eroded(const Nodes& nodes, const std::vector<std::uint
         if (row + k < 0 || row + k >= edge) continue;
         isWhole = clear[nodes.index(column, row + k)] > halfWidths[static_cast<std::size_t>(std::abs(k))];
       }
-      kept[nodes.index(column, row)] = isWhole;
+      result[nodes.index(column, row)] = isWhole;
     }
   });
-  return kept;
+  return result;
 }
 
 /// Returns the nodes of one value that a line of an ellipse's outline covers without leaving them [opening].

@@ -28,14 +28,14 @@ constexpr double kTileFinest = 10, kTileHalos = 4, kMaxTiles = 64;
 
 /// Returns the part of a convex polygon on the side that a plane's normal points to [Sutherland, Hodgman 1974].
 Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
-  Polygon kept;
+  Polygon result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     const double overA = glm::dot(a - origin, normal), overB = glm::dot(b - origin, normal);
-    if (overA >= 0) kept.add(a);
-    if ((overA >= 0) != (overB >= 0)) kept.add(a + (b - a) * (overA / (overA - overB)));
+    if (overA >= 0) result.add(a);
+    if ((overA >= 0) != (overB >= 0)) result.add(a + (b - a) * (overA / (overA - overB)));
   }
-  return kept;
+  return result;
 }
 
 /// Returns the part of a triangle that the eye sees through the square, if it faces the eye; ignores other triangles
@@ -69,13 +69,13 @@ struct Rectangle {
 
 /// Returns a grid without the nodes near its border.
 LayerGrid cropped(const LayerGrid& grid, int border) {
-  LayerGrid kept{grid.node(border, border), grid.stepMm, grid.columns - 2 * border, grid.rows - 2 * border, {}};
-  kept.distanceMm.reserve(static_cast<std::size_t>(kept.columns) * static_cast<std::size_t>(kept.rows));
-  for (int row = 0; row < kept.rows; ++row) {
+  LayerGrid inner{grid.node(border, border), grid.stepMm, grid.columns - 2 * border, grid.rows - 2 * border, {}};
+  inner.distanceMm.reserve(static_cast<std::size_t>(inner.columns) * static_cast<std::size_t>(inner.rows));
+  for (int row = 0; row < inner.rows; ++row) {
     const auto from = grid.distanceMm.begin() + static_cast<std::ptrdiff_t>(grid.index(border, row + border));
-    kept.distanceMm.insert(kept.distanceMm.end(), from, from + kept.columns);
+    inner.distanceMm.insert(inner.distanceMm.end(), from, from + inner.columns);
   }
-  return kept;
+  return inner;
 }
 
 }  // namespace
@@ -405,10 +405,10 @@ double PrintedLayers::refined(int layer, const Ray& ray, double outside, double 
   double overOutside = over(outside), overInside = over(inside);
   for (int k = 0; k < kRefinements && inside - outside > kNearEnoughMm; ++k) {
     const double t = outside + (inside - outside) * (overOutside / (overOutside - overInside));
-    const double found = over(t);
-    (found < 0 ? inside : outside) = t;
-    (found < 0 ? overInside : overOutside) = found;
-    (found < 0 ? overOutside : overInside) /= 2;  // so that both ends move
+    const double value = over(t);
+    (value < 0 ? inside : outside) = t;
+    (value < 0 ? overInside : overOutside) = value;
+    (value < 0 ? overOutside : overInside) /= 2;  // so that both ends move
   }
   return inside;
 }

@@ -117,8 +117,8 @@ class NearestMaterial {
     const Vec2 place = (at / extentMm_ + 0.5) * static_cast<double>(texels_);
     const int column = std::clamp(static_cast<int>(place.x), 0, texels_ - 1);
     const int row = std::clamp(static_cast<int>(place.y), 0, texels_ - 1);
-    const float found = distance_[static_cast<std::size_t>(row * texels_ + column)];
-    return std::isfinite(found) ? static_cast<double>(found) : 0;
+    const float value = distance_[static_cast<std::size_t>(row * texels_ + column)];
+    return std::isfinite(value) ? static_cast<double>(value) : 0;
   }
 
  private:

@@ -34,9 +34,9 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
   DirectionSearch search(surface.renderer, centre.position, triangleNormal(surface.mesh, centre.triangle),
                          request.upHint, request.eyeDistanceMm, options);
   for (int i = 0; i < mostLooks; ++i) {
-    const Result<bool> found = search.step();
-    if (!found) return tl::unexpected(found.error());
-    if (*found) break;
+    const Result<bool> isDone = search.step();
+    if (!isDone) return tl::unexpected(isDone.error());
+    if (*isDone) break;
   }
   return search.normal();
 }

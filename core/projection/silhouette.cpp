@@ -192,10 +192,10 @@ class Flood {
     ObstructedFacet facet;
     facet.triangle = triangle;
     for (const std::uint32_t index : bins_.near(image(triangle))) {
-      const std::optional<Occluder> found = occluderOf(mesh_, triangle, contours_[index], eye_, frame_, view_);
-      if (!found) continue;
-      facet.occluders.push_back(found->segment);
-      facet.crossed = facet.crossed || found->crosses;
+      const std::optional<Occluder> occluder = occluderOf(mesh_, triangle, contours_[index], eye_, frame_, view_);
+      if (!occluder) continue;
+      facet.occluders.push_back(occluder->segment);
+      facet.crossed = facet.crossed || occluder->crosses;
     }
     return facet;
   }

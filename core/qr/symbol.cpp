@@ -203,9 +203,9 @@ int VersionsByLength::smallest(std::string_view text) {
     bits[group] = segmentBits(segmentText(text, static_cast<int>(version)), static_cast<int>(version));
     version = static_cast<std::size_t>(lastVersionOfGroup(static_cast<int>(version))) + 1;
   }
-  const auto [found, isNew] = known_.try_emplace(bits, 0);
-  if (isNew) found->second = smallestVersion(text, level_);
-  return found->second;
+  const auto [it, isNew] = known_.try_emplace(bits, 0);
+  if (isNew) it->second = smallestVersion(text, level_);
+  return it->second;
 }
 
 }  // namespace qrelief

@@ -15,15 +15,15 @@ std::size_t square(int edge) { return static_cast<std::size_t>(edge) * static_ca
 }  // namespace
 
 Result<FloorPasses::PingPong> FloorPasses::PingPong::create(int edge, gl::Format format) {
-  PingPong made;
+  PingPong pingPong;
   for (std::size_t i = 0; i < 2; ++i) {
-    made.textures[i] = gl::Texture(edge, edge, format);
-    const gl::Texture* const colours[] = {&made.textures[i]};
+    pingPong.textures[i] = gl::Texture(edge, edge, format);
+    const gl::Texture* const colours[] = {&pingPong.textures[i]};
     auto target = gl::Framebuffer::create(colours, false);
     if (!target) return tl::unexpected(target.error());
-    made.targets[i] = std::move(*target);
+    pingPong.targets[i] = std::move(*target);
   }
-  return made;
+  return pingPong;
 }
 
 Result<FloorPasses> FloorPasses::create(const Setup& setup, std::shared_ptr<const LuminancePrograms> programs) {

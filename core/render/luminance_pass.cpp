@@ -38,7 +38,7 @@ Status makeProgram(gl::Program& program, const char* name, const char* vertex, c
 
 Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
   auto programs = std::make_shared<LuminancePrograms>();
-  for (const Status& made :
+  for (const Status& status :
        {makeProgram(programs->horizon, "horizon", shaders::fullscreen_vert, shaders::horizon_frag),
         makeProgram(programs->occlusion, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
         makeProgram(programs->reduction, "reduction", shaders::cells_vert, shaders::reduction_frag),
@@ -48,7 +48,7 @@ Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
         makeProgram(programs->floorSolution, "floor-solution", shaders::fullscreen_vert, shaders::floor_solution_frag),
         makeProgram(programs->floorDepth, "floor-depth", shaders::fullscreen_vert, shaders::floor_depth_frag),
         makeProgram(programs->floorRecord, "floor-record", shaders::fullscreen_vert, shaders::floor_record_frag)})
-    if (!made) return tl::unexpected(made.error());
+    if (!status) return tl::unexpected(status.error());
   return std::shared_ptr<const LuminancePrograms>(std::move(programs));
 }
 
@@ -69,15 +69,15 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
     pass.programs_ = std::move(*compiled);
   }
   const int texels = maps.window.texels;
-  for (const Status& made :
+  for (const Status& status :
        {makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
         makeTarget(pass.means_, pass.meansTarget_, pass.cells_, pass.cells_, gl::Format::RGBA32F),
         makeTarget(pass.luminance_, pass.luminanceTarget_, pass.cells_, pass.cells_, gl::Format::R32F)})
-    if (!made) return tl::unexpected(made.error());
+    if (!status) return tl::unexpected(status.error());
   pass.depths_ = gl::Texture(pass.cells_, pass.cells_, gl::Format::R32F);
   pass.setDepths(
       std::vector<float>(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_), 0.0f));
-  if (const Status found = pass.findHorizon(surroundings); !found) return tl::unexpected(found.error());
+  if (const Status status = pass.findHorizon(surroundings); !status) return tl::unexpected(status.error());
   pass.cellArray_ = gl::VertexArray::create();
   std::vector<std::uint32_t> all(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_));
   std::iota(all.begin(), all.end(), 0u);
@@ -131,10 +131,10 @@ Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   const gl::TimedPass timed("horizon");
   const gl::Program& program = programs_->horizon;
   gl::Framebuffer target;
-  if (const Status made = makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples,
-                                     options_.horizonSamples, gl::Format::RGBA32F);
-      !made)
-    return made;
+  if (const Status status = makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples,
+                                       options_.horizonSamples, gl::Format::RGBA32F);
+      !status)
+    return status;
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

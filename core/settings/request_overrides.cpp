@@ -11,91 +11,91 @@ namespace {
 using Kind = Setting::Kind;
 
 Tunable tunableOf(const Setting& setting, std::string key) {
-  Tunable made;
-  made.setting = &setting;
-  made.key = std::move(key);
-  made.min = setting.min, made.max = setting.max, made.step = setting.step;
-  return made;
+  Tunable tunable;
+  tunable.setting = &setting;
+  tunable.key = std::move(key);
+  tunable.min = setting.min, tunable.max = setting.max, tunable.step = setting.step;
+  return tunable;
 }
 
 Tunable numberOf(const Setting& setting) {
-  Tunable made = tunableOf(setting, setting.key);
+  Tunable tunable = tunableOf(setting, setting.key);
   const bool isEmptyAtZero = setting.mayBeEmpty && !setting.otherwise;
-  if (isEmptyAtZero) made.min = 0;
-  made.read = [&setting](const EngraveRequest& request) {
+  if (isEmptyAtZero) tunable.min = 0;
+  tunable.read = [&setting](const EngraveRequest& request) {
     const SettingValue value = setting.read(request);
     const double* number = std::get_if<double>(&value);
     return number ? *number : setting.otherwise ? setting.otherwise(request) : 0;
   };
-  made.write = [&setting, isEmptyAtZero](EngraveRequest& request, double value) {
+  tunable.write = [&setting, isEmptyAtZero](EngraveRequest& request, double value) {
     if (setting.isWhole) value = std::round(value);
     if (isEmptyAtZero && value <= 0)
       setting.write(request, {});
     else
       setting.write(request, std::max(value, setting.min));
   };
-  return made;
+  return tunable;
 }
 
 Tunable switchOf(const Setting& setting) {
-  Tunable made = tunableOf(setting, setting.key);
-  made.isSwitch = true;
-  made.read = [&setting](const EngraveRequest& request) { return std::get<bool>(setting.read(request)) ? 1 : 0; };
-  made.write = [&setting](EngraveRequest& request, double value) { setting.write(request, value != 0); };
-  return made;
+  Tunable tunable = tunableOf(setting, setting.key);
+  tunable.isSwitch = true;
+  tunable.read = [&setting](const EngraveRequest& request) { return std::get<bool>(setting.read(request)) ? 1 : 0; };
+  tunable.write = [&setting](EngraveRequest& request, double value) { setting.write(request, value != 0); };
+  return tunable;
 }
 
 /// Makes a tunable for a choice. A vector cannot be chosen, only taken over from the page.
 Tunable choiceOf(const Setting& setting) {
-  Tunable made = tunableOf(setting, setting.key);
-  made.choices = setting.choices;
-  if (setting.takesNumber()) made.choices.emplace_back("number");
-  if (setting.takesVector()) made.choices.emplace_back("vector");
-  made.min = 0, made.max = static_cast<double>(made.choices.size() - 1), made.step = 1;
-  made.read = [&setting](const EngraveRequest& request) {
+  Tunable tunable = tunableOf(setting, setting.key);
+  tunable.choices = setting.choices;
+  if (setting.takesNumber()) tunable.choices.emplace_back("number");
+  if (setting.takesVector()) tunable.choices.emplace_back("vector");
+  tunable.min = 0, tunable.max = static_cast<double>(tunable.choices.size() - 1), tunable.step = 1;
+  tunable.read = [&setting](const EngraveRequest& request) {
     const SettingValue value = setting.read(request);
     const std::string* name = std::get_if<std::string>(&value);
-    const auto found = std::find(setting.choices.begin(), setting.choices.end(), name ? *name : std::string());
-    return static_cast<double>(found - setting.choices.begin());
+    const auto it = std::find(setting.choices.begin(), setting.choices.end(), name ? *name : std::string());
+    return static_cast<double>(it - setting.choices.begin());
   };
-  made.write = [&setting](EngraveRequest& request, double value) {
+  tunable.write = [&setting](EngraveRequest& request, double value) {
     const auto index = static_cast<std::size_t>(value);
     if (index < setting.choices.size())
       setting.write(request, setting.choices[index]);
     else if (setting.takesNumber() && !std::holds_alternative<double>(setting.read(request)))
       setting.write(request, setting.usual);
   };
-  return made;
+  return tunable;
 }
 
 /// Makes the tunable for the number of a choice. It takes effect only while a number is chosen.
 Tunable numberBesideChoice(const Setting& setting) {
-  Tunable made = tunableOf(setting, setting.key + ".number");
-  made.read = [&setting](const EngraveRequest& request) {
+  Tunable tunable = tunableOf(setting, setting.key + ".number");
+  tunable.read = [&setting](const EngraveRequest& request) {
     const SettingValue value = setting.read(request);
     const double* number = std::get_if<double>(&value);
     return number ? *number : setting.usual;
   };
-  made.write = [&setting](EngraveRequest& request, double value) {
+  tunable.write = [&setting](EngraveRequest& request, double value) {
     if (setting.isWhole) value = std::round(value);
     if (std::holds_alternative<double>(setting.read(request))) setting.write(request, value);
   };
-  return made;
+  return tunable;
 }
 
 /// Makes the tunable for a part of a lamp. A missing lamp has strength 0.
 Tunable partOfLamp(const Setting& setting, std::size_t lamp, const LampPart& part) {
-  Tunable made = tunableOf(setting, fmt::format("{}.{}.{}", setting.key, lamp + 1, part.key));
-  made.min = part.min, made.max = part.max, made.step = part.step;
-  made.read = [lamp, part](const EngraveRequest& request) {
+  Tunable tunable = tunableOf(setting, fmt::format("{}.{}.{}", setting.key, lamp + 1, part.key));
+  tunable.min = part.min, tunable.max = part.max, tunable.step = part.step;
+  tunable.read = [lamp, part](const EngraveRequest& request) {
     static const DirectionalLight kOff = {.strength = 0};
     return (lamp < request.depth.lights.size() ? request.depth.lights[lamp] : kOff).*part.value;
   };
-  made.write = [lamp, part](EngraveRequest& request, double value) {
+  tunable.write = [lamp, part](EngraveRequest& request, double value) {
     while (request.depth.lights.size() <= lamp) request.depth.lights.push_back({.strength = 0});
     request.depth.lights[lamp].*part.value = value;
   };
-  return made;
+  return tunable;
 }
 
 std::vector<Tunable> makeTunables() {

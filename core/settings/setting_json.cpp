@@ -35,10 +35,10 @@ std::optional<DirectionalLight> lampFrom(const Json& value) {
   DirectionalLight lamp;
   std::size_t known = 0;
   for (const LampPart& part : lampParts()) {
-    const auto found = value.find(std::string(part.key));
-    if (found == value.end()) continue;
-    if (!isFinite(*found)) return {};
-    lamp.*part.value = found->get<double>();
+    const auto it = value.find(std::string(part.key));
+    if (it == value.end()) continue;
+    if (!isFinite(*it)) return {};
+    lamp.*part.value = it->get<double>();
     ++known;
   }
   return known == value.size() ? std::optional(lamp) : std::nullopt;
@@ -94,13 +94,13 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
       return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
-    const auto found = given.find(setting.key);
-    if (found == given.end() || found->is_null()) continue;
-    if (found->is_string() && findRemovedChoice(setting.key, found->get<std::string>())) continue;
-    const auto value = valueFrom(setting, *found);
+    const auto it = given.find(setting.key);
+    if (it == given.end() || it->is_null()) continue;
+    if (it->is_string() && findRemovedChoice(setting.key, it->get<std::string>())) continue;
+    const auto value = valueFrom(setting, *it);
     // An unknown choice also counts as the wrong kind, because there is nothing to write.
     const bool isName = value && std::holds_alternative<std::string>(*value);
-    if (!value || (isName && !checkValue(setting, *value))) return tl::unexpected(wrongKind(setting, shown(*found)));
+    if (!value || (isName && !checkValue(setting, *value))) return tl::unexpected(wrongKind(setting, shown(*it)));
     setting.write(request, *value);
   }
   return request;

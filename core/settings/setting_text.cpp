@@ -74,9 +74,9 @@ std::optional<SettingValue> valueFrom(const Setting& setting, std::span<const st
 Result<SettingValue> valueFromText(const Setting& setting, std::span<const std::string> texts) {
   assert(!texts.empty());
   if (auto value = valueFrom(setting, texts)) return *value;
-  std::string found;
-  for (const std::string& text : texts) found += (found.empty() ? "\"" : ", \"") + text + '"';
-  return tl::unexpected(wrongKind(setting, found));
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "\"" : ", \"") + text + '"';
+  return tl::unexpected(wrongKind(setting, list));
 }
 
 std::string valueText(const SettingValue& value) {

@@ -25,14 +25,14 @@ std::string plain(double value) { return fmt::format("{:g}", value); }
 void addLargerCode(const EngraveRequest& request, const EngraveResult& result, double leastModuleMm,
                    std::vector<Remedy>& remedies) {
   const PlacementRequest& place = request.placement;
-  const Placement& found = result.placement;
+  const Placement& placement = result.placement;
   if (place.sizeMode == SizeMode::Fixed) {
-    if (found.guaranteedMm > found.symbolMm + 0.1)
+    if (placement.guaranteedMm > placement.symbolMm + 0.1)
       remedies.push_back({message("remedy-as-large-as-fits"), "size", "free"});
     return;
   }
-  const double neededMm = std::ceil(std::max(kLarger * found.symbolMm, leastModuleMm * result.symbol.size));
-  if (found.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
+  const double neededMm = std::ceil(std::max(kLarger * placement.symbolMm, leastModuleMm * result.symbol.size));
+  if (placement.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
     remedies.push_back({message("remedy-allow-size", with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
   else if (place.sizeMode != SizeMode::Best)
     remedies.push_back({message("remedy-turn"), "size", "best"});

@@ -21,11 +21,11 @@ std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int 
     const FrontalView& view = kFrontalViews[k];
     const double pixels = pixelsPerModule * view.pixelsPerModule / kFrontalViews.front().pixelsPerModule;
     const double coarser = std::max(1.0, pixelsPerModule / std::min(pixels, view.pixelsPerModule));
-    const double made = pixelsPerModule / coarser;
-    const GreyImage picture =
-        photograph(resampled(luminance, width, coarser, view.phase), resampledWidth(width, coarser),
-                   {.blurPx = view.blurModules * made, .noise = kNoise, .strayLight = kStrayLight, .seed = k + 1});
-    variants[k] = readingVariants(picture, made);
+    const double drawnPixels = pixelsPerModule / coarser;
+    const GreyImage picture = photograph(
+        resampled(luminance, width, coarser, view.phase), resampledWidth(width, coarser),
+        {.blurPx = view.blurModules * drawnPixels, .noise = kNoise, .strayLight = kStrayLight, .seed = k + 1});
+    variants[k] = readingVariants(picture, drawnPixels);
   });
   std::vector<GreyImage> pictures;
   for (std::vector<GreyImage>& ofView : variants)

@@ -93,12 +93,12 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
   std::optional<ModulePattern> best;
   double least = kAlike;
   for (const ModulePattern pattern : kPatterns) {
-    const SubmoduleMask wanted = submodulesToCarve(symbol, pattern, FinderPattern::None);
+    const SubmoduleMask expected = submodulesToCarve(symbol, pattern, FinderPattern::None);
     int wrong = 0, modules = 0;
     for (int row = 0; row < symbol.size; ++row)
       for (int column = 0; column < symbol.size; ++column) {
         if (!symbol.isDark(row, column) || symbol.role(row, column) != ModuleRole::Data) continue;
-        wrong += differences(mask, row, column, wanted);
+        wrong += differences(mask, row, column, expected);
         ++modules;
       }
     if (modules > 0 && static_cast<double>(wrong) / modules < least) {

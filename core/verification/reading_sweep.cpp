@@ -96,11 +96,11 @@ void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
       // Only frontal pictures count their successes; all others stop at the first one.
       if (view.test != ReadingTest::Frontal && view.read()) return;
       ++view.tries;
-      const auto found = decoder(variant);
-      if (!found) continue;
-      if (found->text != text_) {
-        view.otherText = found->text;
-      } else if (found->mirrored) {
+      const auto decoded = decoder(variant);
+      if (!decoded) continue;
+      if (decoded->text != text_) {
+        view.otherText = decoded->text;
+      } else if (decoded->mirrored) {
         view.mirrored = true;
       } else {
         ++view.reads;
@@ -109,9 +109,10 @@ void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
         const double modules = static_cast<double>(picture.width) / view.pixelsPerModule / variant.width;
         double error = 0;
         for (std::size_t k = 0; k < 4; ++k) {
-          const Vec2 at = found->corners[k] * modules - Vec2(picture.width / view.pixelsPerModule / 2);
-          const Vec2 wanted = Vec2(k == 1 || k == 2 ? 0.5 : -0.5, k >= 2 ? 0.5 : -0.5) * static_cast<double>(modules_);
-          error = std::max(error, glm::length(at - wanted));
+          const Vec2 at = decoded->corners[k] * modules - Vec2(picture.width / view.pixelsPerModule / 2);
+          const Vec2 expected =
+              Vec2(k == 1 || k == 2 ? 0.5 : -0.5, k >= 2 ? 0.5 : -0.5) * static_cast<double>(modules_);
+          error = std::max(error, glm::length(at - expected));
         }
         cornerError_ = error;
       }

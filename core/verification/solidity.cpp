@@ -108,9 +108,9 @@ bool anyRepeatsAVertex(const Mesh& mesh) {
 }  // namespace
 
 std::vector<SolidityFinding> SolidityReport::findings() const {
-  std::vector<SolidityFinding> found;
+  std::vector<SolidityFinding> findings;
   const auto add = [&](std::size_t n, Message what, Vec3 at) {
-    if (n > 0) found.push_back({std::move(what), at});
+    if (n > 0) findings.push_back({std::move(what), at});
   };
   add(openEdges, message("solid-open-edges", with::count<"count">(openEdges)), openAt);
   add(nonManifoldEdges, message("solid-crowded-edges", with::count<"count">(nonManifoldEdges)), nonManifoldEdgeAt);
@@ -122,10 +122,10 @@ std::vector<SolidityFinding> SolidityReport::findings() const {
   add(duplicateTriangles, message("solid-duplicate-triangles", with::count<"count">(duplicateTriangles)), duplicateAt);
   add(selfIntersections, message("solid-crossing-pairs", with::count<"count">(selfIntersections)), selfIntersectionAt);
   if (triangles == 0)
-    found.push_back({message("solid-no-triangle"), std::nullopt});
+    findings.push_back({message("solid-no-triangle"), std::nullopt});
   else if (!(volumeMm3 > 0))
-    found.push_back({message("solid-inside-out", with::number<"volumeMm3">(volumeMm3)), std::nullopt});
-  return found;
+    findings.push_back({message("solid-inside-out", with::number<"volumeMm3">(volumeMm3)), std::nullopt});
+  return findings;
 }
 
 std::vector<Message> SolidityReport::problems() const {

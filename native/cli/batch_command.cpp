@@ -124,7 +124,7 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   const BatchLayout layout = {plan.size(), options.perPlate, options.printEvery};
   BatchProgress progress(layout, given.shard);
   const std::size_t mine = layout.rowsOf(given.shard);
-  std::size_t made = 0;  // rows carved now that passed
+  std::size_t passed = 0;  // rows carved now that passed
   while (const auto unit = progress.take()) {
     std::vector<BatchRow> rows;
     for (std::size_t i = layout.begin(*unit); i < layout.end(*unit); ++i) rows.push_back(plan.row(i));
@@ -135,13 +135,13 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
     else
       for (const ManifestEntry& entry : carved->entries) progress.note(entry);
     const std::size_t done = doneAmong(carved->entries);
-    if (carved->isNew) made += done;
+    if (carved->isNew) passed += done;
     if (!options.quiet && (carved->isNew || done == 0))
       printProgress(carved->entries, progress, mine, millisecondsSince(start));
   }
   if (given.shard.isWhole()) return finish(run.folder(), plan);
   const BatchProgress::Counts& counts = progress.counts();
-  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), made, counts.done - made,
+  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), passed, counts.done - passed,
              counts.failed);
   return counts.failed == 0 ? kEngraved : kCheckFailed;
 }
@@ -210,9 +210,9 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     else
       for (const std::string& file : row->files()) known[file] = {next, row->request.code.text, row->file};
     if (same == known.end()) ++next;
-    const auto made = run.make({*row}, *placed);
-    if (!made) return printError(made.error());
-    const ManifestEntry& entry = made->entries.front();
+    const auto carved = run.make({*row}, *placed);
+    if (!carved) return printError(carved.error());
+    const ManifestEntry& entry = carved->entries.front();
     hasFailed |= entry.status != RowStatus::Done;
     std::cout << manifestLine(entry) << std::endl;  // flush: the client waits for the line
   }

@@ -66,12 +66,12 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveR
     if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
   }
   const BatchUnit unit = {std::move(rows), plate, isFiled(), input_, otherSettings(*options_)};
-  Made made = {pendingEntries(unit, hashesOf(rowsToHash(unit, hashesOf(matesToHash(unit))))), false};
+  Made result = {pendingEntries(unit, hashesOf(rowsToHash(unit, hashesOf(matesToHash(unit))))), false};
   std::vector<ManifestEntry> changed;
-  for (ManifestEntry& entry : made.entries) {
+  for (ManifestEntry& entry : result.entries) {
     const EarlierRow known = folder_.known(entry);
     if (known.isOpen(options_->retryFailed)) {
-      made.isNew = true;
+      result.isNew = true;
     } else if (known.state == EarlierRow::State::Changed) {
       entry.reason = sentenceAndHint(message("file-changed"));
       changed.push_back(entry);
@@ -79,11 +79,11 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveR
       entry = known.entry;
     }
   }
-  if (made.isNew)
-    if (const Status carved = carveAll(unit, made.entries); !carved) return tl::unexpected(carved.error());
-  for (const ManifestEntry& entry : made.isNew ? made.entries : changed)
+  if (result.isNew)
+    if (const Status carved = carveAll(unit, result.entries); !carved) return tl::unexpected(carved.error());
+  for (const ManifestEntry& entry : result.isNew ? result.entries : changed)
     if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
-  return made;
+  return result;
 }
 
 /// Returns true if each row has a file of its own.

@@ -50,17 +50,17 @@ Result<double> levelFor(const Method& method, const StudyPlacement& spot, double
     if (!depth) return tl::unexpected(depth.error());
     tried[i] = {first[i], std::log(*depth)};
   }
-  const double wanted = std::log(depthMm);
+  const double logDepth = std::log(depthMm);
   for (int i = 0;; ++i) {
     const auto [a, b] = tried;
     if (a.logDepth == b.logDepth) return b.level;  // walls limit both depths
     const double level =
-        std::clamp(a.level + (b.level - a.level) * (wanted - a.logDepth) / (b.logDepth - a.logDepth), 0.02, 0.9);
+        std::clamp(a.level + (b.level - a.level) * (logDepth - a.logDepth) / (b.logDepth - a.logDepth), 0.02, 0.9);
     if (i == kCorrections) return level;
     const auto depth = depthAt(method, spot, level);
     if (!depth) return tl::unexpected(depth.error());
     if (std::abs(*depth / depthMm - 1) <= kAlike) return level;
-    tried[std::abs(wanted - a.logDepth) > std::abs(wanted - b.logDepth) ? 0 : 1] = {level, std::log(*depth)};
+    tried[std::abs(logDepth - a.logDepth) > std::abs(logDepth - b.logDepth) ? 0 : 1] = {level, std::log(*depth)};
   }
 }
 

@@ -33,9 +33,9 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   EngraveResult result;
   result.placement = (*spot)->placement;
   result.symbol = code->symbol;
-  VerifyRequest wanted = verifyRequestOf(request, result);
-  wanted.ranges = true;
-  auto job = VerifyJob::create(surface->mesh(), wanted, zxingDecoders());
+  VerifyRequest verification = verifyRequestOf(request, result);
+  verification.ranges = true;
+  auto job = VerifyJob::create(surface->mesh(), verification, zxingDecoders());
   if (!job) return tl::unexpected(job.error());
   const auto verified = runToEnd(**job);
   if (!verified) return tl::unexpected(verified.error());

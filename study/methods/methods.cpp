@@ -168,8 +168,8 @@ const std::vector<Method>& methods() {
 }
 
 const Method* findMethod(const std::string& name) {
-  const auto found = std::find_if(methods().begin(), methods().end(), [&](const Method& m) { return m.name == name; });
-  return found == methods().end() ? nullptr : &*found;
+  const auto it = std::find_if(methods().begin(), methods().end(), [&](const Method& m) { return m.name == name; });
+  return it == methods().end() ? nullptr : &*it;
 }
 
 }  // namespace qrelief::study

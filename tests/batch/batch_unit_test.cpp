@@ -57,16 +57,16 @@ TEST(BatchUnit, APendingEntryNamesTheFileAndThePlate) {
 
 struct EarlierRowTest : testing::Test {
   ManifestEntry listed(RowStatus status, const std::string& output = "out") const {
-    ManifestEntry entry = wanted;
+    ManifestEntry entry = pending;
     entry.status = status;
     entry.sha256.output = output;
     return entry;
   }
   void add(const ManifestEntry& entry) {
-    row.add(entry, wanted, [&](const std::string& file) { return file.empty() ? "" : onDisk; });
+    row.add(entry, pending, [&](const std::string& file) { return file.empty() ? "" : onDisk; });
   }
 
-  const ManifestEntry wanted = pendingEntries(unitOf(1), std::vector<std::string>{"h"})[0];
+  const ManifestEntry pending = pendingEntries(unitOf(1), std::vector<std::string>{"h"})[0];
   std::optional<std::string> onDisk = "out";
   EarlierRow row;
 };

@@ -39,14 +39,14 @@ TEST(Manifest, ReadsBackWhatItWrote) {
 }
 
 TEST(Manifest, KeepsTheSecondFileOfARow) {
-  ManifestEntry made = entry(4, RowStatus::Done);
-  made.second = "f-2.stl";
-  made.sha256.second = "ee";
-  const auto row = readManifestLine(manifestLine(made));
+  ManifestEntry done = entry(4, RowStatus::Done);
+  done.second = "f-2.stl";
+  done.sha256.second = "ee";
+  const auto row = readManifestLine(manifestLine(done));
   ASSERT_TRUE(row);
   EXPECT_EQ(row->second, "f-2.stl");
-  expectEqual(*row, made);
-  EXPECT_NE(manifestCsvLine(made).find(",cc,f-2.stl,ee\r\n"), std::string::npos) << manifestCsvLine(made);
+  expectEqual(*row, done);
+  EXPECT_NE(manifestCsvLine(done).find(",cc,f-2.stl,ee\r\n"), std::string::npos) << manifestCsvLine(done);
 }
 
 TEST(Manifest, RefusesLinesThatAreNotOfAManifest) {

@@ -13,17 +13,17 @@ using testing::IsEmpty;
 std::string filled(const char* text, const char* value) {
   const auto parsed = TextTemplate::parse(text);
   if (!parsed) return parsed.error().message.code;
-  const auto made = parsed->filled([&](std::string_view) { return value; });
-  return made ? *made : made.error().message.code;
+  const auto result = parsed->filled([&](std::string_view) { return value; });
+  return result ? *result : result.error().message.code;
 }
 
 TEST(TextTemplate, InsertsValues) {
   const auto parsed = TextTemplate::parse("https://example.org/{lot}/{n:05}?lot={lot}");
   ASSERT_TRUE(parsed);
   EXPECT_THAT(parsed->names(), ElementsAre("lot", "n"));
-  const auto made = parsed->filled([](std::string_view name) { return name == "n" ? "42" : "A7"; });
-  ASSERT_TRUE(made);
-  EXPECT_EQ(*made, "https://example.org/A7/00042?lot=A7");
+  const auto text = parsed->filled([](std::string_view name) { return name == "n" ? "42" : "A7"; });
+  ASSERT_TRUE(text);
+  EXPECT_EQ(*text, "https://example.org/A7/00042?lot=A7");
 }
 
 TEST(TextTemplate, PadsOnlyShortNumbersWithZeros) {

@@ -140,12 +140,12 @@ TEST(Embed, KeepsEveryFacetOutsideThePocketsBitForBitAndInOrder) {
   const auto result = carve(mesh, frame, field);
   ASSERT_TRUE(result) << result.error().message;
   std::size_t next = 0;
-  std::set<CornerTriple> kept;
+  std::set<CornerTriple> unchanged;
   for (std::size_t t = 0; t < result->keptTriangles; ++t) {
     const CornerTriple corners = cornersOf(result->mesh, t);
     while (next < mesh.triangles.size() && cornersOf(mesh, next) != corners) ++next;
     ASSERT_LT(next++, mesh.triangles.size()) << "facet " << t << " is none of the model's, or out of order";
-    kept.insert(corners);
+    unchanged.insert(corners);
   }
   const double h = field.submoduleMm();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -162,7 +162,7 @@ TEST(Embed, KeepsEveryFacetOutsideThePocketsBitForBitAndInOrder) {
                         hi.y > corner.y - h);
       }
     if (near && glm::dot(mesh.corner(t, 0), frame.normal) > 0) continue;
-    EXPECT_TRUE(kept.count(cornersOf(mesh, t))) << "facet " << t << " is far from every pocket";
+    EXPECT_TRUE(unchanged.count(cornersOf(mesh, t))) << "facet " << t << " is far from every pocket";
   }
   EXPECT_EQ(result->newTriangles.front(), result->keptTriangles);
   EXPECT_EQ(result->newTriangles.back() + 1, result->mesh.triangles.size());

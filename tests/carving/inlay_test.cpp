@@ -51,9 +51,9 @@ Mesh gluedTogether(const Mesh& carved, const Mesh& inlay) {
   Mesh glued = carved;
   glued.triangles.clear();
   for (std::size_t t = 0; t < carved.triangles.size(); ++t) {
-    const auto found = turned.find(cornersOf(carved, t, false));
-    if (found != turned.end() && found->second-- > 0)
-      ++matched[found->first];
+    const auto it = turned.find(cornersOf(carved, t, false));
+    if (it != turned.end() && it->second-- > 0)
+      ++matched[it->first];
     else
       glued.triangles.push_back(carved.triangles[t]);
   }

@@ -27,9 +27,9 @@ OutlinedPockets pockets(const LabelOptions& label, int modules, double depthMm) 
   return {layout->rings, layout->covered, depthMm};
 }
 
-double areaOf(const OutlinedPockets& made) {
+double areaOf(const OutlinedPockets& pockets) {
   double area = 0;
-  for (const Ring& ring : made.rings)
+  for (const Ring& ring : pockets.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) area += cross2(ring[i], ring[(i + 1) % ring.size()]) / 2;
   return area;
 }

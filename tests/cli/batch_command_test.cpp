@@ -59,20 +59,20 @@ class BatchCommandTest : public CommandTest {
 
 TEST_F(BatchCommandTest, CarvesOneModelPerRowAndReportsEachResult) {
   const std::string list = writeText("l.csv", "id;text\nA 1;first\nB2;\"second; quoted\"\n");
-  const Outcome made = run(arguments({"--list", list, "--reports"}));
-  ASSERT_EQ(made.status, 0) << made.err;
-  EXPECT_THAT(made.out, HasSubstr("2 rows: 2 done, 0 failed, 0 missing"));
+  const Outcome outcome = run(arguments({"--list", list, "--reports"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 rows: 2 done, 0 failed, 0 missing"));
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"A 1.stl", "A 1.stl.json", "B2.stl", "B2.stl.json",
                                                       "manifest.csv", "manifest.jsonl"}));
-  const std::vector<Json> rows = manifest();
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[1]["id"], "B2");
-  EXPECT_EQ(rows[1]["text"], "second; quoted");
-  EXPECT_EQ(rows[1]["file"], "B2.stl");
-  EXPECT_EQ(rows[1]["status"], "done");
-  EXPECT_EQ(rows[1]["verdict"]["reads"], "good");
-  EXPECT_GT(rows[1]["depth"]["meanMm"].get<double>(), 0.1);
-  EXPECT_EQ(rows[1]["sha256"]["output"].get<std::string>().size(), 64u);
+  const std::vector<Json> entries = manifest();
+  ASSERT_EQ(entries.size(), 2u);
+  EXPECT_EQ(entries[1]["id"], "B2");
+  EXPECT_EQ(entries[1]["text"], "second; quoted");
+  EXPECT_EQ(entries[1]["file"], "B2.stl");
+  EXPECT_EQ(entries[1]["status"], "done");
+  EXPECT_EQ(entries[1]["verdict"]["reads"], "good");
+  EXPECT_GT(entries[1]["depth"]["meanMm"].get<double>(), 0.1);
+  EXPECT_EQ(entries[1]["sha256"]["output"].get<std::string>().size(), 64u);
   const Json report = Json::parse(contentOf(path("out/B2.stl.json")));
   EXPECT_EQ(report["verification"]["text"], "second; quoted");
 
@@ -84,8 +84,8 @@ TEST_F(BatchCommandTest, CarvesOneModelPerRowAndReportsEachResult) {
 }
 
 TEST_F(BatchCommandTest, LabelsEveryCodeFromATemplate) {
-  const Outcome made = run(arguments({"--count", "2", "--text", "p/{n}", "--label", "No. {n:03}", "--reports"}));
-  ASSERT_EQ(made.status, 0) << made.err;
+  const Outcome outcome = run(arguments({"--count", "2", "--text", "p/{n}", "--label", "No. {n:03}", "--reports"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json first = Json::parse(contentOf(path("out/1.stl.json"))),
              second = Json::parse(contentOf(path("out/2.stl.json")));
   EXPECT_EQ(first["label"]["text"], "No. 001");
@@ -157,8 +157,8 @@ TEST_F(BatchCommandTest, SharesMakeTheFilesOfASingleRun) {
 
 TEST_F(BatchCommandTest, PlacesNamedPartsSideBySideOnPlates) {
   const std::string list = writeText("l.csv", "id,text\nA,one & only\nB,two\nC,three\n");
-  const Outcome made = run(arguments({"--list", list, "--per-plate", "2"}));
-  ASSERT_EQ(made.status, 0) << made.err;
+  const Outcome outcome = run(arguments({"--list", list, "--per-plate", "2"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(filesIn("out"),
             (std::vector<std::string>{"manifest.csv", "manifest.jsonl", "plate-001.3mf", "plate-002.3mf"}));
   EXPECT_EQ(manifest()[1]["file"], "plate-001.3mf");
@@ -195,19 +195,19 @@ TEST_F(BatchCommandTest, SimulatesThePrintOfEveryNthRow) {
   rows.erase(std::find(rows.begin(), rows.end(), "--process"));
   rows.erase(std::find(rows.begin(), rows.end(), "none"));
   ASSERT_EQ(run(rows).status, 0);
-  const std::vector<Json> made = manifest();
-  EXPECT_TRUE(made[0].contains("printed"));
-  EXPECT_FALSE(made[1].contains("printed"));
-  EXPECT_EQ(made[2]["printed"]["tries"], 72);
-  EXPECT_EQ(made[1]["reading"]["tries"], 72);
+  const std::vector<Json> entries = manifest();
+  EXPECT_TRUE(entries[0].contains("printed"));
+  EXPECT_FALSE(entries[1].contains("printed"));
+  EXPECT_EQ(entries[2]["printed"]["tries"], 72);
+  EXPECT_EQ(entries[1]["reading"]["tries"], 72);
 }
 
 TEST_F(BatchCommandTest, AFailedRowDoesNotStopTheRest) {
   const std::string list = writeText("l.csv", "text,size\na,\nb,39\nc,\n");
-  const Outcome made = run(arguments({"--list", list}));
-  EXPECT_EQ(made.status, 1);
-  EXPECT_THAT(made.out, HasSubstr("3 rows: 2 done, 1 failed"));
-  EXPECT_THAT(made.err, HasSubstr("row 2 (2) failed: "));
+  const Outcome outcome = run(arguments({"--list", list}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("3 rows: 2 done, 1 failed"));
+  EXPECT_THAT(outcome.err, HasSubstr("row 2 (2) failed: "));
   EXPECT_FALSE(fs::exists(path("out/2.stl")));
   EXPECT_TRUE(fs::exists(path("out/3.stl")));
   EXPECT_THAT(manifest()[1]["reason"].get<std::string>(), HasSubstr("mm"));
@@ -254,10 +254,10 @@ TEST_F(BatchCommandTest, TakesItsShareFromTheSchedulersEnvironment) {
       names.push_back(variable.substr(0, equals));
       ::setenv(names.back().c_str(), variable.substr(equals + 1).c_str(), 1);
     }
-    const Outcome made = run(arguments(rows));
+    const Outcome outcome = run(arguments(rows));
     for (const std::string& name : names) ::unsetenv(name.c_str());
-    EXPECT_EQ(made.status, 0) << made.err;
-    EXPECT_THAT(made.err, HasSubstr(says));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(says));
     EXPECT_THAT(filesIn("out"), Contains("manifest.2-of-3.jsonl"));
   }
 }
@@ -274,9 +274,9 @@ nonsense
   const auto at = std::find(stream.begin(), stream.end(), "--at");
   stream.erase(at, at + 2);  // when the command finds a spot by itself, stdout still has only the answers
   stream.back() += "' <'" + path("requests");  // the fixture puts quotes around it
-  const Outcome made = run(stream);
-  EXPECT_EQ(made.status, 0) << made.err;
-  std::vector<Json> answers = linesOf(made.out);
+  const Outcome outcome = run(stream);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<Json> answers = linesOf(outcome.out);
   ASSERT_EQ(answers.size(), 7u);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(answers[i]["status"], "refused");
   EXPECT_THAT(answers[1]["reason"].get<std::string>(), HasSubstr("more than"));

@@ -343,9 +343,9 @@ TEST_F(EngraveCommandTest, CarvesDeeperIfTheRequestedDepthDoesNotDecode) {
     return run(words);
   };
   const auto depth = [&] { return nlohmann::json::parse(contentOf(path("out.json")))["depth"]; };
-  const Outcome kept = engrave({"--preset", "shallow", "--keep-preset"});
-  EXPECT_EQ(kept.status, 1);
-  EXPECT_NE(kept.err.find("of 72 tries on simulated pictures succeeded"), std::string::npos) << kept.err;
+  const Outcome shallow = engrave({"--preset", "shallow", "--keep-preset"});
+  EXPECT_EQ(shallow.status, 1);
+  EXPECT_NE(shallow.err.find("of 72 tries on simulated pictures succeeded"), std::string::npos) << shallow.err;
   EXPECT_EQ(depth()["preset"], "shallow");
   EXPECT_EQ(engrave({"--contrast", "0.16"}).status, 1) << "what is said by itself is kept, too";
   EXPECT_FALSE(depth().contains("preset"));

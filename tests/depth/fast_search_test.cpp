@@ -132,7 +132,7 @@ TEST_F(FastSearchTest, StartingFromAnEarlierResultNeedsFewerMeasurementsAndNoMor
 TEST_F(FastSearchTest, NeedsOnlyTheRequestedLuminancesAndChecksAllAtTheEnd) {
   FastSearch fast(target(5), {.contrast = kContrast});
   const int edge = 5 * (symbol_.size + 8);
-  std::vector<double> told = luminances(fast.depths());
+  std::vector<double> luminance = luminances(fast.depths());
   std::size_t measured = 0;
   bool allInTheEnd = false;
   while (!fast.finished()) {
@@ -143,9 +143,9 @@ TEST_F(FastSearchTest, NeedsOnlyTheRequestedLuminancesAndChecksAllAtTheEnd) {
     for (const std::uint32_t i : all ? std::span<const std::uint32_t>(sky_.carved()) : fast.due()) {
       const auto at = static_cast<std::size_t>((static_cast<int>(i) / mask_.size + 20) * edge +
                                                static_cast<int>(i) % mask_.size + 20);
-      told[at] = now[at];
+      luminance[at] = now[at];
     }
-    fast.update(told);
+    fast.update(luminance);
   }
   EXPECT_TRUE(allInTheEnd);
   EXPECT_EQ(tooBright(fast.depths()), 0);

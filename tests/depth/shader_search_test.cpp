@@ -68,9 +68,9 @@ class ShaderSearchTest : public GlTest {
     place.light = &light_;
     place.cells = cells_;
     place.luminance = quietOnes();
-    auto made = ShaderSearch::create(target(), options, std::move(place));
-    EXPECT_TRUE(made.has_value());
-    return std::move(*made);
+    auto search = ShaderSearch::create(target(), options, std::move(place));
+    EXPECT_TRUE(search.has_value());
+    return std::move(*search);
   }
 
   Symbol symbol_;
@@ -169,10 +169,10 @@ TEST_F(ShaderSearchTest, FindsTheDepthsOfTheFastSearch) {
     light_.setDepths(depths);
     light_.run();
     const std::vector<float> seen = light_.readLuminance();
-    std::vector<double> told = quietOnes();
+    std::vector<double> luminance = quietOnes();
     for (std::size_t k = 0; k < carved_.size(); ++k)
-      told[inQuietZone(carved_[k])] = static_cast<double>(seen[cells_[k]]);
-    fast.update(told);
+      luminance[inQuietZone(carved_[k])] = static_cast<double>(seen[cells_[k]]);
+    fast.update(luminance);
   }
   constexpr double kHalfLayerMm = 0.1;
   std::size_t apart = 0;
@@ -213,16 +213,16 @@ TEST_F(ShaderSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   place.luminance = quietOnes();
   CarvingTarget shallow = target();
   shallow.limitMm.assign(mask_.carved.size(), 0.123);
-  const auto made = ShaderSearch::create(shallow, {.contrast = kContrast}, std::move(place));
-  ASSERT_TRUE(made.has_value());
-  while (!(*made)->finished()) (*made)->advance();
+  const auto search = ShaderSearch::create(shallow, {.contrast = kContrast}, std::move(place));
+  ASSERT_TRUE(search.has_value());
+  while (!(*search)->finished()) (*search)->advance();
   std::size_t tooBright = 0;
   for (const std::uint32_t i : carved_) {
-    EXPECT_LE((*made)->depths().depthMm[i], 0.123);
-    tooBright += (*made)->luminance()[inQuietZone(i)] > 1 - kContrast;
+    EXPECT_LE((*search)->depths().depthMm[i], 0.123);
+    tooBright += (*search)->luminance()[inQuietZone(i)] > 1 - kContrast;
   }
   EXPECT_GT(tooBright, 0u);
-  EXPECT_EQ((*made)->limitedCount(), tooBright);
+  EXPECT_EQ((*search)->limitedCount(), tooBright);
 }
 
 }  // namespace

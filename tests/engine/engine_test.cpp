@@ -120,6 +120,7 @@ TEST_F(EngineTest, NamesWhateverIsMissing) {
   expectError(engine_->placement(), "BadUsage", "no-model");
   expectError(engine_->startJob("engrave"), "BadUsage", "no-model");
   expectError(engine_->advanceJob("engrave"), "BadUsage", "not-engraving");
+  expectError(engine_->advanceJob("view-trials", R"({"read": true})"), "BadUsage", "nothing-engraved");
   expectError(engine_->report(), "BadUsage", "nothing-engraved");
   EXPECT_TRUE(engine_->exportModel("stl").empty());
   EXPECT_TRUE(engine_->pictures("reader").empty());
@@ -259,7 +260,7 @@ TEST_F(EngineTest, AnswersWithValidJsonForTextsThatAreNotUtf8) {
 
 TEST_F(EngineTest, TheTopOfTheCodePointsAlongTheUpAxis) {
   load(shapes::box({60, 60, 20}));
-  engine_->setUpAxis("y");
+  engine_->show(R"({"upAxis": "y"})");
   engine_->configure(kSettings);
   engine_->setCentre(R"({"mm": [0, 0, 10]})");
   const Json answer = Json::parse(engine_->placement());
@@ -272,23 +273,23 @@ TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
   expectError(engine_->setCentre(R"({"spot": 0})"), "BadUsage", "no-such-spot");
   ASSERT_EQ(Json::parse(engine_->startJob("spots"))["ok"], true);
-  Json found;
-  for (bool done = false; !done; done = found["done"]) {
-    EXPECT_FALSE(found.contains("spots"));
-    found = Json::parse(engine_->advanceJob("spots"));
-    ASSERT_EQ(found["ok"], true) << found;
+  Json progress;
+  for (bool done = false; !done; done = progress["done"]) {
+    EXPECT_FALSE(progress.contains("spots"));
+    progress = Json::parse(engine_->advanceJob("spots"));
+    ASSERT_EQ(progress["ok"], true) << progress;
   }
-  ASSERT_FALSE(found["spots"].empty());
-  EXPECT_TRUE(found["spots"][0]["concerns"].empty());
-  EXPECT_EQ(found["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
-  EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
-  for (std::size_t i = 0; i < found["spots"].size(); ++i) {
+  ASSERT_FALSE(progress["spots"].empty());
+  EXPECT_TRUE(progress["spots"][0]["concerns"].empty());
+  EXPECT_EQ(progress["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
+  EXPECT_EQ(std::fmod(progress["topMm"].get<double>(), 5), 0);
+  for (std::size_t i = 0; i < progress["spots"].size(); ++i) {
     const Json chosen = Json::parse(engine_->setCentre(Json{{"spot", i}}.dump()));
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], progress["spots"][i]["centre"][k], 1e-9);
     const Json placement = Json::parse(engine_->placement());
     ASSERT_EQ(placement["ok"], true) << placement;
-    EXPECT_NEAR(placement["placement"]["symbolMm"], found["spots"][i]["sizeMm"], 1e-6);
-    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
+    EXPECT_NEAR(placement["placement"]["symbolMm"], progress["spots"][i]["sizeMm"], 1e-6);
+    EXPECT_NEAR(placement["placement"]["guaranteedMm"], progress["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
   expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
 }
@@ -313,15 +314,15 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) {
   EXPECT_EQ(about["onCode"], false);
   EXPECT_EQ(about["code"]["exact"], false);
   ASSERT_EQ(Json::parse(engine_->startJob("settling"))["ok"], true);
-  Json found;
-  for (bool done = false; !done; done = found["done"]) {
-    found = Json::parse(engine_->advanceJob("settling"));
-    ASSERT_EQ(found["ok"], true) << found;
+  Json progress;
+  for (bool done = false; !done; done = progress["done"]) {
+    progress = Json::parse(engine_->advanceJob("settling"));
+    ASSERT_EQ(progress["ok"], true) << progress;
   }
-  EXPECT_EQ(found["code"]["exact"], true);
+  EXPECT_EQ(progress["code"]["exact"], true);
   EXPECT_EQ(Json::parse(engine_->hover("null"))["hit"], false);
   expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
-  const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
+  const double exact = progress["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
   EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius wide
   engine_->setCentre(R"({"at": [200, 150]})");
   const Json placed = Json::parse(engine_->placement());

@@ -24,21 +24,21 @@ std::string line(std::size_t number, RowStatus status, const std::string& reason
 TEST(TrackedBatch, TakesUnitsAndRecordsTheirLines) {
   TrackedBatch batch;
   ASSERT_EQ(Json::parse(batch.begin(R"({"rows": 3, "perPlate": 2, "printEvery": 2})"))["ok"], true);
-  batch.startRun(false);
+  batch.run("start");
   EXPECT_EQ(Json::parse(batch.take())["rows"],
             Json::parse(R"([{"index": 0, "print": true}, {"index": 1, "print": false}])"));
   batch.settle(line(1, RowStatus::Done) + line(2, RowStatus::Failed, "too large"));
-  EXPECT_EQ(Json::parse(batch.page("failed", 0, 5))["rows"],
+  EXPECT_EQ(Json::parse(batch.state(R"({"page": {"state": "failed", "skipped": 0, "count": 5}})"))["rows"],
             Json::parse(R"([{"index": 1, "state": "failed", "reason": "too large"}])"));
-  EXPECT_EQ(Json::parse(batch.page("all", 0, 5))["rows"].size(), 3u);
-  const Json state = Json::parse(batch.state(100));
+  EXPECT_EQ(Json::parse(batch.state(R"({"page": {"state": "all", "skipped": 0, "count": 5}})"))["rows"].size(), 3u);
+  const Json state = Json::parse(batch.state(R"({"workedMs": 100})"));
   EXPECT_EQ(state["done"], 1);
   EXPECT_EQ(state["finished"], 2);
   EXPECT_EQ(state["remainingMs"], 50);
   EXPECT_EQ(Json::parse(batch.take())["rows"], Json::parse(R"([{"index": 2, "print": true}])"));
   EXPECT_EQ(Json::parse(batch.take())["rows"], Json::array());
-  batch.endRun();
-  EXPECT_EQ(Json::parse(batch.state(100))["waiting"], 1);
+  batch.run("end");
+  EXPECT_EQ(Json::parse(batch.state(R"({"workedMs": 100})"))["waiting"], 1);
 }
 
 TEST(TrackedBatch, SaysHowToReactToLosses) {
@@ -49,7 +49,7 @@ TEST(TrackedBatch, SaysHowToReactToLosses) {
   batch.take();
   EXPECT_EQ(Json::parse(batch.lose(0))["then"], "fail");
   EXPECT_EQ(Json::parse(batch.lose(-1))["then"], "stop");
-  EXPECT_TRUE(Json::parse(batch.state(0))["remainingMs"].is_null());
+  EXPECT_TRUE(Json::parse(batch.state("{}"))["remainingMs"].is_null());
 }
 
 TEST(TrackedBatch, RestoresTheStatesAndFindsTheLastLines) {
@@ -58,7 +58,7 @@ TEST(TrackedBatch, RestoresTheStatesAndFindsTheLastLines) {
   batch.begin(R"({"rows": 3, "perPlate": 0, "printEvery": 1})");
   batch.readManifest(bytesOf(manifest.substr(0, 20)), true, true);
   batch.readManifest(bytesOf(manifest.substr(20)), false, true);
-  EXPECT_EQ(Json::parse(batch.state(0))["done"], 2);
+  EXPECT_EQ(Json::parse(batch.state("{}"))["done"], 2);
   const Json spans = Json::parse(batch.manifestSpans(2, 9))["spans"];
   ASSERT_EQ(spans.size(), 1u);
   EXPECT_EQ(manifest.substr(spans[0][0], spans[0][1].get<std::size_t>() - spans[0][0].get<std::size_t>()) + "\n",
@@ -66,7 +66,7 @@ TEST(TrackedBatch, RestoresTheStatesAndFindsTheLastLines) {
   EXPECT_EQ(Json::parse(batch.manifestSpans(1, 1))["next"], 2);
   EXPECT_TRUE(Json::parse(batch.manifestSpans(1, 2))["next"].is_null());
   batch.readManifest(bytesOf(line(3, RowStatus::Done)), true, false);
-  EXPECT_EQ(Json::parse(batch.state(0))["done"], 2);
+  EXPECT_EQ(Json::parse(batch.state("{}"))["done"], 2);
   EXPECT_EQ(Json::parse(batch.manifestSpans(0, 9))["spans"].size(), 1u);
   EXPECT_EQ(Json::parse(batch.manifestSpans(4, 9))["spans"], Json::array());
 }

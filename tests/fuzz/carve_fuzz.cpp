@@ -7,11 +7,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace qrelief;
   Choices choices(fuzz::bytesOf(data, size));
-  EngraveCase made = makeEngraveCase(choices);
-  if (made.mesh.triangles.size() > 1500) return -1;
-  made.request.text.resize(1);
-  made.request.symbol.version.reset();
-  const OracleVerdict verdict = runCarvingCase(made, choices);
-  fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
+  EngraveCase engraveCase = makeEngraveCase(choices);
+  if (engraveCase.mesh.triangles.size() > 1500) return -1;
+  engraveCase.request.code.text.resize(1);
+  engraveCase.request.code.symbol.version.reset();
+  const OracleVerdict verdict = runCarvingCase(engraveCase, choices);
+  fuzz::require(verdict.fault.empty(), engraveCase.describe() + ": " + verdict.kind + ": " + verdict.fault);
   return 0;
 }

@@ -10,12 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Result<std::unique_ptr<EglContext>> context = EglContext::create();
   fuzz::require(context.has_value(), "there is a GL context");
   Choices choices(fuzz::bytesOf(data, size));
-  EngraveCase made = makeEngraveCase(choices);
-  if (made.mesh.triangles.size() > 1500) return -1;
-  made.request.text.resize(1);
-  made.request.symbol.version.reset();
-  made.request.contrast = std::min(made.request.contrastAsked(), 0.05);
-  const OracleVerdict verdict = runEngraveCase(made);
-  fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
+  EngraveCase engraveCase = makeEngraveCase(choices);
+  if (engraveCase.mesh.triangles.size() > 1500) return -1;
+  engraveCase.request.code.text.resize(1);
+  engraveCase.request.code.symbol.version.reset();
+  engraveCase.request.depth.contrast = std::min(engraveCase.request.depth.contrastAsked(), 0.05);
+  const OracleVerdict verdict = runEngraveCase(engraveCase);
+  fuzz::require(verdict.fault.empty(), engraveCase.describe() + ": " + verdict.kind + ": " + verdict.fault);
   return 0;
 }

@@ -69,7 +69,7 @@ TEST_F(InspectedEngineTest, DoesNothingBeforeTheInspectorIsOpened) {
 }
 
 TEST_F(InspectedEngineTest, ALateWindowGetsThemeAndSize) {
-  engine_.setTheme(true);
+  engine_.show(R"({"dark": true})");
   engine_.resize(320, 200, 2);
   open();
   open();

@@ -15,9 +15,9 @@ constexpr int kModules = 25;
 constexpr double kQuietEdge = kModules / 2.0 + kQuietZoneModules;
 
 LabelLayout layout(const LabelOptions& label) {
-  const auto made = layOutLabel(label, kModules);
-  EXPECT_TRUE(made.has_value()) << made.error().message;
-  return made.value_or(LabelLayout{});
+  const auto laidOut = layOutLabel(label, kModules);
+  EXPECT_TRUE(laidOut.has_value()) << laidOut.error().message;
+  return laidOut.value_or(LabelLayout{});
 }
 
 Rectangle boundsOf(const LabelLayout& layout) {
@@ -43,21 +43,21 @@ void expectInItsRoom(const LabelOptions& label, const LabelLayout& layout) {
 
 TEST(LabelLayout, ShortTextIsAnEighthOfTheSymbolHighAndCentred) {
   const LabelOptions label{"No 7", LabelFrame::None};
-  const LabelLayout made = layout(label);
-  EXPECT_DOUBLE_EQ(made.capitalModules, kModules / 8.0);
-  const Rectangle box = boundsOf(made);
+  const LabelLayout laidOut = layout(label);
+  EXPECT_DOUBLE_EQ(laidOut.capitalModules, kModules / 8.0);
+  const Rectangle box = boundsOf(laidOut);
   EXPECT_NEAR(box.low.x, -box.high.x, 1e-9);
   EXPECT_LT(box.high.y, -kQuietEdge);
-  expectInItsRoom(label, made);
+  expectInItsRoom(label, laidOut);
 }
 
 TEST(LabelLayout, LongTextIsAsWideAsTheSymbol) {
   const LabelOptions label{"https://example.org/p/0123456789", LabelFrame::None};
-  const LabelLayout made = layout(label);
-  const Rectangle box = boundsOf(made);
+  const LabelLayout laidOut = layout(label);
+  const Rectangle box = boundsOf(laidOut);
   EXPECT_NEAR(box.high.x - box.low.x, kModules, 1e-9);
-  EXPECT_LT(made.capitalModules, kModules / 8.0);
-  expectInItsRoom(label, made);
+  EXPECT_LT(laidOut.capitalModules, kModules / 8.0);
+  expectInItsRoom(label, laidOut);
 }
 
 TEST(LabelLayout, AFrameEnclosesQuietZoneAndText) {
@@ -75,10 +75,10 @@ TEST(LabelLayout, AFrameEnclosesQuietZoneAndText) {
 }
 
 TEST(LabelLayout, ARoundedFrameHasOneModuleOfLineAlsoInItsCorners) {
-  const LabelLayout made = layout({"", LabelFrame::Rounded});
-  ASSERT_EQ(made.rings.size(), 2u);
+  const LabelLayout laidOut = layout({"", LabelFrame::Rounded});
+  ASSERT_EQ(laidOut.rings.size(), 2u);
   double area = 0;
-  for (const Ring& ring : made.rings)
+  for (const Ring& ring : laidOut.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) area += cross2(ring[i], ring[(i + 1) % ring.size()]) / 2;
   // Straight parts of a module's width, and a ring with radii 1.5 and 2.5 modules for the four corners.
   const double straight = 4 * (2 * (kQuietEdge + 0.5) - 3), corners = std::numbers::pi * (2.5 * 2.5 - 1.5 * 1.5);
@@ -93,15 +93,15 @@ TEST(LabelLayout, TheMarginIsTheSameForAllTexts) {
 }
 
 TEST(LabelLayout, TextOfSpacesIsRefused) {
-  const auto made = layOutLabel({"  ", LabelFrame::None}, kModules);
-  ASSERT_FALSE(made.has_value());
-  EXPECT_EQ(made.error().message, message("label-empty"));
+  const auto laidOut = layOutLabel({"  ", LabelFrame::None}, kModules);
+  ASSERT_FALSE(laidOut.has_value());
+  EXPECT_EQ(laidOut.error().message, message("label-empty"));
 }
 
 TEST(LabelLayout, TheLeastHeightHasStrokesOfOneLine) {
   EXPECT_NEAR(leastCapitalMm(0.45) * thinnestStroke(), 0.45, 1e-12);
-  const LabelLayout made = layout({"No 7", LabelFrame::None});
-  EXPECT_NEAR(made.thinnestStrokeModules / made.capitalModules, thinnestStroke(), 1e-12);
+  const LabelLayout laidOut = layout({"No 7", LabelFrame::None});
+  EXPECT_NEAR(laidOut.thinnestStrokeModules / laidOut.capitalModules, thinnestStroke(), 1e-12);
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ double area(const TextOutline& text) {
 }
 
 TextOutline outline(std::string_view text, double tolerance = kTolerance) {
-  const auto made = outlineText(text, tolerance);
-  EXPECT_TRUE(made.has_value()) << made.error().message;
-  return made.value_or(TextOutline{});
+  const auto outline = outlineText(text, tolerance);
+  EXPECT_TRUE(outline.has_value()) << outline.error().message;
+  return outline.value_or(TextOutline{});
 }
 
 std::vector<Segment2> sidesOf(const TextOutline& text) {

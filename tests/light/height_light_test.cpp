@@ -194,12 +194,12 @@ TEST(HeightLight, MeasuresRequestedPatchesAsAmongAllAndKeepsTheOthers) {
   light.carve(depthsOf(size, patch, 0.6,
                        [](double x, double y) { return std::abs(x) < 3 && std::abs(y) < 3 && std::sin(3 * x) > 0; }));
   const std::vector<Received> all = measured(light, {});
-  std::vector<std::uint8_t> wanted(all.size(), 0);
-  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = i % 7 == 3 && i > 20 * size && i < 50 * size;
-  const Received kept{0.5f, 0.25f, 3, 4};
-  std::vector<Received> some(all.size(), kept);
-  light.measure({}, wanted, some);
-  for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(some[i], wanted[i] ? all[i] : kept) << i;
+  std::vector<std::uint8_t> isMeasured(all.size(), 0);
+  for (std::size_t i = 0; i < isMeasured.size(); ++i) isMeasured[i] = i % 7 == 3 && i > 20 * size && i < 50 * size;
+  const Received untouched{0.5f, 0.25f, 3, 4};
+  std::vector<Received> some(all.size(), untouched);
+  light.measure({}, isMeasured, some);
+  for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(some[i], isMeasured[i] ? all[i] : untouched) << i;
 }
 
 TEST(HeightLight, MissingSurfaceHidesNothing) {

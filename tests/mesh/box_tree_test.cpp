@@ -57,12 +57,12 @@ TEST(BoxTree, FindsLeavesInOrderFromTheGivenOne) {
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   const BoxTree tree(mesh, all);
-  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> leaves;
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}, tree.leafCount() / 2, tree.leafCount() - 1}) {
-    tree.findLeaves(tree.bounds(), first, found);
+    tree.findLeaves(tree.bounds(), first, leaves);
     std::vector<std::uint32_t> expected(tree.leafCount() - first);
     std::iota(expected.begin(), expected.end(), static_cast<std::uint32_t>(first));
-    EXPECT_EQ(found, expected);
+    EXPECT_EQ(leaves, expected);
   }
 }
 

@@ -23,12 +23,12 @@ TEST(RayTree, FindsTheSameHitsAsBruteForce) {
       const Vec3 origin = randomVector(random, 25);
       const Vec3 direction = i % 2 ? -origin + randomVector(random, 8) : randomVector(random, 1);
       const auto expected = firstHit(mesh, origin, direction);
-      const auto found = tree.firstHit(origin, direction);
-      ASSERT_EQ(found.has_value(), expected.has_value());
-      if (!found) continue;
+      const auto hit = tree.firstHit(origin, direction);
+      ASSERT_EQ(hit.has_value(), expected.has_value());
+      if (!hit) continue;
       ++hits;
-      EXPECT_EQ(found->triangle, expected->triangle);
-      EXPECT_EQ(found->distance, expected->distance);
+      EXPECT_EQ(hit->triangle, expected->triangle);
+      EXPECT_EQ(hit->distance, expected->distance);
     }
     EXPECT_GT(hits, 100);
   }

@@ -124,19 +124,19 @@ Mesh bicone(std::uint32_t n) {
 }
 
 TEST(FindSelfIntersections, GivesUpIfAllTrianglesShareOneVertex) {
-  const auto found = findSelfIntersections(bicone(2000), {}, 1000, 1'000'000);
-  ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
-  EXPECT_EQ(found.error().message.code, "crossings-too-crowded");
+  const auto crossings = findSelfIntersections(bicone(2000), {}, 1000, 1'000'000);
+  ASSERT_FALSE(crossings);
+  EXPECT_EQ(crossings.error().kind, ErrorKind::NoSolution);
+  EXPECT_EQ(crossings.error().message.code, "crossings-too-crowded");
   std::vector<std::uint32_t> suspects(1000);
   std::iota(suspects.begin(), suspects.end(), 0u);
   EXPECT_FALSE(findSelfIntersections(bicone(2000), suspects, 1000, 100'000));
 }
 
 TEST(FindSelfIntersections, ChecksAllPairsOfAFineCone) {
-  const auto found = findSelfIntersections(bicone(2000));
-  ASSERT_TRUE(found);
-  EXPECT_TRUE(found->empty());
+  const auto crossings = findSelfIntersections(bicone(2000));
+  ASSERT_TRUE(crossings);
+  EXPECT_TRUE(crossings->empty());
 }
 
 TEST(FindSelfIntersections, DecidesExactlyOnAGridOfNearlyTouchingPoints) {

@@ -9,25 +9,25 @@ namespace qrelief {
 namespace {
 
 TEST(UnitSuggestions, NameMetresForAModelOfTwentyCentimetresInMetres) {
-  const auto found = suggestUnits({0.2, 0.1, 0.15}, 1);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0], (UnitSuggestion{"m", 1000, {200, 100, 150}}));
+  const auto units = suggestUnits({0.2, 0.1, 0.15}, 1);
+  ASSERT_EQ(units.size(), 1u);
+  EXPECT_EQ(units[0], (UnitSuggestion{"m", 1000, {200, 100, 150}}));
 }
 
 TEST(UnitSuggestions, NameInchesAndCentimetresIfBothArePlausible) {
-  const auto found = suggestUnits({5, 2.5, 1.5}, 1);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].unit, "in");
-  EXPECT_EQ(found[1], (UnitSuggestion{"cm", 10, {50, 25, 15}}));
-  EXPECT_EQ(sentence(unitAdvice(found)),
+  const auto units = suggestUnits({5, 2.5, 1.5}, 1);
+  ASSERT_EQ(units.size(), 2u);
+  EXPECT_EQ(units[0].unit, "in");
+  EXPECT_EQ(units[1], (UnitSuggestion{"cm", 10, {50, 25, 15}}));
+  EXPECT_EQ(sentence(unitAdvice(units)),
             "If it should be larger, --units in makes it 127 × 63.5 × 38.1 mm, --units cm 50 × 25 × 15 mm; use --scale "
             "for any other scale");
 }
 
 TEST(UnitSuggestions, OmitTheUnitInUse) {
-  const auto found = suggestUnits({7, 7, 7}, 10);  // 0.7 cm
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].unit, "in");
+  const auto units = suggestUnits({7, 7, 7}, 10);  // 0.7 cm
+  ASSERT_EQ(units.size(), 1u);
+  EXPECT_EQ(units[0].unit, "in");
 }
 
 TEST(UnitSuggestions, AreNeverMoreThanTwo) {
@@ -36,9 +36,9 @@ TEST(UnitSuggestions, AreNeverMoreThanTwo) {
 }
 
 TEST(UnitSuggestions, SuggestNoUnitIfNoneIsPlausible) {
-  const auto found = suggestUnits({1e-3, 1e-3, 1e-3}, 1);
-  EXPECT_TRUE(found.empty());
-  EXPECT_EQ(unitAdvice(found).code, "unit-may-be-wrong");
+  const auto units = suggestUnits({1e-3, 1e-3, 1e-3}, 1);
+  EXPECT_TRUE(units.empty());
+  EXPECT_EQ(unitAdvice(units).code, "unit-may-be-wrong");
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ class BatchFolderTest : public testing::Test {
 
   /// Returns a manifest entry for a row whose file contains its id.
   ManifestEntry entry(std::size_t number, RowStatus status = RowStatus::Done, const std::string& id = "id") const {
-    ManifestEntry made;
-    made.number = number;
-    made.id = id;
-    made.file = std::to_string(number) + ".stl";
-    made.sha256 = {"in", "settings", sha256(id), {}};
-    made.status = status;
-    return made;
+    ManifestEntry row;
+    row.number = number;
+    row.id = id;
+    row.file = std::to_string(number) + ".stl";
+    row.sha256 = {"in", "settings", sha256(id), {}};
+    row.status = status;
+    return row;
   }
   void writeOutput(const ManifestEntry& entry) const { ASSERT_TRUE(writeFileAtomically(path_ / entry.file, entry.id)); }
   static std::vector<std::string> rowsOf(const BatchFolder& folder) {

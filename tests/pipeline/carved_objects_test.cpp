@@ -20,9 +20,9 @@ std::vector<Vec3f> cornersOf(const Mesh& mesh) {
   return corners;
 }
 
-void expectSameMesh(const Mesh& found, const Mesh& expected) {
-  EXPECT_EQ(found.positions, expected.positions);
-  EXPECT_EQ(found.triangles, expected.triangles);
+void expectSameMesh(const Mesh& actual, const Mesh& expected) {
+  EXPECT_EQ(actual.positions, expected.positions);
+  EXPECT_EQ(actual.triangles, expected.triangles);
 }
 
 /// Returns a result as if the right one of two boxes had been carved. The part between them has no triangle.

@@ -37,13 +37,13 @@ TEST(ContrastForPrint, RaisesTheTargetByWhatThePrintLacksOfTwoThirds) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
   // From left to right, columns keep more of the design's contrast, from none to all of it.
-  const auto kept = [&](int column) { return static_cast<double>(column) / (symbol.size - 1); };
-  const auto printed = lit(symbol, [&](int, int column) { return 0.3 * kept(column); });
+  const auto share = [&](int column) { return static_cast<double>(column) / (symbol.size - 1); };
+  const auto printed = lit(symbol, [&](int, int column) { return 0.3 * share(column); });
   const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
   ASSERT_EQ(asked.size(), symbol.dark.size());
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) {
-      const double lacks = symbol.isDark(row, column) ? std::max(0.0, kPrintedShare - kept(column)) : 0;
+      const double lacks = symbol.isDark(row, column) ? std::max(0.0, kPrintedShare - share(column)) : 0;
       EXPECT_NEAR(asked[static_cast<std::size_t>(row * symbol.size + column)], kContrast * (1 + lacks), 1e-9)
           << row << ", " << column;
     }

@@ -16,12 +16,12 @@ namespace {
 class DevicesTest : public GlTest {
  protected:
   static EngraveRequest request(Vec3 centre) {
-    EngraveRequest made;
-    made.code.text = "QRELIEF";
-    made.code.symbol.version = 1;
-    made.placement.centreMm = centre;
-    made.placement.upHint = {0, 1, 0.1};
-    return made;
+    EngraveRequest request;
+    request.code.text = "QRELIEF";
+    request.code.symbol.version = 1;
+    request.placement.centreMm = centre;
+    request.placement.upHint = {0, 1, 0.1};
+    return request;
   }
   static EngraveResult engraveBy(Device maps, Device light, const Mesh& mesh, const EngraveRequest& request) {
     auto pass = GeometryPass::create();
@@ -73,10 +73,10 @@ TEST_F(DevicesTest, CarveTheSameCodeOnABumpySphere) {
 }
 
 TEST_F(DevicesTest, CarveTheSameCodeOnASaddleInTheOptimalDirection) {
-  EngraveRequest wanted = request({4, 2, 0});
-  wanted.placement.directionMethod = DirectionMethod::Optimal;
+  EngraveRequest engraving = request({4, 2, 0});
+  engraving.placement.directionMethod = DirectionMethod::Optimal;
   expectSameCode(shapes::plate({60, 60}, 20, 60, 60, [](double x, double y) { return 0.004 * (x * x - y * y); }),
-                 wanted);
+                 engraving);
 }
 
 TEST(WithoutGl, AModelHasNoGpuAndIsEngravedWhereASpotWasFound) {

@@ -108,10 +108,10 @@ TEST(CarvingCase, AcceptsFacetsPartlyHiddenByOneBesideTheCode) {
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
   ASSERT_EQ(bytes.size(), 122u);
   Choices choices(bytes);
-  EngraveCase made = makeEngraveCase(choices);
-  made.request.code.text.resize(1);
-  made.request.code.symbol.version.reset();
-  const OracleVerdict verdict = runCarvingCase(made, choices);
+  EngraveCase engraveCase = makeEngraveCase(choices);
+  engraveCase.request.code.text.resize(1);
+  engraveCase.request.code.symbol.version.reset();
+  const OracleVerdict verdict = runCarvingCase(engraveCase, choices);
   EXPECT_EQ(verdict.kind, "solid");
   EXPECT_EQ(verdict.fault, "");
 }

@@ -20,9 +20,9 @@ TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrATrueRefusal) {
   for (int k = 0; k < kCasesEach; ++k) {
     const auto seed = static_cast<std::uint64_t>(1 + kCasesEach * GetParam() + k);
     Choices choices(seed);
-    const EngraveCase made = makeEngraveCase(choices);
-    const OracleVerdict verdict = runEngraveCase(made);
-    EXPECT_EQ(verdict.fault, "") << verdict.kind << ": " << made.describe()
+    const EngraveCase engraveCase = makeEngraveCase(choices);
+    const OracleVerdict verdict = runEngraveCase(engraveCase);
+    EXPECT_EQ(verdict.fault, "") << verdict.kind << ": " << engraveCase.describe()
                                  << "\nrepeat it with: qrelief_property_bench 1 " << seed;
     solids += verdict.kind == "solid" ? 1 : 0;
   }

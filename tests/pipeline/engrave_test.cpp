@@ -28,13 +28,13 @@ class EngraveTest : public GlTest {
     return EngravableModel::upload(std::move(*prepared));
   }
   static EngraveRequest request(Vec3 centre, double sizeMm) {
-    EngraveRequest made;
-    made.code.text = "https://qrelief.example";
-    made.code.symbol.errorCorrection = ErrorCorrection::M;
-    made.placement.centreMm = centre;
-    made.placement.sizeMode = SizeMode::Fixed;
-    made.placement.sizeMm = sizeMm;
-    return made;
+    EngraveRequest result;
+    result.code.text = "https://qrelief.example";
+    result.code.symbol.errorCorrection = ErrorCorrection::M;
+    result.placement.centreMm = centre;
+    result.placement.sizeMode = SizeMode::Fixed;
+    result.placement.sizeMm = sizeMm;
+    return result;
   }
   /// Returns the triangles by their corners' positions, to compare meshes.
   static std::set<std::array<std::array<float, 3>, 3>> corners(const Mesh& mesh) {
@@ -65,28 +65,28 @@ TEST_F(EngraveTest, ABumpySphereGetsADecodableCodeAndStaysASolid) {
   // Untouched facets come out bit for bit, as many as reported.
   const auto before = corners(model->prepared.mesh);
   const auto after = corners(result->mesh);
-  std::size_t kept = 0;
-  for (const auto& triangle : before) kept += after.count(triangle);
-  EXPECT_EQ(kept, result->keptTriangles);
-  EXPECT_GT(kept, before.size() * 3 / 4);
+  std::size_t unchanged = 0;
+  for (const auto& triangle : before) unchanged += after.count(triangle);
+  EXPECT_EQ(unchanged, result->keptTriangles);
+  EXPECT_GT(unchanged, before.size() * 3 / 4);
   EXPECT_LT(result->solidity.volumeMm3, signedVolume(model->prepared.mesh));
 }
 
 TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
-  const auto carve = [&](EngraveRequest wanted, std::shared_ptr<PlacementMeasurement> measured) {
-    auto job = EngraveJob::create(model, std::move(wanted), {.measured = std::move(measured)});
+  const auto carve = [&](EngraveRequest engraving, std::shared_ptr<PlacementMeasurement> measured) {
+    auto job = EngraveJob::create(model, std::move(engraving), {.measured = std::move(measured)});
     EXPECT_TRUE(job.has_value());
     EXPECT_EQ((*job)->placementMeasurement(), nullptr);
     EXPECT_TRUE(runToEnd(**job).has_value());
     return std::move(*job);
   };
-  EngraveRequest wanted = request({0, 0, 40}, 25), other = wanted;
+  EngraveRequest engraving = request({0, 0, 40}, 25), other = engraving;
   other.code.text = "https://example.org/abcde";  // as long: the same place
-  const auto expected = engrave(model, wanted);
+  const auto expected = engrave(model, engraving);
   ASSERT_TRUE(expected.has_value());
   const auto before = carve(other, nullptr)->placementMeasurement();
-  auto job = EngraveJob::create(model, wanted, {.measured = before});
+  auto job = EngraveJob::create(model, engraving, {.measured = before});
   ASSERT_TRUE(job.has_value());
   const auto result = runToEnd(**job);
   ASSERT_TRUE(result.has_value());
@@ -94,19 +94,19 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   EXPECT_EQ(result->stl, expected->stl);
   EXPECT_EQ(result->luminance, expected->luminance);
 
-  wanted.depth.albedo = 0.5f;  // a place measured for other settings is not reused
-  EXPECT_NE(carve(wanted, before)->placementMeasurement(), before);
+  engraving.depth.albedo = 0.5f;  // a place measured for other settings is not reused
+  EXPECT_NE(carve(engraving, before)->placementMeasurement(), before);
 }
 
 TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
   const auto model = upload(shapes::icosphere(40, 5));
-  EngraveRequest wanted = request({0, 0, 40}, 25);
-  const auto plain = engrave(model, wanted);
+  EngraveRequest engraving = request({0, 0, 40}, 25);
+  const auto plain = engrave(model, engraving);
   ASSERT_TRUE(plain.has_value());
   EXPECT_TRUE(plain->search.passes.empty());
 
-  wanted.depth.recordSearch = true;
-  const auto result = engrave(model, wanted);
+  engraving.depth.recordSearch = true;
+  const auto result = engrave(model, engraving);
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // recording changes nothing
   const SearchRecord& record = result->search;
@@ -160,9 +160,9 @@ TEST_F(EngraveTest, FinderPatternsArePatternedWhereWallsAreThin) {
 }
 
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
-  EngraveRequest wanted = request({0, 0, 40}, 25);
-  wanted.code.modulePattern = ModulePattern::Square;
-  const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  EngraveRequest engraving = request({0, 0, 40}, 25);
+  engraving.code.modulePattern = ModulePattern::Square;
+  const auto result = engrave(upload(shapes::icosphere(40, 5)), engraving);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   const SubmoduleMask mask =
       submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.code.finderPattern);
@@ -192,9 +192,9 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
 TEST_F(EngraveTest, NoFloorIsNearerToTheBackThanTheMinimumWall) {
   // A plate of 1.3 mm leaves 0.3 mm to carve with 1 mm of wall; the code needs more.
   const Mesh plate = shapes::plate({60, 60}, 1.3, 6, 6);
-  EngraveRequest wanted = request({0, 0, 0}, 30);
-  wanted.depth.minWallMm = 1;
-  const auto result = engrave(upload(plate), wanted);
+  EngraveRequest engraving = request({0, 0, 0}, 30);
+  engraving.depth.minWallMm = 1;
+  const auto result = engrave(upload(plate), engraving);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_GT(result->limitedSubmodules, 0u);
   // The patch reaches as far as walls matter: beyond the quiet zone by the wall and the deepest pocket, 1.2 modules.
@@ -208,9 +208,9 @@ TEST_F(EngraveTest, NoFloorIsNearerToTheBackThanTheMinimumWall) {
 }
 
 TEST_F(EngraveTest, RefusesAWallWithNothingToSpareWithTheReason) {
-  EngraveRequest wanted = request({0, 0, 0}, 30);
-  wanted.depth.minWallMm = 2;
-  const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), wanted);
+  EngraveRequest engraving = request({0, 0, 0}, 30);
+  engraving.depth.minWallMm = 2;
+  const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), engraving);
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
   EXPECT_NE(sentence(result.error().message).find("2 mm"), std::string::npos) << result.error().message;
@@ -230,11 +230,11 @@ TEST_F(EngraveTest, RefusesASizeThatDoesNotFitAndNamesTheLargestThatDoes) {
 
 TEST_F(EngraveTest, TheFreeSizeFitsAtEveryRotation) {
   const auto model = upload(shapes::plate({40, 40}, 5, 4, 4));
-  EngraveRequest wanted = request({0, 0, 0}, 0);
-  wanted.placement.sizeMode = SizeMode::Free;
+  EngraveRequest engraving = request({0, 0, 0}, 0);
+  engraving.placement.sizeMode = SizeMode::Free;
   for (const double angle : {0.0, 30.0, 45.0}) {
-    wanted.placement.rotateDeg = angle;
-    const auto result = engrave(model, wanted);
+    engraving.placement.rotateDeg = angle;
+    const auto result = engrave(model, engraving);
     ASSERT_TRUE(result.has_value()) << result.error().message;
     EXPECT_NEAR(result->placement.symbolMm, 40 / std::sqrt(2.0) * 25 / 33, 0.01);
     EXPECT_TRUE(result->solidity.solid());
@@ -246,10 +246,10 @@ TEST_F(EngraveTest, EveryPatternMakesASolid) {
   for (const ModulePattern modules :
        {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
     for (const FinderPattern finders : {FinderPattern::None, FinderPattern::AsModules, FinderPattern::Diamond}) {
-      EngraveRequest wanted = request({0, 0, 40}, 25);
-      wanted.code.modulePattern = modules;
-      wanted.code.finderPattern = finders;
-      const auto result = engrave(model, wanted);
+      EngraveRequest engraving = request({0, 0, 40}, 25);
+      engraving.code.modulePattern = modules;
+      engraving.code.finderPattern = finders;
+      const auto result = engrave(model, engraving);
       ASSERT_TRUE(result.has_value()) << result.error().message;
       EXPECT_TRUE(result->solidity.solid()) << static_cast<int>(modules) << " " << static_cast<int>(finders) << " "
                                             << testing::PrintToString(result->solidity.problems());
@@ -266,20 +266,20 @@ TEST_F(EngraveTest, ACodeOverAnEdgeIsViewedFromBetweenItsFaces) {
 }
 
 TEST_F(EngraveTest, UsesAGivenDirectionUnchanged) {
-  EngraveRequest wanted = request({0, 0, 40}, 20);
-  wanted.placement.direction = Vec3(0.2, 0, 1);
-  const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  EngraveRequest engraving = request({0, 0, 40}, 20);
+  engraving.placement.direction = Vec3(0.2, 0, 1);
+  const auto result = engrave(upload(shapes::icosphere(40, 5)), engraving);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_LT(glm::length(result->placement.frame.normal - glm::normalize(Vec3(0.2, 0, 1))), 1e-12);
   EXPECT_TRUE(result->placement.iterations.empty());
 }
 
 TEST_F(EngraveTest, TheTopOfTheSymbolPointsInTheGivenDirection) {
-  EngraveRequest wanted = request({40, 0, 0}, 20);
-  wanted.placement.upHint = {0, 0, 1};
-  const auto upright = engrave(upload(shapes::icosphere(40, 5)), wanted);
-  wanted.placement.rotateDeg = 90;
-  const auto turned = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  EngraveRequest engraving = request({40, 0, 0}, 20);
+  engraving.placement.upHint = {0, 0, 1};
+  const auto upright = engrave(upload(shapes::icosphere(40, 5)), engraving);
+  engraving.placement.rotateDeg = 90;
+  const auto turned = engrave(upload(shapes::icosphere(40, 5)), engraving);
   ASSERT_TRUE(upright.has_value() && turned.has_value());
   EXPECT_GT(upright->placement.frame.up.z, 0.99);
   // The code turns anticlockwise for the viewer: seen from +X with +Z up, its top then points to -Y.
@@ -296,39 +296,39 @@ TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
 
 TEST_F(EngraveTest, RefusesInvalidRequestsAsBadUsage) {
   const auto model = upload(shapes::icosphere(40, 3));
-  const auto codeOf = [&](const EngraveRequest& wanted) {
-    const auto job = EngraveJob::create(model, wanted);
+  const auto codeOf = [&](const EngraveRequest& engraving) {
+    const auto job = EngraveJob::create(model, engraving);
     return job ? std::optional<ErrorKind>() : job.error().kind;
   };
-  EngraveRequest wanted = request({0, 0, 40}, 20);
-  wanted.depth.contrast = 1.5;
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted = request({0, 0, 40}, -3);
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted = request({0, 0, 40}, 20);
-  wanted.placement.eyeDistanceMm = 0;
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted = request({0, 0, 40}, 20);
-  wanted.code.text = "";
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadInput);
-  wanted = request({0, 0, 40}, 20);
-  wanted.print.printer.nozzleMm = 0;
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted = request({0, 0, 40}, 20);
-  wanted.depth.lights = {{.elevationDeg = 0}};
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted.depth.lights = {{.strength = -1}};
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
-  wanted.depth.lights = std::vector<DirectionalLight>(3);
-  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
+  EngraveRequest engraving = request({0, 0, 40}, 20);
+  engraving.depth.contrast = 1.5;
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving = request({0, 0, 40}, -3);
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving = request({0, 0, 40}, 20);
+  engraving.placement.eyeDistanceMm = 0;
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving = request({0, 0, 40}, 20);
+  engraving.code.text = "";
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadInput);
+  engraving = request({0, 0, 40}, 20);
+  engraving.print.printer.nozzleMm = 0;
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving = request({0, 0, 40}, 20);
+  engraving.depth.lights = {{.elevationDeg = 0}};
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving.depth.lights = {{.strength = -1}};
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
+  engraving.depth.lights = std::vector<DirectionalLight>(3);
+  EXPECT_EQ(codeOf(engraving), ErrorKind::BadUsage);
 }
 
 TEST_F(EngraveTest, ALampThatShinesIntoThePocketsDeepensThem) {
   const auto model = upload(shapes::box({50, 50, 10}));
-  EngraveRequest wanted = request({0, 0, 5}, 25);
-  const auto bySky = engrave(model, wanted);
-  wanted.depth.lights = {{.azimuthDeg = 90, .elevationDeg = 60, .strength = 1}};
-  const auto byLamp = engrave(model, wanted);
+  EngraveRequest engraving = request({0, 0, 5}, 25);
+  const auto bySky = engrave(model, engraving);
+  engraving.depth.lights = {{.azimuthDeg = 90, .elevationDeg = 60, .strength = 1}};
+  const auto byLamp = engrave(model, engraving);
   ASSERT_TRUE(bySky && byLamp);
   EXPECT_GT(summarise(byLamp->depths).meanMm, summarise(bySky->depths).meanMm);
   // The quiet zone's corner is open.
@@ -338,12 +338,12 @@ TEST_F(EngraveTest, ALampThatShinesIntoThePocketsDeepensThem) {
 
 TEST_F(EngraveTest, AKnownPlaceLeavesOutTheFirstStage) {
   const auto model = upload(shapes::icosphere(40, 4));
-  const EngraveRequest wanted = request({0, 0, 40}, 25);
-  const Symbol symbol = *encodeSymbol(wanted.code.text, wanted.code.symbol);
-  PlacementSearch found(model->prepared, *model->renderer, symbol.size, searchedPlacement(wanted, symbol.size));
-  while (!*found.step()) {
+  const EngraveRequest engraving = request({0, 0, 40}, 25);
+  const Symbol symbol = *encodeSymbol(engraving.code.text, engraving.code.symbol);
+  PlacementSearch placed(model->prepared, *model->renderer, symbol.size, searchedPlacement(engraving, symbol.size));
+  while (!*placed.step()) {
   }
-  EXPECT_THAT(followJob(**EngraveJob::create(model, wanted, {.placed = &found})),
+  EXPECT_THAT(followJob(**EngraveJob::create(model, engraving, {.placed = &placed})),
               testing::ElementsAre("measuring-surface", "finding-depth", "carving-mesh", "checking-solid",
                                    "looking-at-result"));
 }
@@ -358,13 +358,13 @@ TEST_F(EngraveTest, IsDeterministic) {
 
 TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   const auto model = upload(shapes::icosphere(40, 5));
-  const EngraveRequest wanted = request({0, 0, 40}, 25);
-  const auto result = engrave(model, wanted);
+  const EngraveRequest engraving = request({0, 0, 40}, 25);
+  const auto result = engrave(model, engraving);
   ASSERT_TRUE(result.has_value());
   ReportContext context;
-  context.reading = evidenceOf(readFrontal(result->readerView), wanted.code.text);
-  context.verdict = judge(wanted, *result, context.reading);
-  const auto report = nlohmann::json::parse(makeReport(wanted, *model, *result, context));
+  context.reading = evidenceOf(readFrontal(result->readerView), engraving.code.text);
+  context.verdict = judge(engraving, *result, context.reading);
+  const auto report = nlohmann::json::parse(makeReport(engraving, *model, *result, context));
   const std::map<std::string, std::vector<std::string>> keys = {
       {"input", {"file", "format", "triangles", "vertices", "scaleToMm", "sizeMm", "warnings"}},
       {"symbol", {"version", "ecc", "mask", "modules", "rows"}},
@@ -379,7 +379,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
       {"gl", {"renderer", "version"}}};
   for (const auto& [group, names] : keys)
     for (const std::string& name : names) EXPECT_TRUE(report.at(group).contains(name)) << group << "." << name;
-  EXPECT_EQ(report["text"], wanted.code.text);
+  EXPECT_EQ(report["text"], engraving.code.text);
   EXPECT_EQ(report["symbol"]["rows"].size(), static_cast<std::size_t>(result->symbol.size));
   EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
   EXPECT_TRUE(report["verification"]["failedChecks"].empty());
@@ -389,10 +389,10 @@ TEST_F(EngraveTest, ACentreOnAnEdgeOrCornerIsViewedFromBetweenTheFaces) {
   const auto model = upload(shapes::box({60, 60, 60}));
   for (const Vec3 centre : {Vec3(30, 4, 30), Vec3(30, 30, 30)}) {
     for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
-      EngraveRequest wanted = request(centre, 15);
-      wanted.depth.surface = surface;
-      wanted.marking.inlay = true;
-      const auto result = engrave(model, wanted);
+      EngraveRequest engraving = request(centre, 15);
+      engraving.depth.surface = surface;
+      engraving.marking.inlay = true;
+      const auto result = engrave(model, engraving);
       ASSERT_TRUE(result.has_value()) << result.error().message;
       EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
       EXPECT_TRUE(result->inlaySolidity.solid()) << testing::PrintToString(result->inlaySolidity.problems());
@@ -406,16 +406,16 @@ TEST_F(EngraveTest, ACentreOnAnEdgeOrCornerIsViewedFromBetweenTheFaces) {
 
 TEST_F(EngraveTest, AWrongOrMissingReadingFailsTheCheck) {
   const auto model = upload(shapes::icosphere(40, 4));
-  const EngraveRequest wanted = request({0, 0, 40}, 25);
-  const auto result = engrave(model, wanted);
+  const EngraveRequest engraving = request({0, 0, 40}, 25);
+  const auto result = engrave(model, engraving);
   ASSERT_TRUE(result.has_value());
   const auto failed = [&](const char* read) {
     std::vector<std::string> codes;
-    const ReadingEvidence reading = evidenceOf(std::vector<std::string>(72, read), wanted.code.text);
-    for (const Message& failure : judge(wanted, *result, reading).failed()) codes.push_back(failure.code);
+    const ReadingEvidence reading = evidenceOf(std::vector<std::string>(72, read), engraving.code.text);
+    for (const Message& failure : judge(engraving, *result, reading).failed()) codes.push_back(failure.code);
     return codes;
   };
-  EXPECT_THAT(failed(wanted.code.text.c_str()), testing::IsEmpty());
+  EXPECT_THAT(failed(engraving.code.text.c_str()), testing::IsEmpty());
   EXPECT_THAT(failed(""), testing::ElementsAre("too-shallow"));  // nothing was decoded
   EXPECT_THAT(failed("another text"), testing::ElementsAre("other-text"));
 }

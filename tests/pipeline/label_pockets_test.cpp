@@ -21,29 +21,29 @@ class LabelPocketsTest : public GlTest {
   }
   /// Returns a request for the top of a plate.
   static EngraveRequest request(double sizeMm) {
-    EngraveRequest made;
-    made.code.text = "https://qrelief.example";
-    made.code.label = {"No. 0042", LabelFrame::Rounded};
-    made.placement.upHint = {0, 1, 0};
-    made.placement.sizeMode = SizeMode::Fixed;
-    made.placement.sizeMm = sizeMm;
-    return made;
+    EngraveRequest result;
+    result.code.text = "https://qrelief.example";
+    result.code.label = {"No. 0042", LabelFrame::Rounded};
+    result.placement.upHint = {0, 1, 0};
+    result.placement.sizeMode = SizeMode::Fixed;
+    result.placement.sizeMm = sizeMm;
+    return result;
   }
 };
 
 TEST_F(LabelPocketsTest, ALabelledCodeIsASolidThatDecodes) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
-  EngraveRequest wanted = request(25);
-  wanted.marking.inlay = true;
-  const auto labelled = engrave(model, wanted);
+  EngraveRequest engraving = request(25);
+  engraving.marking.inlay = true;
+  const auto labelled = engrave(model, engraving);
   ASSERT_TRUE(labelled.has_value()) << labelled.error().message;
   EXPECT_TRUE(labelled->solidity.solid()) << testing::PrintToString(labelled->solidity.problems());
   EXPECT_TRUE(labelled->inlaySolidity.solid()) << testing::PrintToString(labelled->inlaySolidity.problems());
-  EXPECT_EQ(readWithZxing(labelled->readerView), wanted.code.text);
-  EXPECT_NEAR(labelled->label.depthMm, kLabelLayers * wanted.print.printer.layerMm, 1e-9);
+  EXPECT_EQ(readWithZxing(labelled->readerView), engraving.code.text);
+  EXPECT_NEAR(labelled->label.depthMm, kLabelLayers * engraving.print.printer.layerMm, 1e-9);
   // The label takes its area times its depth from the model, and nothing else changes.
-  wanted.code.label = {};
-  const auto plain = engrave(model, wanted);
+  engraving.code.label = {};
+  const auto plain = engrave(model, engraving);
   ASSERT_TRUE(plain.has_value()) << plain.error().message;
   double area = 0;
   for (const Ring& ring : labelled->label.rings)
@@ -54,23 +54,23 @@ TEST_F(LabelPocketsTest, ALabelledCodeIsASolidThatDecodes) {
 
 TEST_F(LabelPocketsTest, AFoundSizeLeavesRoomForTheLabel) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
-  EngraveRequest wanted = request(0);
-  wanted.placement.sizeMode = SizeMode::Oriented;
-  wanted.placement.pockets = {};
-  const auto labelled = engrave(model, wanted);
+  EngraveRequest engraving = request(0);
+  engraving.placement.sizeMode = SizeMode::Oriented;
+  engraving.placement.pockets = {};
+  const auto labelled = engrave(model, engraving);
   ASSERT_TRUE(labelled.has_value()) << labelled.error().message;
   const int modules = labelled->symbol.size;
-  const double edge = modules + 2 * labelMarginModules(wanted.code.label, modules);
+  const double edge = modules + 2 * labelMarginModules(engraving.code.label, modules);
   EXPECT_LE(labelled->placement.moduleMm * edge, 60);
   EXPECT_GT(labelled->placement.moduleMm * edge, 57);
 }
 
 TEST_F(LabelPocketsTest, ACodeWithoutRoomForItsLabelIsRefused) {
   const auto model = upload(shapes::plate({40, 40}, 6, 5, 5));
-  EngraveRequest wanted = request(28);
-  EXPECT_FALSE(engrave(model, wanted).has_value());
-  wanted.code.label = {};
-  EXPECT_TRUE(engrave(model, wanted).has_value());
+  EngraveRequest engraving = request(28);
+  EXPECT_FALSE(engrave(model, engraving).has_value());
+  engraving.code.label = {};
+  EXPECT_TRUE(engrave(model, engraving).has_value());
 }
 
 TEST_F(LabelPocketsTest, AThinWallTakesAShallowerLabelOrNone) {
@@ -88,22 +88,22 @@ TEST_F(LabelPocketsTest, AThinWallTakesAShallowerLabelOrNone) {
 
 TEST_F(LabelPocketsTest, ALabelThatTheFontLacksIsRefusedBeforeTheSearch) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
-  EngraveRequest wanted = request(25);
-  wanted.code.label.text = "漢";
-  const auto job = EngraveJob::create(model, wanted);
+  EngraveRequest engraving = request(25);
+  engraving.code.label.text = "漢";
+  const auto job = EngraveJob::create(model, engraving);
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "label-lacks-characters");
 }
 
 TEST_F(LabelPocketsTest, ASmallLabelGetsAnAdvice) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
-  EngraveRequest wanted = request(25);
+  EngraveRequest engraving = request(25);
   const auto codes = [&](const std::string& label) {
-    wanted.code.label.text = label;
-    const auto result = engrave(model, wanted);
+    engraving.code.label.text = label;
+    const auto result = engrave(model, engraving);
     EXPECT_TRUE(result.has_value());
     std::vector<std::string> named;
-    for (const Message& advice : advisePrinting(featuresOf(*result), wanted.print.printer))
+    for (const Message& advice : advisePrinting(featuresOf(*result), engraving.print.printer))
       named.push_back(advice.code);
     return named;
   };

@@ -34,13 +34,13 @@ class MarkTest : public GlTest {
     return kModel;
   }
   static EngraveRequest requestFor(Mark mark, Vec3 centre = {0, 0, 40}, double sizeMm = 25) {
-    EngraveRequest made = defaultRequest();
-    made.code.text = kText;
-    made.marking.mark = mark;
-    made.placement.centreMm = centre;
-    made.placement.sizeMode = SizeMode::Fixed;
-    made.placement.sizeMm = sizeMm;
-    return made;
+    EngraveRequest request = defaultRequest();
+    request.code.text = kText;
+    request.marking.mark = mark;
+    request.placement.centreMm = centre;
+    request.placement.sizeMode = SizeMode::Fixed;
+    request.placement.sizeMm = sizeMm;
+    return request;
   }
   static EngraveResult engraved(const std::shared_ptr<const EngravableModel>& model, const EngraveRequest& request) {
     auto result = engrave(model, request);
@@ -208,27 +208,27 @@ TEST_F(MarkTest, VerifyTakesMarkAndColoursFromTheReportAndAgrees) {
     EXPECT_EQ(json.at("markDepthMm"), result.markDepthMm);
     EXPECT_EQ(json.at("darkReflectance"), 0.05);
     EXPECT_EQ(json.at("lightReflectance"), 0.85);
-    auto wanted = requestFromReport(report);
-    ASSERT_TRUE(wanted.has_value()) << sentence(wanted.error().message);
-    EXPECT_EQ(wanted->mark, mark);
-    wanted->ranges = true;
-    const VerifyResult found = verified(*wanted, mark == Mark::Inlay ? bothBodies(result) : result.mesh);
-    const Verdict verdict = judge(*wanted, found);
+    auto fromReport = requestFromReport(report);
+    ASSERT_TRUE(fromReport.has_value()) << sentence(fromReport.error().message);
+    EXPECT_EQ(fromReport->mark, mark);
+    fromReport->ranges = true;
+    const VerifyResult verification = verified(*fromReport, mark == Mark::Inlay ? bothBodies(result) : result.mesh);
+    const Verdict verdict = judge(*fromReport, verification);
     EXPECT_TRUE(verdict.passed()) << (verdict.failed().empty() ? "" : sentence(verdict.failed().front()));
-    EXPECT_TRUE(found.solidity.solid());
-    ASSERT_TRUE(found.grades);
-    EXPECT_NEAR(found.grades->symbolContrast.value, gradesOf(request, result).symbolContrast.value, 0.03);
-    EXPECT_GE(found.reading.tiltDeg.value_or(0), 10) << markName(mark);  // the bend of the sphere sets the limit
-    EXPECT_TRUE(found.reading.pixelsPerModule);
+    EXPECT_TRUE(verification.solidity.solid());
+    ASSERT_TRUE(verification.grades);
+    EXPECT_NEAR(verification.grades->symbolContrast.value, gradesOf(request, result).symbolContrast.value, 0.03);
+    EXPECT_GE(verification.reading.tiltDeg.value_or(0), 10) << markName(mark);  // the bend of the sphere sets the limit
+    EXPECT_TRUE(verification.reading.pixelsPerModule);
   }
 }
 
 TEST_F(MarkTest, VerifyOfTheBodyAloneSeesWhereItsInlayBelongs) {
   const EngraveRequest request = requestFor(Mark::Inlay);
   const EngraveResult result = engraved(sphere(), request);
-  const VerifyRequest wanted = verifyRequestOf(request, result);
-  EXPECT_TRUE(judge(wanted, verified(wanted, result.mesh)).passed());
-  EXPECT_FALSE(judge(wanted, verified(wanted, sphere()->prepared.mesh)).reads.passed());  // without pockets
+  const VerifyRequest verification = verifyRequestOf(request, result);
+  EXPECT_TRUE(judge(verification, verified(verification, result.mesh)).passed());
+  EXPECT_FALSE(judge(verification, verified(verification, sphere()->prepared.mesh)).reads.passed());  // without pockets
 }
 
 TEST_F(MarkTest, AnInvertedCodeIsWarnedOf) {

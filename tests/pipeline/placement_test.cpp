@@ -19,9 +19,9 @@ constexpr double kOuter = 37.0 / 29;  // with the quiet zone
 class PlacementTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value());
-    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value());
+    pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   }
   void load(const Mesh& mesh) {
     auto prepared = prepareModel(shapes::soupOf(mesh), {});

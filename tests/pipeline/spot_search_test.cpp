@@ -24,37 +24,37 @@ class SpotSearchTest : public GlTest {
     return EngravableModel::upload(std::move(*prepared));
   }
   static SpotSearchRequest request(double sizeMm) {
-    SpotSearchRequest made;
-    if (sizeMm > 0) made.placement.sizeMode = SizeMode::Fixed;
-    made.placement.sizeMm = sizeMm;
-    return made;
+    SpotSearchRequest result;
+    if (sizeMm > 0) result.placement.sizeMode = SizeMode::Fixed;
+    result.placement.sizeMm = sizeMm;
+    return result;
   }
 };
 
 TEST_F(SpotSearchTest, RanksSpotsThatFaceDownLast) {
   for (const double up : {1.0, -1.0}) {
-    SpotSearchRequest wanted = request(30);
-    wanted.count = 2;
-    wanted.buildUp = BuildDirection{.up = Vec3(0, 0, up)};
-    const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
-    ASSERT_TRUE(found.has_value());
-    ASSERT_FALSE(found->spots.empty());
-    EXPECT_GT(found->spots.front().direction.z * up, 0.9);
-    EXPECT_FALSE(found->spots.front().facesDown);
+    SpotSearchRequest parameters = request(30);
+    parameters.count = 2;
+    parameters.buildUp = BuildDirection{.up = Vec3(0, 0, up)};
+    const auto search = findSpots(upload(shapes::box({60, 60, 12})), parameters);
+    ASSERT_TRUE(search.has_value());
+    ASSERT_FALSE(search->spots.empty());
+    EXPECT_GT(search->spots.front().direction.z * up, 0.9);
+    EXPECT_FALSE(search->spots.front().facesDown);
   }
 }
 
 TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   // A side of the box takes larger codes than its top.
-  SpotSearchRequest wanted = request(0);
-  wanted.placement.sizeMode = SizeMode::Oriented;
-  wanted.count = 5;
-  wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+  SpotSearchRequest parameters = request(0);
+  parameters.placement.sizeMode = SizeMode::Oriented;
+  parameters.count = 5;
+  parameters.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
   const auto model = upload(shapes::box({30, 60, 60}));
-  const auto one = findSpots(model, wanted);
-  wanted.colourPrinter = PrinterRequest{};
-  wanted.colourPrinter->buildUp = *wanted.buildUp;
-  const auto two = findSpots(model, wanted);
+  const auto one = findSpots(model, parameters);
+  parameters.colourPrinter = PrinterRequest{};
+  parameters.colourPrinter->buildUp = *parameters.buildUp;
+  const auto two = findSpots(model, parameters);
   ASSERT_TRUE(one.has_value() && two.has_value());
   EXPECT_LT(std::abs(one->spots.front().direction.z), 0.1);
   EXPECT_EQ(one->spots.front().colourLayers, 0);
@@ -70,12 +70,12 @@ TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
     if (x > 5) return -3.0;
     return std::abs(x + 30) < 1.1 ? 2.5 : 0.0;
   });
-  SpotSearchRequest wanted = request(30);
-  wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
-  const auto found = findSpots(upload(model), wanted);
-  ASSERT_TRUE(found.has_value()) << found.error().message;
+  SpotSearchRequest parameters = request(30);
+  parameters.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+  const auto search = findSpots(upload(model), parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
   const auto isUneven = [](const Spot& spot) { return spot.unevenLight > kMostUnevenLight; };
-  const std::vector<Spot>& spots = found->spots;
+  const std::vector<Spot>& spots = search->spots;
   ASSERT_GE(spots.size(), 2u);
   EXPECT_TRUE(spots.front().concerns.empty());
   bool wasDoubted = false;
@@ -88,11 +88,11 @@ TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
 }
 
 TEST_F(SpotSearchTest, WarnsAboutSpotsTooSmallForTheNozzle) {
-  SpotSearchRequest wanted = request(30);
-  wanted.leastPrintableMm = 31;
-  const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
-  ASSERT_TRUE(found.has_value());
-  for (const Spot& spot : found->spots) {
+  SpotSearchRequest parameters = request(30);
+  parameters.leastPrintableMm = 31;
+  const auto search = findSpots(upload(shapes::box({60, 60, 12})), parameters);
+  ASSERT_TRUE(search.has_value());
+  for (const Spot& spot : search->spots) {
     EXPECT_FALSE(spot.prints);
     ASSERT_EQ(spot.concerns.size(), 1u);
     EXPECT_EQ(spot.concerns.front(),
@@ -120,10 +120,10 @@ TEST_F(SpotSearchTest, PrefersAShadedSpotToEvenOnesThatAreTooSmallToPrint) {
 
 TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
   const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
-  const auto found = findSpots(model, request(22));
-  ASSERT_TRUE(found.has_value()) << found.error().message;
-  ASSERT_EQ(found->spots.size(), 5u);
-  for (const Spot& spot : found->spots) {
+  const auto search = findSpots(model, request(22));
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  ASSERT_EQ(search->spots.size(), 5u);
+  for (const Spot& spot : search->spots) {
     EXPECT_EQ(spot.symbolMm, 22);
     EXPECT_GE(spot.largestMm, 22);
     EngraveRequest engraving;
@@ -142,49 +142,49 @@ TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
 
 TEST_F(SpotSearchTest, OffersTheFacesOfACubeInFullSize) {
   const auto model = upload(shapes::box({60, 60, 60}));
-  SpotSearchRequest wanted = request(0);
-  wanted.placement.sizeMode = SizeMode::Oriented;
-  wanted.count = 6;
-  const auto found = findSpots(model, wanted);
-  ASSERT_TRUE(found.has_value()) << found.error().message;
-  ASSERT_EQ(found->spots.size(), 6u);
+  SpotSearchRequest parameters = request(0);
+  parameters.placement.sizeMode = SizeMode::Oriented;
+  parameters.count = 6;
+  const auto search = findSpots(model, parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  ASSERT_EQ(search->spots.size(), 6u);
   const double most = 60.0 * 21 / 29;  // without the quiet zone
-  for (const Spot& spot : found->spots) {
+  for (const Spot& spot : search->spots) {
     const Vec3 p = glm::abs(spot.centreMm);
     EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
     EXPECT_NEAR(spot.guaranteedMm, most / std::sqrt(2), 3);
     EXPECT_EQ(spot.aimToleranceDeg, kMaxAimDeg);
   }
   // The map's vertices are up to 3.5 mm apart, and a centre off the middle loses twice its distance.
-  EXPECT_GT(found->spots.front().symbolMm, most - 2 * 3.5);
-  EXPECT_LT(found->spots.front().symbolMm, most + 1e-3);
+  EXPECT_GT(search->spots.front().symbolMm, most - 2 * 3.5);
+  EXPECT_LT(search->spots.front().symbolMm, most + 1e-3);
 }
 
 TEST_F(SpotSearchTest, RanksTheSpotThatDecodesFromWiderAnglesFirst) {
   // A code bends on the ball. The plate has slightly less room, but a code on it stays flat.
   const auto model =
       upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
-  SpotSearchRequest wanted = request(0);
-  wanted.modules = 29;
-  wanted.placement.maxSizeMm = 20;
-  wanted.count = 3;
-  const auto found = findSpots(model, wanted);
-  ASSERT_TRUE(found.has_value()) << found.error().message;
-  ASSERT_EQ(found->spots.size(), 3u);
-  EXPECT_GT(found->spots[0].centreMm.x, 40);
-  EXPECT_EQ(found->spots[0].aimToleranceDeg, kMaxAimDeg);
-  EXPECT_LT(found->spots[2].centreMm.x, 20);
-  EXPECT_LT(found->spots[2].aimToleranceDeg, 10);
-  EXPECT_GT(found->spots[2].symbolMm, found->spots[0].symbolMm);
+  SpotSearchRequest parameters = request(0);
+  parameters.modules = 29;
+  parameters.placement.maxSizeMm = 20;
+  parameters.count = 3;
+  const auto search = findSpots(model, parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  ASSERT_EQ(search->spots.size(), 3u);
+  EXPECT_GT(search->spots[0].centreMm.x, 40);
+  EXPECT_EQ(search->spots[0].aimToleranceDeg, kMaxAimDeg);
+  EXPECT_LT(search->spots[2].centreMm.x, 20);
+  EXPECT_LT(search->spots[2].aimToleranceDeg, 10);
+  EXPECT_GT(search->spots[2].symbolMm, search->spots[0].symbolMm);
 }
 
 TEST_F(SpotSearchTest, RoundsACentreToThePrintedDigits) {
   const auto model = upload(shapes::icosphere(30, 4));
-  SpotSearchRequest wanted = request(12);
-  wanted.scaleToMm = 1000;
-  const auto found = findSpots(model, wanted);
-  ASSERT_TRUE(found.has_value()) << found.error().message;
-  for (const Spot& spot : found->spots) {
+  SpotSearchRequest parameters = request(12);
+  parameters.scaleToMm = 1000;
+  const auto search = findSpots(model, parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  for (const Spot& spot : search->spots) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(spot.centreFileUnits[k], std::round(spot.centreFileUnits[k] * 1e6) / 1e6);
     EXPECT_EQ(spot.centreMm, spot.centreFileUnits * 1000.0);
     EXPECT_NEAR(glm::length(spot.centreMm), 30, 0.2);
@@ -192,12 +192,12 @@ TEST_F(SpotSearchTest, RoundsACentreToThePrintedDigits) {
 }
 
 TEST_F(SpotSearchTest, NamesTheLargestSizeIfTheRequestedOneFitsNowhere) {
-  const auto found = findSpots(upload(shapes::icosphere(20, 4)), request(60));
-  ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
-  const std::size_t at = sentence(found.error().message).find("the largest size found is ");
-  ASSERT_NE(at, std::string::npos) << found.error().message;
-  const double largest = std::stod(sentence(found.error().message).substr(at + 26));
+  const auto search = findSpots(upload(shapes::icosphere(20, 4)), request(60));
+  ASSERT_FALSE(search.has_value());
+  EXPECT_EQ(search.error().kind, ErrorKind::NoSolution);
+  const std::size_t at = sentence(search.error().message).find("the largest size found is ");
+  ASSERT_NE(at, std::string::npos) << search.error().message;
+  const double largest = std::stod(sentence(search.error().message).substr(at + 26));
   // From 250 mm the visible cap has a half angle of acos(20/270) about the point; on the plane it ends 250·tan φ from
   // its middle.
   const double rim = 250 * std::tan(std::asin(20.0 / 270));
@@ -255,11 +255,11 @@ TEST_F(SpotSearchTest, OffersThinWallsLastIfTheMarkMayBecomePaint) {
 }
 
 TEST_F(SpotSearchTest, UsesTheRequestedDirection) {
-  SpotSearchRequest wanted = request(15);
-  wanted.placement.direction = Vec3(0, 3, 0);
-  const auto found = findSpots(upload(shapes::icosphere(40, 4)), wanted);
-  ASSERT_TRUE(found.has_value()) << found.error().message;
-  for (const Spot& spot : found->spots) {
+  SpotSearchRequest parameters = request(15);
+  parameters.placement.direction = Vec3(0, 3, 0);
+  const auto search = findSpots(upload(shapes::icosphere(40, 4)), parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  for (const Spot& spot : search->spots) {
     EXPECT_FALSE(spot.needsDirection);
     EXPECT_LT(glm::distance(glm::normalize(spot.direction), Vec3(0, 1, 0)), 1e-12);
   }

@@ -57,14 +57,14 @@ TEST(PrintedInk, KeepsWideModulesInEveryPose) {
 
 TEST(PrintedInk, LosesRegionsOfEitherColourNarrowerThanALine) {
   for (const double moduleMm : {0.4, 0.5}) {
-    const double wanted = moduleMm < 0.45 ? 0 : 1;
+    const double expected = moduleMm < 0.45 ? 0 : 1;
     const Picture dark(requestOf(7, moduleMm, {24}));
-    EXPECT_NEAR(dark.at({0, 0}), wanted, 0.2) << moduleMm;
+    EXPECT_NEAR(dark.at({0, 0}), expected, 0.2) << moduleMm;
     std::vector<int> all;
     for (int k = 0; k < 49; ++k)
       if (k != 24) all.push_back(k);
     const Picture light(requestOf(7, moduleMm, all));
-    EXPECT_NEAR(light.at({0, 0}), 1 - wanted, 0.2) << moduleMm;
+    EXPECT_NEAR(light.at({0, 0}), 1 - expected, 0.2) << moduleMm;
   }
 }
 

@@ -32,8 +32,8 @@ bool isGenerated(const std::string& path) {
 }
 
 std::ptrdiff_t layerOf(const std::string& folder) {
-  const auto found = std::find(kLayers.begin(), kLayers.end(), folder);
-  return found == kLayers.end() ? -1 : found - kLayers.begin();
+  const auto it = std::find(kLayers.begin(), kLayers.end(), folder);
+  return it == kLayers.end() ? -1 : it - kLayers.begin();
 }
 
 /// Returns why a file of core/`folder` must not include `path`; nothing if it may.
@@ -158,8 +158,8 @@ TEST(Layers, AreTheFoldersOfCore) {
 /// Returns the violation in a line of a file by an include rule, or the number of violations if it is not one.
 template <class Rule>
 std::string violationOf(const std::string& line, const Rule& why) {
-  const std::vector<std::string> found = violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n", why);
-  return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
+  const std::vector<std::string> violations = violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n", why);
+  return violations.size() == 1 ? violations.front() : std::to_string(violations.size()) + " violations";
 }
 
 TEST(Layers, DetectForbiddenIncludesOfRooms) {

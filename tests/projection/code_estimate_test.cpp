@@ -15,12 +15,12 @@ namespace {
 class CodeEstimateTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value()) << made.error().message;
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value()) << pass.error().message;
     auto prepared = prepareModel(shapes::soupOf(shapes::box({60, 60, 20})), {});
     ASSERT_TRUE(prepared.has_value());
     prepared_ = std::move(*prepared);
-    surface_.emplace(std::make_shared<const GeometryPass>(std::move(*made)),
+    surface_.emplace(std::make_shared<const GeometryPass>(std::move(*pass)),
                      GpuMesh(prepared_.mesh, vertexNormals(prepared_.mesh)));
   }
   EstimatedSurface box() const { return {prepared_.mesh, *surface_, boundingBox(prepared_.mesh).diagonal()}; }
@@ -38,9 +38,9 @@ TEST_F(CodeEstimateTest, AnEstimateOnTopOfABoxAgreesWithTheExactPlacement) {
   ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
   PlacementSearch search(prepared_, *surface_, 29, request);
   for (bool done = false; !done;) {
-    const auto found = search.step();
-    ASSERT_TRUE(found.has_value()) << found.error().message;
-    done = *found;
+    const auto isDone = search.step();
+    ASSERT_TRUE(isDone.has_value()) << isDone.error().message;
+    done = *isDone;
   }
   EXPECT_NEAR(estimate->symbolMm, search.placement().symbolMm, 0.03 * search.placement().symbolMm);
   EXPECT_GT(glm::dot(estimate->frame.normal, search.placement().frame.normal), 0.999);

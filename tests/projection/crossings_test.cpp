@@ -68,17 +68,17 @@ TEST(Crossings, AreFoundNearestFirst) {
   const ProjectionFrame frame = makeFrame({0, 1, 5}, {0, 0, 1}, {0, 1, 0}, 250);
   const auto patch = findSilhouette(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
   ASSERT_TRUE(patch.has_value());
-  const auto found = nearestCrossing(mesh, patch->triangles, {0, 1, 5});
-  ASSERT_TRUE(found.has_value() && found->has_value());
-  EXPECT_NEAR(glm::distance(**found, Vec3(8, 1, 5)), 0, 1e-9);
+  const auto crossing = nearestCrossing(mesh, patch->triangles, {0, 1, 5});
+  ASSERT_TRUE(crossing.has_value() && crossing->has_value());
+  EXPECT_NEAR(glm::distance(**crossing, Vec3(8, 1, 5)), 0, 1e-9);
 }
 
 TEST(Crossings, AreNotFoundInAnIntactSurface) {
   const Mesh box = shapes::box({40, 40, 10});
   const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  const auto found = nearestCrossing(box, all, {0, 1, 5});
-  ASSERT_TRUE(found.has_value());
-  EXPECT_FALSE(found->has_value());
+  const auto crossing = nearestCrossing(box, all, {0, 1, 5});
+  ASSERT_TRUE(crossing.has_value());
+  EXPECT_FALSE(crossing->has_value());
 }
 
 TEST(Crossings, KeepAnIntactSurfaceUnchanged) {

@@ -115,20 +115,20 @@ TEST(MapSample, TheCentreIsHiddenIfSomethingIsNearer) {
 class DirectionTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value());
-    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value());
+    pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   }
   /// Runs a search to its end.
   DirectionSearch search(const Mesh& mesh, Vec3 centre, Vec3 normal, DirectionOptions options) {
     surface_.emplace(pass_, GpuMesh(mesh, vertexNormals(mesh)));
-    DirectionSearch made(*surface_, centre, normal, {0, 1, 0}, 250, options);
+    DirectionSearch result(*surface_, centre, normal, {0, 1, 0}, 250, options);
     for (int i = 0; i < 20; ++i) {
-      const Result<bool> done = made.step();
+      const Result<bool> done = result.step();
       EXPECT_TRUE(done.has_value());
       if (!done || *done) break;
     }
-    return made;
+    return result;
   }
   std::shared_ptr<const GeometryPass> pass_;
   std::optional<GpuSurface> surface_;
@@ -141,19 +141,19 @@ TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusForAnyFirstNormal) {
     options.method = method;
     options.sizeMm = 25;
     options.variance = 0;
-    const DirectionSearch found = search(shapes::icosphere(40, 6), centre, {0.1, 0.05, 1}, options);
+    const DirectionSearch result = search(shapes::icosphere(40, 6), centre, {0.1, 0.05, 1}, options);
     // With a first look 6.4° off, the mean normal leaves some of the error; five rounds leave almost none.
     const double limit = method == DirectionMethod::MeanNormal ? 0.06 : 0.01;
-    EXPECT_LT(glm::length(found.normal() - Vec3(0, 0, 1)), limit) << static_cast<int>(method);
+    EXPECT_LT(glm::length(result.normal() - Vec3(0, 0, 1)), limit) << static_cast<int>(method);
   }
 }
 
 TEST_F(DirectionTest, ThePrincipalAxisOfATiltedPlaneIsItsNormal) {
   const Mesh plane = shapes::plate({200, 200}, 80, 4, 4, [](double x, double y) { return 0.3 * x + 0.2 * y; });
-  const DirectionSearch found = search(plane, {0, 0, 0}, {0.2, 0, 1}, {.method = DirectionMethod::Pca, .sizeMm = 30});
-  EXPECT_LT(glm::length(found.normal() - glm::normalize(Vec3(-0.3, -0.2, 1))), 1e-4);
-  EXPECT_EQ(found.iterations().size(), 2u);
-  EXPECT_EQ(found.iterations()[1].normal, found.normal());
+  const DirectionSearch result = search(plane, {0, 0, 0}, {0.2, 0, 1}, {.method = DirectionMethod::Pca, .sizeMm = 30});
+  EXPECT_LT(glm::length(result.normal() - glm::normalize(Vec3(-0.3, -0.2, 1))), 1e-4);
+  EXPECT_EQ(result.iterations().size(), 2u);
+  EXPECT_EQ(result.iterations()[1].normal, result.normal());
 }
 
 TEST_F(DirectionTest, ThePrincipalAxisOfASphereACylinderAndASaddlePointsOutwards) {
@@ -169,24 +169,24 @@ TEST_F(DirectionTest, ThePrincipalAxisOfASphereACylinderAndASaddlePointsOutwards
 }
 
 TEST_F(DirectionTest, OnAFlatFaceItStopsAfterOneUpdate) {
-  const DirectionSearch found = search(shapes::box({80, 80, 20}), {0, 0, 10}, {0, 0, 1}, {.sizeMm = 30});
-  EXPECT_EQ(found.iterations().size(), 2u);
-  EXPECT_LT(glm::length(found.normal() - Vec3(0, 0, 1)), 1e-5);
+  const DirectionSearch result = search(shapes::box({80, 80, 20}), {0, 0, 10}, {0, 0, 1}, {.sizeMm = 30});
+  EXPECT_EQ(result.iterations().size(), 2u);
+  EXPECT_LT(glm::length(result.normal() - Vec3(0, 0, 1)), 1e-5);
 }
 
 TEST_F(DirectionTest, OverAnEdgeTheDirectionEndsBetweenTheTwoFaces) {
   DirectionOptions options;
   options.sizeMm = 30;
-  const DirectionSearch found = search(shapes::box({80, 80, 80}), {38, 0, 40}, {0, 0, 1}, options);
-  EXPECT_GT(found.normal().x, 0.3);
-  EXPECT_GT(found.normal().z, 0.3);
-  EXPECT_NEAR(found.normal().y, 0, 0.05);
-  EXPECT_EQ(found.iterations().size(), 6u);
+  const DirectionSearch result = search(shapes::box({80, 80, 80}), {38, 0, 40}, {0, 0, 1}, options);
+  EXPECT_GT(result.normal().x, 0.3);
+  EXPECT_GT(result.normal().z, 0.3);
+  EXPECT_NEAR(result.normal().y, 0, 0.05);
+  EXPECT_EQ(result.iterations().size(), 6u);
   double least = 1e9;
-  for (std::size_t i = 1; i < found.iterations().size(); ++i)
-    least = std::min(least, found.iterations()[i].varianceMm2);
-  for (const DirectionIteration& i : found.iterations()) {
-    if (i.normal != found.normal()) continue;
+  for (std::size_t i = 1; i < result.iterations().size(); ++i)
+    least = std::min(least, result.iterations()[i].varianceMm2);
+  for (const DirectionIteration& i : result.iterations()) {
+    if (i.normal != result.normal()) continue;
     EXPECT_EQ(i.varianceMm2, least);
   }
 }

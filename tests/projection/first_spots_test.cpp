@@ -14,9 +14,9 @@ namespace {
 class FirstSpots : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value()) << pass.error().message;
+    pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   }
   /// Searches from above.
   std::optional<Vec3> spotOn(const Mesh& mesh, double sizeMm) {

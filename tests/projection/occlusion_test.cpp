@@ -114,11 +114,11 @@ TEST(CentreObstruction, NamesTheNearestFacetAndTheDistanceThatClearsAll) {
   const Mesh plates = shapes::together(shapes::translated(shapes::box({9, 8, 10}), {1, 0, 25}),
                                        shapes::translated(shapes::box({9, 8, 10}), {1, 0, 65}));
   const Mesh mesh = shapes::together(floor, plates);
-  const std::optional<CentreObstruction> found = whatHidesCentre(mesh, kFrame, viewFrom(mesh, kFrame));
-  ASSERT_TRUE(found);
-  EXPECT_DOUBLE_EQ(found->fromEyeMm, 30);
-  EXPECT_DOUBLE_EQ(found->clearDistanceMm, 20);
-  for (int k = 0; k < 3; ++k) EXPECT_EQ(mesh.corner(found->triangle, k).z, 70);
+  const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, kFrame, viewFrom(mesh, kFrame));
+  ASSERT_TRUE(obstruction);
+  EXPECT_DOUBLE_EQ(obstruction->fromEyeMm, 30);
+  EXPECT_DOUBLE_EQ(obstruction->clearDistanceMm, 20);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(mesh.corner(obstruction->triangle, k).z, 70);
   EXPECT_FALSE(whatHidesCentre(floor, kFrame, viewFrom(floor, kFrame)));
 }
 

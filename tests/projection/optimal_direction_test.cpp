@@ -16,9 +16,9 @@ namespace {
 class OptimalDirectionTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value());
-    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value());
+    pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   }
   template <class Search>
   static Search finished(Search search) {
@@ -41,34 +41,34 @@ class OptimalDirectionTest : public GlTest {
 };
 
 TEST_F(OptimalDirectionTest, FindsTheNormalOfAPlaneFromATiltedStart) {
-  const OptimalDirection found =
+  const OptimalDirection direction =
       search(shapes::box({200, 200, 20}), {0, 0, 10}, {0.2, -0.1, 1}, {.sizeMm = 30, .mapTexels = 128});
-  EXPECT_LT(std::acos(found.normal().z), std::numbers::pi / 180);
+  EXPECT_LT(std::acos(direction.normal().z), std::numbers::pi / 180);
 }
 
 TEST_F(OptimalDirectionTest, KeepsAStartThatIsBest) {
   const Mesh saddle = shapes::plate({80, 80}, 40, 80, 80, [](double x, double y) { return 0.01 * (x * x - y * y); });
-  const OptimalDirection found = search(saddle, {0, 0, 0}, {0, 0, 1}, {.sizeMm = 30, .mapTexels = 128});
-  EXPECT_LT(glm::length(found.normal() - Vec3(0, 0, 1)), 1e-12);
-  EXPECT_EQ(found.iterations().size(), 17u);  // the start, and four sides of 8°, 4°, 2° and 1°
+  const OptimalDirection direction = search(saddle, {0, 0, 0}, {0, 0, 1}, {.sizeMm = 30, .mapTexels = 128});
+  EXPECT_LT(glm::length(direction.normal() - Vec3(0, 0, 1)), 1e-12);
+  EXPECT_EQ(direction.iterations().size(), 17u);  // the start, and four sides of 8°, 4°, 2° and 1°
 }
 
 TEST_F(OptimalDirectionTest, OverAnEdgeLiesBetweenTheTwoFaces) {
-  const OptimalDirection found =
+  const OptimalDirection direction =
       search(shapes::box({80, 80, 80}), {40, 0, 40}, {0.5, 0, 1}, {.sizeMm = 30, .mapTexels = 128});
-  EXPECT_NEAR(found.normal().x, found.normal().z, 0.03);
-  EXPECT_NEAR(found.normal().y, 0, 0.02);
+  EXPECT_NEAR(direction.normal().x, direction.normal().z, 0.03);
+  EXPECT_NEAR(direction.normal().y, 0, 0.02);
 }
 
 TEST_F(OptimalDirectionTest, StaysWithinItsBound) {
   const Vec3 start = glm::normalize(Vec3(std::tan(1.0), 0, 1));
-  const OptimalDirection found =
+  const OptimalDirection direction =
       search(shapes::box({300, 300, 20}), {0, 0, 10}, start, {.sizeMm = 20, .mapTexels = 64});
-  EXPECT_LE(static_cast<int>(found.iterations().size()), OptimalDirection::kMaxLooks);
-  for (const DirectionIteration& look : found.iterations())
+  EXPECT_LE(static_cast<int>(direction.iterations().size()), OptimalDirection::kMaxLooks);
+  for (const DirectionIteration& look : direction.iterations())
     EXPECT_LE(std::acos(glm::dot(look.normal, start)), OptimalDirection::kFarthestTurn + 1e-9);
   // The result is turned towards the plane's normal as far as the bound allows, except for one last step.
-  EXPECT_GT(std::acos(glm::dot(found.normal(), start)), OptimalDirection::kFarthestTurn - 0.04);
+  EXPECT_GT(std::acos(glm::dot(direction.normal(), start)), OptimalDirection::kFarthestTurn - 0.04);
 }
 
 TEST_F(OptimalDirectionTest, IsNeverWorseThanDepthBalancedOnGeneratedShapes) {

@@ -40,9 +40,9 @@ void expectToFindAll(double halfWidth) {
   PlaneGrid grid(segments, halfWidth);
   for (int k = 0; k < 400; ++k) {
     const Triangle2 query = randomTriangle(random, 30);
-    const std::span<const std::uint32_t> found = grid.near(query);
-    const std::set<std::uint32_t> unique(found.begin(), found.end());
-    EXPECT_EQ(unique.size(), found.size()) << "a shape was found twice";
+    const std::span<const std::uint32_t> near = grid.near(query);
+    const std::set<std::uint32_t> unique(near.begin(), near.end());
+    EXPECT_EQ(unique.size(), near.size()) << "a shape was found twice";
     for (std::uint32_t s = 0; s < segments.size(); ++s)
       ASSERT_TRUE(unique.count(s) || !segmentsMeet(segments[s], query)) << "segment " << s << ", query " << k;
   }

@@ -14,9 +14,9 @@ namespace {
 class EyeReachTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::make_shared<const GeometryPass>(std::move(*made));
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value()) << pass.error().message;
+    pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   }
   VisibilityMap look(const Mesh& mesh, Vec3 centre, double extentMm) {
     const GpuSurface surface(pass_, GpuMesh(mesh, vertexNormals(mesh)));

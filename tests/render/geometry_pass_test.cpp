@@ -12,9 +12,9 @@ namespace {
 class GeometryPassTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = GeometryPass::create();
-    ASSERT_TRUE(made.has_value()) << made.error().message;
-    pass_ = std::move(*made);
+    auto pass = GeometryPass::create();
+    ASSERT_TRUE(pass.has_value()) << pass.error().message;
+    pass_ = std::move(*pass);
   }
   static GpuMesh upload(const Mesh& mesh) { return {mesh, vertexNormals(mesh)}; }
   GeometryPass pass_;

@@ -115,13 +115,13 @@ TEST_F(LuminancePassTest, TheCheapSettingAgreesWithTheFineOneAndBetterThanAllTex
     pass_.run();
     means.push_back(pass_.readLuminance());
   }
-  const auto errors = [&](const std::vector<float>& found) {
+  const auto errors = [&](const std::vector<float>& luminance) {
     double worst = 0, sum = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      worst = std::max<double>(worst, std::abs(found[i] - means[0][i]));
-      sum += std::abs(found[i] - means[0][i]);
+    for (std::size_t i = 0; i < luminance.size(); ++i) {
+      worst = std::max<double>(worst, std::abs(luminance[i] - means[0][i]));
+      sum += std::abs(luminance[i] - means[0][i]);
     }
-    return std::pair(worst, sum / static_cast<double>(found.size()));
+    return std::pair(worst, sum / static_cast<double>(luminance.size()));
   };
   const auto [worst, mean] = errors(means[1]);
   EXPECT_LT(worst, 0.03);

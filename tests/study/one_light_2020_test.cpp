@@ -33,7 +33,7 @@ TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
   ASSERT_TRUE(code.has_value());
   const double h = spot.submoduleMm(), stepMm = options.stepSubmodules * h;
   const double elevation = toRadians(options.upperElevationDeg);
-  const int wanted = oneLightGrey(1, std::sin(elevation)) - static_cast<int>(0.2 * 255);
+  const int expected = oneLightGrey(1, std::sin(elevation)) - static_cast<int>(0.2 * 255);
   std::vector<double> depths;  // by column
   const auto litShare = [&](double depth) {
     int lit = 0;
@@ -50,7 +50,7 @@ TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
   };
   while (depths.size() < kSubmodulesPerModule) {
     double depth = stepMm;
-    while (oneLightGrey(1, litShare(depth) * std::sin(elevation)) > wanted) depth += stepMm;
+    while (oneLightGrey(1, litShare(depth) * std::sin(elevation)) > expected) depth += stepMm;
     depths.push_back(depth);
   }
   for (const std::uint32_t i : carvedOf(mask)) {

@@ -81,7 +81,7 @@ TEST_F(ShapedFloorSearchTest, MakesEveryModuleDarkEnoughAndHardlyDeeperThanNeces
     EXPECT_LT(search.iterations(), 40) << floorShapeName(shape);
     EXPECT_EQ(search.doneFraction(), 1);
     EXPECT_EQ(search.limitedCount(), 0u);
-    const std::vector<double> found = contrasts(search.depths());
+    const std::vector<double> contrast = contrasts(search.depths());
     // If every module were shallower by twice the slack, few would be dark enough.
     DepthField less = search.depths();
     double deepest = 0;
@@ -89,10 +89,10 @@ TEST_F(ShapedFloorSearchTest, MakesEveryModuleDarkEnoughAndHardlyDeeperThanNeces
     for (double& depth : less.depthMm) depth *= 1 - 2 * kSlackMm / deepest;
     const std::vector<double> shallower = contrasts(less);
     int dark = 0, stillDark = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i] == 0) continue;
-      EXPECT_GE(found[i], 0.3 - 1e-9);
-      EXPECT_NEAR(found[i], search.contrasts()[i], 1e-9);
+    for (std::size_t i = 0; i < contrast.size(); ++i) {
+      if (contrast[i] == 0) continue;
+      EXPECT_GE(contrast[i], 0.3 - 1e-9);
+      EXPECT_NEAR(contrast[i], search.contrasts()[i], 1e-9);
       ++dark;
       stillDark += shallower[i] >= 0.3;
     }

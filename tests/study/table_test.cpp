@@ -94,11 +94,11 @@ TEST(Study, CaseNamesAreUniqueAndHaveAllKeys) {
 /// Checks that committed tables match the current experiments: their columns, and no cases but theirs.
 TEST(Study, CommittedTablesHaveAllCasesOfThisVersion) {
   const fs::path results = fs::path(QRELIEF_SOURCE_DIR) / "study" / "results";
-  int kept = 0;
+  int matches = 0;
   for (const Experiment& experiment : allExperiments()) {
     const fs::path path = results / (experiment.name + ".csv");
     if (!fs::exists(path)) continue;
-    ++kept;
+    ++matches;
     const auto table = Table::open(experiment, path.string());
     ASSERT_TRUE(table.has_value()) << experiment.name;
     for (const Row& key : experiment.cases)
@@ -107,7 +107,7 @@ TEST(Study, CommittedTablesHaveAllCasesOfThisVersion) {
     const auto lines = std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
     EXPECT_EQ(lines - 1, std::ssize(experiment.cases)) << experiment.name;
   }
-  EXPECT_GT(kept, 0);
+  EXPECT_GT(matches, 0);
 }
 
 }  // namespace

@@ -268,12 +268,12 @@ PlacementRequest chosenPlacement(const Mesh& mesh, Choices& choices) {
 }  // namespace
 
 EngraveCase makeEngraveCase(Choices& choices) {
-  EngraveCase made;
+  EngraveCase engraveCase;
   const Shape& shape = chosenShape(choices);
-  made.shape = shape.name;
-  made.mesh = moved(shape.make(choices), choices);
-  EngraveRequest& request = made.request;
-  request.placement = chosenPlacement(made.mesh, choices);
+  engraveCase.shape = shape.name;
+  engraveCase.mesh = moved(shape.make(choices), choices);
+  EngraveRequest& request = engraveCase.request;
+  request.placement = chosenPlacement(engraveCase.mesh, choices);
   request.code.text = chosenText(choices);
   request.code.symbol.errorCorrection = choices.of(kLevels);
   if (choices.oneIn(6)) request.code.symbol.version = choices.between(1, 5);
@@ -284,7 +284,7 @@ EngraveCase makeEngraveCase(Choices& choices) {
   if (choices.oneIn(3)) request.depth.maxDepthMm = choices.between(0.1, 3.0);
   if (choices.oneIn(2)) request.depth.minWallMm = choices.between(0.0, 3.0);
   request.depth.surface = choices.of(kSurfaceModes);
-  return made;
+  return engraveCase;
 }
 
 std::string EngraveCase::describe() const {

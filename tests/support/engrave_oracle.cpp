@@ -97,13 +97,13 @@ Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double square
 std::string solidFault(const EngravableModel& model, const EngraveResult& result, const Mesh& carved) {
   const std::string problem = surfaceProblems(carved);
   if (!problem.empty()) return problem;
-  const std::vector<std::uint32_t> made = facetsNotIn(carved, model.prepared.mesh);
-  if (made.empty()) return "nothing was carved";
-  if (carved.triangles.size() - made.size() != result.keptTriangles)
+  const std::vector<std::uint32_t> newFacets = facetsNotIn(carved, model.prepared.mesh);
+  if (newFacets.empty()) return "nothing was carved";
+  if (carved.triangles.size() - newFacets.size() != result.keptTriangles)
     return fmt::format("{} facets are said to be kept, {} are", result.keptTriangles,
-                       carved.triangles.size() - made.size());
+                       carved.triangles.size() - newFacets.size());
   if (warnedOf(model.prepared, "self-intersections")) return {};  // inherited crossings look like new ones
-  if (const std::size_t crossings = countCrossings(carved, made); crossings > 0)
+  if (const std::size_t crossings = countCrossings(carved, newFacets); crossings > 0)
     return fmt::format("{} pairs of triangles cross", crossings);
   if (!result.solidity.solid())
     return "the job says that it is no solid: " + sentence(result.solidity.problems().front());
@@ -186,7 +186,7 @@ double distanceTo(const Mesh& mesh, const std::vector<std::uint32_t>& facets, Ve
   return nearest;
 }
 
-std::string wallFault(const PlaneCaster& after, const EngraveCase& made, const EngravableModel& model,
+std::string wallFault(const PlaneCaster& after, const EngraveCase& engraveCase, const EngravableModel& model,
                       const EngraveResult& result) {
   const Mesh& mesh = model.prepared.mesh;
   const DepthField& field = result.depths;
@@ -201,33 +201,33 @@ std::string wallFault(const PlaneCaster& after, const EngraveCase& made, const E
     const Vec2 p = pointOf(field, row, column, k);
     const Vec3 floor = frame.eye() + frame.rayDirection(p) * after.distance(p);
     const double wall = distanceTo(mesh, walls, floor);
-    if (wall < made.request.depth.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
+    if (wall < engraveCase.request.depth.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
       return fmt::format("behind submodule ({}, {}) {:.4g} mm of wall are left, not {:.4g}", row, column, wall,
-                         made.request.depth.minWallMm);
+                         engraveCase.request.depth.minWallMm);
   }
   return {};
 }
 
-std::string seenFault(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
-  const double square = result.placement.symbolMm * outerFactor(made.request.placement, result.symbol.size);
+std::string seenFault(const EngraveCase& engraveCase, const EngravableModel& model, const EngraveResult& result) {
+  const double square = result.placement.symbolMm * outerFactor(engraveCase.request.placement, result.symbol.size);
   const Reach reach = walkOutwards(model.prepared.mesh, result.placement.frame, square * (1 - 1e-9), 96, 24);
   if (std::isinf(reach.orientedMm)) return {};
   return fmt::format("the code of {:.5g} mm is broken by the silhouette {:.5g} mm out", square, reach.orientedMm / 2);
 }
 
-OracleVerdict judgeSolid(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
+OracleVerdict judgeSolid(const EngraveCase& engraveCase, const EngravableModel& model, const EngraveResult& result) {
   const Mesh carved = meshOfStl(result.stl);
   const double half = result.placement.symbolMm / 2;
   const PlaneCaster before(model.prepared.mesh, result.placement.frame, half);
   const PlaneCaster after(carved, result.placement.frame, half);
   std::string fault = solidFault(model, result, carved);
   if (fault.empty()) fault = untouchedFault(model, result, carved);
-  if (fault.empty()) fault = seenFault(made, model, result);
+  if (fault.empty()) fault = seenFault(engraveCase, model, result);
   // A resampled surface differs from the model's, so depths cannot be measured from the model.
-  const bool isPreserved = made.request.depth.surface == SurfaceMode::Preserved;
+  const bool isPreserved = engraveCase.request.depth.surface == SurfaceMode::Preserved;
   if (fault.empty() && isPreserved) fault = depthFault(before, after, result);
   if (fault.empty() && isPreserved) fault = volumeFault(before, model, result, carved);
-  if (fault.empty()) fault = wallFault(after, made, model, result);
+  if (fault.empty()) fault = wallFault(after, engraveCase, model, result);
   return {"solid", fault};
 }
 
@@ -248,8 +248,8 @@ ProjectionFrame frameOf(const PlacementRequest& place, Vec3 centre, Vec3 normal)
   return frame;
 }
 
-Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int modules) {
-  const PlacementRequest& place = made.request.placement;
+Search repeatSearch(const EngraveCase& engraveCase, const EngravableModel& model, int modules) {
+  const PlacementRequest& place = engraveCase.request.placement;
   Search repeated;
   PlacementSearch search(model.prepared, *model.renderer, modules, place);
   for (;;) {
@@ -267,10 +267,10 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
 }
 
 /// Checks that from every direction the search looked from, the silhouette breaks a code of `symbolMm`.
-std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
+std::string fitFault(const EngraveCase& engraveCase, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
-  const double square = symbolMm * roomFactor(modules, made.request.placement);
-  const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
+  const double square = symbolMm * roomFactor(modules, engraveCase.request.placement);
+  const bool anyRotation = engraveCase.request.placement.sizeMode == SizeMode::Free;
   for (const ProjectionFrame& frame : search.frames) {
     // Over all rotations the square's corners sweep a disc; a larger square encloses it.
     const double looked = square * (anyRotation ? std::numbers::sqrt2 : 1.0);
@@ -282,11 +282,11 @@ std::string fitFault(const EngraveCase& made, const EngravableModel& model, cons
   return {};
 }
 
-std::string thinFault(const EngraveCase& made, const EngravableModel& model, const Search& search,
+std::string thinFault(const EngraveCase& engraveCase, const EngravableModel& model, const Search& search,
                       const Symbol& symbol) {
   const Placement& placement = search.placement;
   const SubmoduleMask mask =
-      submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
+      submodulesToCarve(symbol, *engraveCase.request.code.modulePattern, *engraveCase.request.code.finderPattern);
   const DepthField field{mask.size, placement.symbolMm, {}};
   const PlaneCaster before(model.prepared.mesh, placement.frame, placement.symbolMm / 2);
   const std::vector<std::uint32_t> walls = wallFacets(model.prepared.mesh, placement);
@@ -297,7 +297,7 @@ std::string thinFault(const EngraveCase& made, const EngravableModel& model, con
     if (!mask.isCarved(row, column)) continue;
     const Vec2 p = field.corner(row, column) + Vec2(0.5, -0.5) * field.submoduleMm();
     const Vec3 top = placement.frame.eye() + placement.frame.rayDirection(p) * before.distance(p);
-    const double spare = distanceTo(model.prepared.mesh, walls, top) - made.request.depth.minWallMm;
+    const double spare = distanceTo(model.prepared.mesh, walls, top) - engraveCase.request.depth.minWallMm;
     if (spare > 0.05 + field.submoduleMm())
       return fmt::format("submodule ({}, {}) has {:.4g} mm to spare", row, column, spare);
   }
@@ -358,34 +358,34 @@ std::string fineFault(const EngravableModel& model, const Search& search) {
 
 /// Compares the diagonal of the smallest code with the model's, seen from the eye as large as its nearest point may
 /// appear.
-std::string smallFault(const EngraveCase& made, const EngravableModel& model, int modules) {
+std::string smallFault(const EngraveCase& engraveCase, const EngravableModel& model, int modules) {
   const double diagonal = boundingBox(model.prepared.mesh).diagonal();
-  const PlacementRequest& place = made.request.placement;
+  const PlacementRequest& place = engraveCase.request.placement;
   const double least = 0.2 * modules * outerFactor(place, modules);
   const double enlarged = diagonal * place.eyeDistanceMm / (place.eyeDistanceMm - diagonal);
   return std::sqrt(2) * least > enlarged ? "" : "the model may have room for a code";
 }
 
-OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+OracleVerdict judgeNoSolution(const EngraveCase& engraveCase, const EngravableModel& model, const Error& error) {
   const auto says = [&](auto... codes) { return ((error.message.code == codes) || ...); };
-  const auto symbol = encodeSymbol(made.request.code.text, made.request.code.symbol);
+  const auto symbol = encodeSymbol(engraveCase.request.code.text, engraveCase.request.code.symbol);
   if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + sentence(error.message)};
-  if (error.message.code == "model-too-small") return {"model too small", smallFault(made, model, symbol->size)};
-  const Search search = repeatSearch(made, model, symbol->size);
+  if (error.message.code == "model-too-small") return {"model too small", smallFault(engraveCase, model, symbol->size)};
+  const Search search = repeatSearch(engraveCase, model, symbol->size);
   if (says("code-too-large", "code-too-large-here", "code-fits-turned"))
-    return {"does not fit", fitFault(made, model, search, symbol->size, made.request.placement.sizeMm)};
+    return {"does not fit", fitFault(engraveCase, model, search, symbol->size, engraveCase.request.placement.sizeMm)};
   if (says("modules-too-small-as-asked")) {
-    const PlacementRequest& place = made.request.placement;
+    const PlacementRequest& place = engraveCase.request.placement;
     const double asked = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
     return {"asks for a tiny code", asked < 0.2 * symbol->size ? "" : "the modules would be wide enough"};
   }
   if (says("modules-too-small-here"))  // the modules would be narrower than 0.2 mm
-    return {"fits a tiny code only", fitFault(made, model, search, symbol->size, 0.2 * symbol->size)};
+    return {"fits a tiny code only", fitFault(engraveCase, model, search, symbol->size, 0.2 * symbol->size)};
   if (says("centre-faces-away")) return {"faces away", reasonFault(model, search, "the centre faces away", facesAway)};
   if (says("centre-hidden")) return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
   if (says("centre-behind-eye"))
     return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
-  if (says("nothing-can-be-carved")) return {"wall too thin", thinFault(made, model, search, *symbol)};
+  if (says("nothing-can-be-carved")) return {"wall too thin", thinFault(engraveCase, model, search, *symbol)};
   if (says("facets-too-fine", "carved-not-solid")) return {"facets too fine", fineFault(model, search)};
   return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }
@@ -394,15 +394,16 @@ OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& mo
 constexpr std::array<std::array<std::size_t, 4>, 5> kByteCapacity = {
     {{17, 14, 11, 7}, {32, 26, 20, 14}, {53, 42, 32, 24}, {78, 62, 46, 34}, {106, 84, 60, 44}}};
 
-OracleVerdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+OracleVerdict judgeBadInput(const EngraveCase& engraveCase, const EngravableModel& model, const Error& error) {
   if (!model.prepared.engravable()) {
-    const bool torn = !surfaceProblems(made.mesh).empty();
+    const bool torn = !surfaceProblems(engraveCase.mesh).empty();
     return {"no solid", torn ? "" : "the model is a solid, but: " + sentence(error.message)};
   }
-  const std::optional<int> version = made.request.code.symbol.version;
-  const auto level = static_cast<std::size_t>(made.request.code.symbol.errorCorrection);
+  const std::optional<int> version = engraveCase.request.code.symbol.version;
+  const auto level = static_cast<std::size_t>(engraveCase.request.code.symbol.errorCorrection);
   if (!version) return {"bad input", "a reason that nobody checks: " + sentence(error.message)};
-  const bool tooLong = made.request.code.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
+  const bool tooLong =
+      engraveCase.request.code.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
   return {"text too long", tooLong ? "" : "the text fits: " + sentence(error.message)};
 }
 
@@ -428,21 +429,21 @@ std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const doub
 }
 
 /// Makes depths, embedding and the file for a placement.
-Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& model, Placement placement,
+Result<EngraveResult> carve(const EngraveCase& engraveCase, const EngravableModel& model, Placement placement,
                             const Symbol& symbol, Choices& choices) {
   const Mesh& mesh = model.prepared.mesh;
   EngraveResult result;
   const SubmoduleMask mask =
-      submodulesToCarve(symbol, *made.request.code.modulePattern, *made.request.code.finderPattern);
+      submodulesToCarve(symbol, *engraveCase.request.code.modulePattern, *engraveCase.request.code.finderPattern);
   result.depths = {mask.size, placement.symbolMm, {}};
   const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
-                                                {placement.symbolMm, kDeepestMm, made.request.depth.minWallMm});
+                                                {placement.symbolMm, kDeepestMm, engraveCase.request.depth.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorKind::NoSolution,
-                message("nothing-can-be-carved", with::lengthMm<"wall">(made.request.depth.minWallMm)));
+                message("nothing-can-be-carved", with::lengthMm<"wall">(engraveCase.request.depth.minWallMm)));
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
-                                        {.surface = made.request.depth.surface});
+                                        {.surface = engraveCase.request.depth.surface});
   if (!embedded) return tl::unexpected(embedded.error());
   result.stl = writeStl(embedded->mesh);
   result.keptTriangles = embedded->keptTriangles;
@@ -457,39 +458,39 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
 
 }  // namespace
 
-OracleVerdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result) {
-  if (result) return judgeSolid(made, model, *result);
+OracleVerdict judge(const EngraveCase& engraveCase, const EngravableModel& model, const Result<EngraveResult>& result) {
+  if (result) return judgeSolid(engraveCase, model, *result);
   const Error& error = result.error();
   if (sentence(error.message).empty() || hint(error.message).empty())
     return {"refused", "without a message or a hint: " + sentence(error.message)};
-  if (error.kind == ErrorKind::NoSolution) return judgeNoSolution(made, model, error);
-  if (error.kind == ErrorKind::BadInput) return judgeBadInput(made, model, error);
+  if (error.kind == ErrorKind::NoSolution) return judgeNoSolution(engraveCase, model, error);
+  if (error.kind == ErrorKind::BadInput) return judgeBadInput(engraveCase, model, error);
   return {"error", "no typed refusal: " + sentence(error.message)};
 }
 
-OracleVerdict runEngraveCase(const EngraveCase& made) {
-  auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
+OracleVerdict runEngraveCase(const EngraveCase& engraveCase) {
+  auto prepared = prepareModel(shapes::soupOf(engraveCase.mesh), {});
   if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   const auto model = EngravableModel::upload(std::move(*prepared));
-  return judge(made, *model, engrave(model, made.request));
+  return judge(engraveCase, *model, engrave(model, engraveCase.request));
 }
 
-OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
-  auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
+OracleVerdict runCarvingCase(const EngraveCase& engraveCase, Choices& choices) {
+  auto prepared = prepareModel(shapes::soupOf(engraveCase.mesh), {});
   if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   const auto shared = EngravableModel::create(std::move(*prepared), nullptr);
   const EngravableModel& model = *shared;
   if (const Status engravable = model.prepared.engravable(); !engravable)
-    return judge(made, model, tl::unexpected(engravable.error()));
-  const auto symbol = encodeSymbol(made.request.code.text, made.request.code.symbol);
-  if (!symbol) return judge(made, model, tl::unexpected(symbol.error()));
+    return judge(engraveCase, model, tl::unexpected(engravable.error()));
+  const auto symbol = encodeSymbol(engraveCase.request.code.text, engraveCase.request.code.symbol);
+  if (!symbol) return judge(engraveCase, model, tl::unexpected(symbol.error()));
 
-  EngraveCase directed = made;
+  EngraveCase directed = engraveCase;
   if (!directed.request.placement.direction) {
-    const auto nearest = closestPoint(model.prepared.mesh, made.request.placement.centreMm);
+    const auto nearest = closestPoint(model.prepared.mesh, engraveCase.request.placement.centreMm);
     directed.request.placement.direction = triangleNormal(model.prepared.mesh, nearest->triangle);
   }
-  directed.request.placement.beyondMm = made.request.depth.minWallMm + kDeepestMm;
+  directed.request.placement.beyondMm = engraveCase.request.depth.minWallMm + kDeepestMm;
   PlacementSearch search(model.prepared, *model.renderer, symbol->size, directed.request.placement);
   if (const Result<bool> placed = search.step(); !placed) return judge(directed, model, tl::unexpected(placed.error()));
   return judge(directed, model, carve(directed, model, search.placement(), *symbol, choices));

@@ -25,13 +25,13 @@ struct OracleVerdict {
 /// needs a facet that lies partly behind or in front of another visible facet. If a centre is hidden, something lies in
 /// front of it. If a wall is too thin, so is its measured distance. If a model is not closed, it has an open edge. If a
 /// text is too long, it has more bytes than the standard's table allows.
-OracleVerdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result);
+OracleVerdict judge(const EngraveCase& engraveCase, const EngravableModel& model, const Result<EngraveResult>& result);
 
 /// Prepares, engraves and judges. Needs a GL context.
-OracleVerdict runEngraveCase(const EngraveCase& made);
+OracleVerdict runEngraveCase(const EngraveCase& engraveCase);
 
 /// Does the same without rendering, many times faster. The direction is the requested one or the facet's normal; the
 /// depths are made up, as deep and as uneven as the walls allow.
-OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices);
+OracleVerdict runCarvingCase(const EngraveCase& engraveCase, Choices& choices);
 
 }  // namespace qrelief

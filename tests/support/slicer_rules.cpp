@@ -85,10 +85,10 @@ struct Placed {
 
 void collect(const Resources& resources, const std::string& path, unsigned id, const Affine& outer,
              std::vector<Placed>& placed) {
-  const auto found = resources.find({path, id});
-  if (found == resources.end()) return;
-  if (!found->second.mesh.triangles.empty()) placed.push_back({path, id, &found->second.mesh, outer});
-  for (const auto& c : found->second.components)
+  const auto it = resources.find({path, id});
+  if (it == resources.end()) return;
+  if (!it->second.mesh.triangles.empty()) placed.push_back({path, id, &it->second.mesh, outer});
+  for (const auto& c : it->second.components)
     collect(resources, c.path.empty() ? path : c.path, c.object, outer.after(c.transform), placed);
 }
 
@@ -134,8 +134,8 @@ double lowest(const Object& object) {
 
 /// Returns a file; an empty node if there is none.
 XmlNode settingsOf(const std::map<std::string, std::string>& files, const std::string& name) {
-  const auto found = files.find(name);
-  return found == files.end() ? XmlNode() : parsedXml(found->second);
+  const auto it = files.find(name);
+  return it == files.end() ? XmlNode() : parsedXml(it->second);
 }
 
 const XmlNode* findObject(const XmlNode& config, unsigned id) {

@@ -32,21 +32,21 @@ void XMLCALL onText(void* user, const char* text, int length) {
 }  // namespace
 
 std::string XmlNode::operator[](const std::string& attribute) const {
-  const auto found = attributes.find(attribute);
-  return found == attributes.end() ? std::string() : found->second;
+  const auto it = attributes.find(attribute);
+  return it == attributes.end() ? std::string() : it->second;
 }
 
-std::vector<const XmlNode*> XmlNode::all(std::string_view wanted) const {
-  std::vector<const XmlNode*> found;
+std::vector<const XmlNode*> XmlNode::all(std::string_view tag) const {
+  std::vector<const XmlNode*> nodes;
   for (const XmlNode& child : children)
-    if (child.name == wanted) found.push_back(&child);
-  return found;
+    if (child.name == tag) nodes.push_back(&child);
+  return nodes;
 }
 
-const XmlNode& XmlNode::first(std::string_view wanted) const {
+const XmlNode& XmlNode::first(std::string_view tag) const {
   static const XmlNode kNone;
-  const auto found = all(wanted);
-  return found.empty() ? kNone : *found.front();
+  const auto nodes = all(tag);
+  return nodes.empty() ? kNone : *nodes.front();
 }
 
 XmlNode parsedXml(const std::string& text) {

@@ -19,9 +19,9 @@ struct XmlNode {
   /// Returns an attribute; empty if it is missing.
   std::string operator[](const std::string& attribute) const;
   /// Returns the children of that name.
-  std::vector<const XmlNode*> all(std::string_view wanted) const;
+  std::vector<const XmlNode*> all(std::string_view tag) const;
   /// Returns the first child of that name; an empty node if there is none.
-  const XmlNode& first(std::string_view wanted) const;
+  const XmlNode& first(std::string_view tag) const;
 };
 
 /// Parses a document; throws std::runtime_error if it is not well-formed.

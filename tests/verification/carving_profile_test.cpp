@@ -53,23 +53,23 @@ class CarvingProfileTest : public testing::Test {
 };
 
 TEST_F(CarvingProfileTest, MeasuresTheDepthOfAPlateAndFindsTheFloors) {
-  const CarvingProfile found = profile(plate(0.5));
-  EXPECT_EQ(found.pose, SymbolPose::AsWanted);
-  EXPECT_GT(found.fit, 0.9);
+  const CarvingProfile result = profile(plate(0.5));
+  EXPECT_EQ(result.pose, SymbolPose::AsWanted);
+  EXPECT_GT(result.fit, 0.9);
   // The middles of the floors are 0.5 deep, of the leaning walls 0.25, and of the corners about 0.125.
   const int edge = kN * symbol_.size;
   for (int row = 0; row < symbol_.size; ++row)
     for (int column = 0; column < symbol_.size; ++column) {
       const auto middle = static_cast<std::size_t>((kN * row + 2) * edge + kN * column + 2);
-      EXPECT_EQ(found.carved[middle], symbol_.isDark(row, column));
-      EXPECT_NEAR(found.depthMm[middle], symbol_.isDark(row, column) ? 0.5 : 0, 1e-3);
+      EXPECT_EQ(result.carved[middle], symbol_.isDark(row, column));
+      EXPECT_NEAR(result.depthMm[middle], symbol_.isDark(row, column) ? 0.5 : 0, 1e-3);
     }
 }
 
 TEST_F(CarvingProfileTest, RaisedModulesHaveNegativeDepth) {
-  const CarvingProfile found = profile(plate(-0.5));
-  EXPECT_EQ(found.pose, SymbolPose::AsWanted);
-  EXPECT_NEAR(found.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls around them half that or less
+  const CarvingProfile result = profile(plate(-0.5));
+  EXPECT_EQ(result.pose, SymbolPose::AsWanted);
+  EXPECT_NEAR(result.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls around them half that or less
 }
 
 TEST_F(CarvingProfileTest, RecognisesTheMirrorImageFromEverySide) {
@@ -109,15 +109,15 @@ TEST_F(CarvingProfileTest, MeasuresTheAnticlockwiseTurnOfTheSymbol) {
 
 TEST_F(CarvingProfileTest, DetectsAShallowCarvingOnACurvedSurface) {
   const auto dome = [](double x, double y) { return std::sqrt(60 * 60 - x * x - y * y) - 60 + 0.3 * std::sin(x / 3); };
-  const CarvingProfile found = profile(plate(
+  const CarvingProfile result = profile(plate(
       0.2, [&](int r, int c) { return symbol_.isDark(r, c); }, dome));
-  EXPECT_EQ(found.pose, SymbolPose::AsWanted);
+  EXPECT_EQ(result.pose, SymbolPose::AsWanted);
   double sum = 0;
   int count = 0;
   for (int row = 0; row < symbol_.size; ++row)
     for (int column = 0; column < symbol_.size; ++column) {
       if (!symbol_.isDark(row, column)) continue;
-      sum += found.depthMm[static_cast<std::size_t>((kN * row + 2) * kN * symbol_.size + kN * column + 2)];
+      sum += result.depthMm[static_cast<std::size_t>((kN * row + 2) * kN * symbol_.size + kN * column + 2)];
       ++count;
     }
   EXPECT_NEAR(sum / count, 0.2, 0.01);
@@ -126,10 +126,10 @@ TEST_F(CarvingProfileTest, DetectsAShallowCarvingOnACurvedSurface) {
 TEST_F(CarvingProfileTest, FindsNothingOnAPlainPlateOrWithAnotherText) {
   EXPECT_EQ(profile(plate(0)).pose, SymbolPose::None);
   const Symbol other = *encodeSymbol("SOMETHING", {.version = 1});
-  const CarvingProfile found = profile(plate(
+  const CarvingProfile result = profile(plate(
       0.5, [&](int r, int c) { return other.isDark(r, c); }, [](double, double) { return 0; }));
-  EXPECT_EQ(found.pose, SymbolPose::None);
-  EXPECT_TRUE(found.depthMm.empty());
+  EXPECT_EQ(result.pose, SymbolPose::None);
+  EXPECT_TRUE(result.depthMm.empty());
 }
 
 }  // namespace

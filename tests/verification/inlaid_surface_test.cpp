@@ -26,18 +26,18 @@ class InlaidSurfaceTest : public testing::TestWithParam<bool> {
     ASSERT_TRUE(carved) << carved.error().message;
     const bool withInlay = GetParam();
     const Mesh file = oracle::welded(withInlay ? shapes::together(carved->mesh, carved->inlay) : carved->mesh);
-    const InlaidSurface found = inlaidSurface(file, frame, kModules, kSymbolMm, kDepthMm);
+    const InlaidSurface surface = inlaidSurface(file, frame, kModules, kSymbolMm, kDepthMm);
 
-    EXPECT_EQ(found.hasBothBodies, withInlay);
+    EXPECT_EQ(surface.hasBothBodies, withInlay);
     for (int row = 0; row < kModules; ++row)
       for (int column = 0; column < kModules; ++column)
-        EXPECT_EQ(found.inlaid[static_cast<std::size_t>(row * kModules + column)], isDark(row, column))
+        EXPECT_EQ(surface.inlaid[static_cast<std::size_t>(row * kModules + column)], isDark(row, column))
             << row << ", " << column;
-    const auto solid = checkSolidity(found.mesh);
+    const auto solid = checkSolidity(surface.mesh);
     ASSERT_TRUE(solid);
     EXPECT_TRUE(solid->closed() && solid->manifold());
     EXPECT_NEAR(solid->volumeMm3, signedVolume(model), 1e-6 * signedVolume(model));
-    const RayTree before(model), after(found.mesh);
+    const RayTree before(model), after(surface.mesh);
     double farthest = 0;
     for (int k = 0; k < 100 * 100; ++k) {
       const Vec3 ray = frame.rayDirection((Vec2(k % 100, k / 100) / 100.0 - 0.497) * kSymbolMm);
@@ -56,12 +56,12 @@ TEST_P(InlaidSurfaceTest, IsTheModelsOwnSurface) {
 
 TEST_P(InlaidSurfaceTest, LeavesAModelWithoutPocketsAsItIs) {
   const Mesh model = shapes::box({30, 30, 10});
-  const InlaidSurface found =
+  const InlaidSurface surface =
       inlaidSurface(model, makeFrame({0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 250), kModules, kSymbolMm, kDepthMm);
-  EXPECT_EQ(found.mesh.positions, model.positions);
-  EXPECT_EQ(found.mesh.triangles, model.triangles);
-  EXPECT_FALSE(found.hasBothBodies);
-  EXPECT_EQ(std::count(found.inlaid.begin(), found.inlaid.end(), 1), 0);
+  EXPECT_EQ(surface.mesh.positions, model.positions);
+  EXPECT_EQ(surface.mesh.triangles, model.triangles);
+  EXPECT_FALSE(surface.hasBothBodies);
+  EXPECT_EQ(std::count(surface.inlaid.begin(), surface.inlaid.end(), 1), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(BodyAloneAndWithInlay, InlaidSurfaceTest, testing::Bool());

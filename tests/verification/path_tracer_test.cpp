@@ -56,18 +56,18 @@ TEST(PathTracer, EveryPointInsideASphereWithAHoleIsEquallyBright) {
   // directions from every inside point, and L = f / (1 - albedo·(1 - f)).
   Mesh sphere = shapes::icosphere(10, 5);
   const double rim = 8;
-  std::vector<Triangle> kept;
+  std::vector<Triangle> triangles;
   for (std::size_t t = 0; t < sphere.triangles.size(); ++t)
     if (sphere.corner(t, 0).z + sphere.corner(t, 1).z + sphere.corner(t, 2).z < 3 * rim)
-      kept.push_back(sphere.triangles[t]);
+      triangles.push_back(sphere.triangles[t]);
   double keptArea = 0, area = 0;
   const auto areaOf = [&](const Triangle& t) {
     const auto at = [&](int k) { return Vec3(sphere.positions[t[static_cast<std::size_t>(k)]]); };
     return glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
   };
   for (const Triangle& t : sphere.triangles) area += areaOf(t);
-  for (const Triangle& t : kept) keptArea += areaOf(t);
-  sphere.triangles = kept;
+  for (const Triangle& t : triangles) keptArea += areaOf(t);
+  sphere.triangles = triangles;
   const double open = 1 - keptArea / area;
   const RayTree tree(sphere);
   const std::vector<SeenCell> cells = {{{-1, -1}, {1, 1}}, {{2, 1}, {3, 2}}};

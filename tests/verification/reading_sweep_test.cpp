@@ -23,10 +23,10 @@ class ReadingSweepTest : public testing::Test {
   }
 
   ReadingSweep sweep(std::vector<Decoder> decoders, const SweepOptions& options = {}) {
-    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(decoders), options);
-    while (!made.step()) {
+    ReadingSweep sweep(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(decoders), options);
+    while (!sweep.step()) {
     }
-    return made;
+    return sweep;
   }
 
   /// Returns the wanted text at its position in every picture.

@@ -57,11 +57,11 @@ TEST(Solidity, CountsAVertexWhereTwoPartsTouch) {
   // The second box's first corner is welded to the first box's last corner.
   Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
   const Vec3f meeting(1, 1, 1);
-  std::uint32_t kept = 0;
-  while (mesh.positions[kept] != meeting) ++kept;
+  std::uint32_t count = 0;
+  while (mesh.positions[count] != meeting) ++count;
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& v : t)
-      if (mesh.positions[v] == meeting) v = kept;
+      if (mesh.positions[v] == meeting) v = count;
   const SolidityReport report = check(mesh);
   EXPECT_EQ(report.nonManifoldVertices, 1u);
   EXPECT_EQ(report.nonManifoldEdges, 0u);
@@ -157,11 +157,11 @@ TEST(Solidity, ReportsThePlaceOfTheFirstOfEach) {
   EXPECT_LT(glm::length(*open[0].at - hole), 3);
 
   mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
-  std::uint32_t kept = 0;
-  while (mesh.positions[kept] != Vec3f(1, 1, 1)) ++kept;
+  std::uint32_t count = 0;
+  while (mesh.positions[count] != Vec3f(1, 1, 1)) ++count;
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& v : t)
-      if (mesh.positions[v] == Vec3f(1, 1, 1)) v = kept;
+      if (mesh.positions[v] == Vec3f(1, 1, 1)) v = count;
   near(check(mesh), "1 vertex where parts touch in a point only", {1, 1, 1});
 }
 

@@ -30,9 +30,9 @@ struct Picture {
 class ViewerTest : public GlTest {
  protected:
   void SetUp() override {
-    auto made = Viewer::create();
-    ASSERT_TRUE(made.has_value()) << made.error().message;
-    viewer_ = std::make_unique<Viewer>(std::move(*made));
+    auto viewer = Viewer::create();
+    ASSERT_TRUE(viewer.has_value()) << viewer.error().message;
+    viewer_ = std::make_unique<Viewer>(std::move(*viewer));
     viewer_->resize(kWidth, kHeight);
     camera_.setViewport(kWidth, kHeight);
     canvas_ = gl::Texture(kWidth, kHeight, gl::Format::RGBA32F);

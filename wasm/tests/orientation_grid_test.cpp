@@ -26,9 +26,10 @@ TEST(CgalOnWebAssembly, DecidesNearlyCollinearPointsExactly) {
   int wrong = 0;
   for (int i = 0; i < 64; ++i) {
     for (int j = 0; j < 64; ++j) {
-      const CGAL::Orientation found = CGAL::orientation(Kernel::Point_2(0.5 + i * kStep, 0.5 + j * kStep),
-                                                        Kernel::Point_2(12, 12), Kernel::Point_2(24, 24));
-      wrong += found != exactOrientation(kUnit / 2 + i, kUnit / 2 + j, 12 * kUnit, 12 * kUnit, 24 * kUnit, 24 * kUnit);
+      const CGAL::Orientation orientation = CGAL::orientation(Kernel::Point_2(0.5 + i * kStep, 0.5 + j * kStep),
+                                                              Kernel::Point_2(12, 12), Kernel::Point_2(24, 24));
+      wrong +=
+          orientation != exactOrientation(kUnit / 2 + i, kUnit / 2 + j, 12 * kUnit, 12 * kUnit, 24 * kUnit, 24 * kUnit);
     }
   }
   EXPECT_EQ(wrong, 0) << "of 4096";

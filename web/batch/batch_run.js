@@ -12,7 +12,7 @@ import { isLost } from './carver.js';
 
 /**
  * @typedef {object} BatchRunOptions
- * @property {Pick<import('./tracker.js').Tracker, 'state' | 'take' | 'settle' | 'lose' | 'endRun'>} tracker
+ * @property {Pick<import('./tracker.js').Tracker, 'state' | 'take' | 'settle' | 'lose' | 'run'>} tracker
  *   with a run that has started
  * @property {() => Engine} makeEngine
  * @property {number} engines                 number of engines
@@ -52,7 +52,7 @@ export class BatchRun {
 
   /** Runs until all rows are carved or end() is called. */
   async run() {
-    const engines = Math.max(1, Math.min(this.engines_, this.tracker_.state(0).waiting));
+    const engines = Math.max(1, Math.min(this.engines_, this.tracker_.state({}).waiting));
     await Promise.all(Array.from({ length: engines }, () => this.work_()));
     this.end();
   }
@@ -78,7 +78,7 @@ export class BatchRun {
   end() {
     if (this.ended) return;
     this.ended = true;
-    this.tracker_.endRun();
+    this.tracker_.run('end');
     this.pause_?.resolve();
     this.pause_ = undefined;
     this.working_.forEach((engine) => engine.end());
@@ -91,7 +91,7 @@ export class BatchRun {
     /** @type {Engine | undefined} */ let engine;
     for (;;) {
       await this.pause_?.promise;
-      if (this.ended || this.tracker_.state(0).waiting === 0) break;
+      if (this.ended || this.tracker_.state({}).waiting === 0) break;
       try {
         engine ??= await this.startEngine_();
       } catch (thrown) {

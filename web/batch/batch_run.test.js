@@ -231,7 +231,7 @@ test('If the second engine does not start, the first carves all rows', async () 
   assert.equal(statesOf(), 'ddd');
 });
 
-test('The time of the run has no pauses', async () => {
+test('The run’s time excludes pauses', async () => {
   const run = runOf(5, { engines: 1 });
   const ran = run.run();
   await settled();

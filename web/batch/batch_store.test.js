@@ -99,7 +99,7 @@ class FakeReader {
   }
 }
 
-test('A saved row gives its line, with the reason of a failure in words', async () => {
+test('Saving a row returns its manifest line, with the reason of a failure in words', async () => {
   const line = await failed(4);
   assert.match(JSON.parse(line).reason, /^The text is empty/);
   assert.equal(await (await store.manifest()).text(), `${line}\n`);

@@ -55,7 +55,7 @@ export class RowEngine {
     const { model, centreMm, list, wanted } = this.job_;
     const { problems } = await this.client_.start();
     if (problems.length > 0) throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
-    await this.client_.setUpAxis(model.upAxis);
+    await this.client_.show({ upAxis: model.upAxis });
     await this.client_.loadModel(model.bytes, model.fileName, model.scaleToMm);
     await this.client_.planBatch(list, wanted);
     await this.client_.setCentre({ mm: centreMm });

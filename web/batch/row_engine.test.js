@@ -78,7 +78,7 @@ beforeEach(() => {
 
 test('An engine gets the common settings once', async () => {
   await engine.start();
-  assert.deepEqual(calls, ['start', 'setUpAxis y', 'loadModel cube.stl 25.4', 'planBatch', 'setCentre']);
+  assert.deepEqual(calls, ['start', 'show', 'loadModel cube.stl 25.4', 'planBatch', 'setCentre']);
 });
 
 test('A row is carved with common and own settings, and its line has the hashes of its inputs', async () => {

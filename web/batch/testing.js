@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For tests: a folder in memory, and a tracker without the module.
+import assert from 'node:assert/strict';
 
 export class FakeFolder {
   /** @type {Map<string, Uint8Array>} */ files = new Map();
@@ -64,7 +65,9 @@ export class FakeTracker {
     return reaction;
   }
 
-  endRun() {
+  /** @param {'start' | 'retry' | 'end'} what */
+  run(what) {
+    assert.equal(what, 'end');
     this.states = this.states.map((state) => (state === 'running' ? 'waiting' : state));
   }
 }

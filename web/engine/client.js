@@ -2,7 +2,7 @@
 // The page's only access to the module: one promise per verb. The module runs in a worker, else in the page.
 import { EngineFailure, crash, describeThrown, hung, internal } from './engine_error.js';
 import { message } from './message.js';
-import { kBatchVerbs, kHostVerbs, kPageVerbs } from './verbs.js';
+import { kBatchVerbs, kFactVerbs, kHostVerbs, kPageVerbs } from './verbs.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -44,13 +44,14 @@ const kReplaced = internal(message('engine-replaced'));
  */
 /** @typedef {import('./verbs.js').Calls<typeof kPageVerbs>} PageCalls */
 /** @typedef {import('./verbs.js').Calls<typeof kBatchVerbs>} BatchCalls */
+/** @typedef {import('./verbs.js').Calls<typeof kFactVerbs>} FactCalls */
 /** @typedef {Pick<import('./engine_host.js').EngineHost, typeof kHostVerbs[number]>} HostCalls */
 /** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave'} OwnMethods  of EngineClient */
-/** @typedef {Remote<Omit<PageCalls & BatchCalls & HostCalls, OwnMethods>>} VerbMethods */
+/** @typedef {Remote<Omit<PageCalls & BatchCalls & FactCalls & HostCalls, OwnMethods>>} VerbMethods */
 
 /** The methods of the client that only hand a verb to the host. */
 const Verbs = /** @type {new () => VerbMethods} */ (/** @type {unknown} */ (class {}));
-for (const verb of [...Object.keys(kPageVerbs), ...Object.keys(kBatchVerbs), ...kHostVerbs])
+for (const verb of [kPageVerbs, kBatchVerbs, kFactVerbs].flatMap(Object.keys).concat(kHostVerbs))
   Verbs.prototype[verb] = function call(/** @type {any[]} */ ...given) {
     return this.call_(verb, ...given);
   };

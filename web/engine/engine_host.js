@@ -1,76 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas: in the worker, or in the page where there is no OffscreenCanvas.
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
-import { drawGlyphs } from './glyphs.js';
+import { Frames, contextOf, nextFrame } from './frames.js';
+import { InspectorLink } from './inspector_link.js';
+import { JobRunner } from './job_runner.js';
 import { message } from './message.js';
 import { loadModule } from './module.js';
 import { callsOf } from './module_calls.js';
-import { kBatchVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
+import { kBatchVerbs, kFactVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').PrintChange} PrintChange */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
-/** @typedef {import('./verbs.js').JobAnswers} JobAnswers */
-/**
- * A job of the module that runs in steps, with progress for the page. `onStep`: gets the answer of each step;
- * `onSlice`: is called between slices.
- * @template {'engrave' | 'spots'} Name
- * @typedef {{ name: Name, options?: import('./verbs.js').JobOptions, onStep?: (progress: JobAnswers[Name]) => void,
- *   onSlice?: (progress: JobAnswers[Name]) => void }} Job
- */
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']); // actions that the inspector's window intercepts
-const kInspectorFontPx = 14;
 const kPictureMs = 1500; // time to refine a picture
-const kSliceMs = 40; // work between message checks: a cancel takes effect within one slice plus one step
-
-const kSettleSliceMs = 8; // the same while the pointer may move
-
-/** @type {WebGLContextAttributes} */
-const kContextAttributes = {
-  antialias: false,
-  alpha: false,
-  depth: false,
-  stencil: false,
-  powerPreference: 'high-performance',
-};
-
-/** @param {HTMLCanvasElement | OffscreenCanvas} canvas */
-function contextOf(canvas) {
-  const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
-  if (!gl) throw new EngineFailure(internal(message('no-webgl2')));
-  gl.getExtension('EXT_color_buffer_float');
-  return gl;
-}
 
 /**
- * Lets the event loop handle pending messages. Unlike a timer, this is not throttled and takes microseconds.
- * @returns {Promise<void>}
- */
-function yieldToMessages() {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
-}
-
-/** @returns {Promise<void>} */
-const nextFrame = () => new Promise((resolve) => onNextFrame(() => resolve()));
-
-/** @param {() => void} run */
-function onNextFrame(run) {
-  if (typeof requestAnimationFrame === 'function') requestAnimationFrame(run);
-  else setTimeout(run, 16);
-}
-
-/**
- * Answers the verbs of the page: the module's own, and those of kHostVerbs by its methods. Draws on demand, and runs jobs
- * in slices.
+ * Answers the verbs of the page: the module's own, and those of kHostVerbs by its methods.
  */
 export class EngineHost {
   /**
@@ -87,24 +35,20 @@ export class EngineHost {
     this.loadInspector_ = loadInspector;
     this.object_ = new module.Engine();
     this.engine_ = callsOf(this.object_, { ...kPageVerbs, ...kInnerVerbs });
+    this.facts_ = callsOf(new module.Facts(), kFactVerbs);
     /** @type {import('./verbs.js').Calls<typeof kBatchVerbs> | undefined} */ this.batch_ = undefined;
     this.canvas_ = /** @type {HTMLCanvasElement | OffscreenCanvas} */ (canvas);
-    this.gl_ = /** @type {WebGL2RenderingContext} */ (gl);
-    /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
     this.notify_ = notify;
-    this.draws_ = draws;
-    this.frameRequested_ = false;
-    /** @type {Job<any> | undefined} */ this.job_ = undefined;
-    this.lost_ = false;
-    this.inspectorShown_ = false;
-    this.inspectorFrames_ = 0; // since it was opened
-    this.inspectorTakes_ = false; // the inspector uses the pointer
+    this.jobs_ = new JobRunner(this.engine_, (progress) => notify({ event: 'progress', progress }));
+    this.inspector_ = new InspectorLink(this.engine_, (state) => notify({ event: 'inspector', state }));
+    this.frames_ = new Frames({
+      gl,
+      draw: () => this.drawFrame_(),
+      onFailure: (thrown) => notify({ event: 'failure', error: describeThrown(thrown) }),
+      isVisible: draws,
+    });
     this.hovers_ = 0;
     this.viewState_ = '';
-    this.inspectorState_ = '';
-    this.inspectorStill_ = false;
-    this.pixelRatio_ = 1;
-    this.glyphsPx_ = 0; // size of the inspector's letters
     /** @type {ViewSize} */ this.size_ = { width: 1, height: 1, devicePixelRatio: 1 };
   }
 
@@ -121,7 +65,7 @@ export class EngineHost {
     const host = new EngineHost({ module, loadInspector, canvas, gl, notify, draws });
     canvas?.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      host.lost_ = true;
+      host.frames_.lose();
       notify({ event: 'contextlost' });
     });
     return host;
@@ -136,12 +80,12 @@ export class EngineHost {
   answer(verb, given) {
     const own = /** @type {Record<string, (...given: any[]) => any>} */ (/** @type {unknown} */ (this));
     if (kHostVerbs.some((known) => known === verb)) return own[verb](...given);
-    const calls = verb in kBatchVerbs ? this.planned_() : this.engine_;
+    const calls = verb in kBatchVerbs ? this.planned_() : verb in kFactVerbs ? this.facts_ : this.engine_;
     try {
       return /** @type {Record<string, (...given: any[]) => any>} */ (calls)[verb](...given);
     } finally {
       const row = /** @type {Record<string, import('./verbs.js').Verb<any>>} */ (kPageVerbs)[verb];
-      if (row?.draws) this.invalidate_(); // after a failure, too: a failed placement removes the square
+      if (row?.draws) this.frames_.request(); // after a failure, too: a failed placement removes the square
     }
   }
 
@@ -156,9 +100,8 @@ export class EngineHost {
     this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
     this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
     this.engine_.resize(width, height, devicePixelRatio);
-    this.pixelRatio_ = devicePixelRatio;
-    this.giveGlyphs_();
-    this.drawFrame_();
+    this.inspector_.giveGlyphs(devicePixelRatio);
+    this.frames_.draw();
   }
 
   /**
@@ -169,7 +112,8 @@ export class EngineHost {
   setCentre(where) {
     if ('at' in where) {
       const [x, y] = where.at;
-      if (this.inspectorTakes_ || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y }))) return { hit: false };
+      if (this.inspector_.takesPointer || this.drawn_(this.engine_.inspector({ kind: 'pick', x, y })))
+        return { hit: false };
     }
     return this.drawn_(this.engine_.setCentre(where));
   }
@@ -180,13 +124,13 @@ export class EngineHost {
    * @returns {Promise<import('./types.js').HoverResult>}
    */
   async hover(at) {
-    const asked = (this.hovers_ += 1);
+    const hover = (this.hovers_ += 1);
     if (!at) return this.drawn_(this.engine_.hover(null));
-    while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
-    if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
-    const found = this.engine_.hover(at);
-    this.drawFrame_();
-    return found;
+    while (this.frames_.lastIsUnderWay()) await nextFrame(); // at most one estimate per frame
+    if (this.inspector_.takesPointer || this.hovers_ !== hover) return { hit: false };
+    const result = this.engine_.hover(at);
+    this.frames_.draw();
+    return result;
   }
 
   /**
@@ -194,17 +138,9 @@ export class EngineHost {
    * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
    */
   async settle() {
-    const { hovers_: asked } = this;
-    this.engine_.startJob('settling', {});
-    for (;;) {
-      const sliceEnd = performance.now() + kSettleSliceMs;
-      do {
-        const found = this.engine_.advanceJob('settling');
-        if (found.done) return this.drawn_(found);
-      } while (performance.now() < sliceEnd);
-      await yieldToMessages();
-      if (this.hovers_ !== asked) return null;
-    }
+    const { hovers_: hover } = this;
+    const result = await this.jobs_.settle(() => this.hovers_ !== hover);
+    return result && this.drawn_(result);
   }
 
   /**
@@ -217,7 +153,7 @@ export class EngineHost {
 
   /** Does work that the next carving needs, unless a job runs. */
   async prepareEngrave() {
-    while (!this.job_ && !this.engine_.advanceJob('preparation').done) await yieldToMessages();
+    await this.jobs_.prepare();
   }
 
   /**
@@ -228,13 +164,13 @@ export class EngineHost {
    * @returns {Promise<boolean>}  false: cancelled
    */
   async engrave(plan = {}, withOverrides = false, printsEarly = false) {
-    let isTold = !printsEarly;
+    let isSent = !printsEarly;
     const last = await this.runJob_({
       name: 'engrave',
       options: { ...plan, withOverrides },
       onStep: ({ printable }) => {
-        if (isTold || !printable) return;
-        isTold = true;
+        if (isSent || !printable) return;
+        isSent = true;
         this.notify_({ event: 'printable', job: this.printJob() });
       },
       onSlice: ({ stage }) => this.tellSearch_(stage),
@@ -250,9 +186,13 @@ export class EngineHost {
     return this.engine_.startJob('view-trials', {}).all ?? 0;
   }
 
+  /** Reports the outcome of the trial. @param {boolean} read */
+  noteViewTrial(read) {
+    return this.engine_.advanceJob('view-trials', { read });
+  }
+
   cancel() {
-    if (this.job_) this.engine_.cancelJob(this.job_.name);
-    this.job_ = undefined;
+    this.jobs_.cancel();
     this.drawn_(this.engine_.show({ carved: false, sizes: false })); // the job may have finished just now
   }
 
@@ -340,8 +280,8 @@ export class EngineHost {
   async picture() {
     this.resize(this.size_); // redraws: the presented frame can no longer be read
     const until = performance.now() + kPictureMs;
-    do this.waitForFrame_();
-    while (!this.lost_ && performance.now() < until && this.engine_.draw().more);
+    do this.frames_.waitForLast();
+    while (!this.frames_.isLost && performance.now() < until && this.engine_.draw().more);
     const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
     return new Uint8Array(await blob.arrayBuffer());
   }
@@ -353,29 +293,22 @@ export class EngineHost {
    */
   async inspector(event) {
     if (event.kind === 'open') await this.loadInspector_();
-    if (event.kind === 'show') {
-      this.inspectorShown_ = event.shown;
-      this.inspectorFrames_ = 0;
-      this.inspectorTakes_ = false;
-      this.inspectorState_ = '';
-      this.inspectorStill_ = false;
-    }
-    this.drawn_(this.engine_.inspector(event));
-    this.giveGlyphs_();
+    this.inspector_.handle(event, this.size_.devicePixelRatio);
+    this.frames_.request();
   }
 
   /** Moves the camera, unless the inspector uses the event. @param {ViewAction} action */
   act(action) {
     if (action.kind === 'pointer') {
-      if (!this.inspectorShown_) return;
-      this.inspectorTakes_ = this.engine_.inspector(action);
+      if (!this.inspector_.isShown) return;
+      this.inspector_.point(action);
     } else if (action.kind === 'key') {
       this.engine_.inspector(action);
     } else {
-      if (this.inspectorTakes_ && kDragged.has(action.kind)) return;
+      if (this.inspector_.takesPointer && kDragged.has(action.kind)) return;
       this.engine_.look(action);
     }
-    this.invalidate_();
+    this.frames_.request();
   }
 
   /** Sends the current maps of a depth search. @param {import('./types.js').EngraveProgress['stage']} stage */
@@ -386,39 +319,21 @@ export class EngineHost {
   }
 
   /**
-   * Runs a job in slices.
+   * Runs a job.
    * @template {'engrave' | 'spots'} Name
-   * @param {Job<Name>} job
-   * @returns {Promise<JobAnswers[Name] | null>}  answer of the last step; null if cancelled
+   * @param {import('./job_runner.js').Job<Name>} job
    */
   async runJob_(job) {
-    if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
-    this.job_ = job;
     try {
-      const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) =>
-        this.notify_({ event: 'progress', progress: { stage, fraction } });
-      const begun = this.engine_.startJob(job.name, job.options ?? {});
-      if (begun.stage) tell(begun);
-      let told = begun.stage?.code;
-      for (;;) {
-        const sliceEnd = performance.now() + kSliceMs;
-        let progress;
-        do {
-          progress = this.engine_.advanceJob(job.name);
-          job.onStep?.(progress);
-          if (progress.stage?.code !== told) tell(progress); // even if the previous stage ended in the same slice
-          told = progress.stage?.code;
-        } while (!progress.done && performance.now() < sliceEnd);
-        tell(progress);
-        job.onSlice?.(progress);
-        if (this.inspectorShown_) this.invalidate_();
-        await yieldToMessages();
-        if (progress.done) return progress;
-        if (this.job_ !== job) return null; // a message cancelled it; the next job may already run
-      }
+      return await this.jobs_.run({
+        ...job,
+        onSlice: (progress) => {
+          job.onSlice?.(progress);
+          if (this.inspector_.isShown) this.frames_.request();
+        },
+      });
     } finally {
-      if (this.job_ === job) this.job_ = undefined;
-      this.invalidate_();
+      this.frames_.request();
     }
   }
 
@@ -429,58 +344,8 @@ export class EngineHost {
    * @returns {T}
    */
   drawn_(value) {
-    this.invalidate_();
+    this.frames_.request();
     return value;
-  }
-
-  /** Gives the inspector the page's letters at the canvas's resolution. */
-  giveGlyphs_() {
-    const sizePx = kInspectorFontPx * this.pixelRatio_;
-    if (!this.inspectorShown_ || this.glyphsPx_ === sizePx) return;
-    const glyphs = drawGlyphs(sizePx);
-    if (!glyphs) return;
-    this.engine_.inspectorGlyphs(glyphs.lineHeight, glyphs.metrics, glyphs.alpha);
-    this.glyphsPx_ = sizePx;
-  }
-
-  /**
-   * Reports the inspector's state. Dear ImGui takes several frames to lay out a change, so draw until two are equal.
-   * @param {import('./verbs.js').InspectorState} state
-   */
-  tellInspector_(state) {
-    const text = JSON.stringify(state);
-    const still = text === this.inspectorState_;
-    if (!still) this.invalidate_();
-    if (still && this.inspectorStill_) return;
-    this.inspectorState_ = text;
-    this.inspectorStill_ = still;
-    this.notify_({ event: 'inspector', state: { ...state, still } });
-  }
-
-  /** Requests a frame. Requests before the next frame are merged. */
-  invalidate_() {
-    if (this.frameRequested_ || this.lost_ || !this.draws_) return;
-    this.frameRequested_ = true;
-    onNextFrame(() => {
-      this.frameRequested_ = false;
-      if (this.lastFrameIsUnderWay_()) this.invalidate_();
-      else this.drawFrame_();
-    });
-  }
-
-  /** Blocks until the last frame is drawn, by reading a pixel of it: drawing only queues commands. */
-  waitForFrame_() {
-    this.gl_.bindFramebuffer(this.gl_.READ_FRAMEBUFFER, null);
-    this.gl_.readPixels(0, 0, 1, 1, this.gl_.RGBA, this.gl_.UNSIGNED_BYTE, new Uint8Array(4));
-  }
-
-  /** Tells whether the GPU still draws the last frame. Sending more frames now would delay everything after them. */
-  lastFrameIsUnderWay_() {
-    if (!this.fence_ || this.lost_) return false;
-    if (this.gl_.getSyncParameter(this.fence_, this.gl_.SYNC_STATUS) !== this.gl_.SIGNALED) return true;
-    this.gl_.deleteSync(this.fence_);
-    this.fence_ = null;
-    return false;
   }
 
   /** Reports the view state if it has changed. @param {import('./types.js').ViewState} state */
@@ -492,19 +357,12 @@ export class EngineHost {
   }
 
   drawFrame_() {
-    if (this.lost_) return;
-    try {
-      const { more, view, inspector } = this.engine_.draw();
-      this.gl_.deleteSync(this.fence_);
-      this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
-      this.gl_.flush();
+    const { more, view, inspector } = this.engine_.draw();
+    return () => {
       this.tellView_(view);
-      if (inspector && ++this.inspectorFrames_ > 1) this.tellInspector_(inspector); // not after its first layout
-      if (more && !this.job_) this.invalidate_(); // no refinement during a job
-    } catch (thrown) {
-      this.lost_ = true;
-      this.notify_({ event: 'failure', error: describeThrown(thrown) });
-    }
+      const isUnsettled = inspector !== null && this.inspector_.report(inspector);
+      return isUnsettled || (more && !this.jobs_.isRunning); // no refinement during a job
+    };
   }
 }
 

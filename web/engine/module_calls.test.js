@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { callsOf } from './module_calls.js';
-import { kBatchVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
+import { kBatchVerbs, kFactVerbs, kHostVerbs, kInnerVerbs, kPageVerbs } from './verbs.js';
 
 /** Calls the module's only verb. @param {any} answer @param {any[]} given @param {string} [part] */
 function called(answer, given, part) {
@@ -39,7 +39,7 @@ test('A failure is thrown', () => {
 });
 
 test('No verb stands in two tables', () => {
-  const names = [...Object.keys(kPageVerbs), ...Object.keys(kBatchVerbs), ...kHostVerbs];
+  const names = [kPageVerbs, kBatchVerbs, kFactVerbs].flatMap(Object.keys).concat(kHostVerbs);
   assert.deepEqual(
     names.filter((name, at) => names.indexOf(name) !== at),
     [],

@@ -182,7 +182,8 @@
  * How the rows of a batch share files, and of which rows the print is simulated: every `printEvery`-th.
  * @typedef {{ rows: number, perPlate: number, printEvery: number }} BatchLayout
  * @typedef {'waiting' | 'running' | 'done' | 'failed'} RowState
- * @typedef {Record<RowState | 'finished', number> & { remainingMs: number | null }} BatchState
+ * @typedef {Record<RowState | 'finished', number> & { remainingMs: number | null, rows: TrackedRow[] }} BatchState
+ * @typedef {{ state: RowState | 'all', skipped: number, count: number }} RowPage
  *   number of rows in each state; `finished`: done or failed; `remainingMs`: null before the first row of a run
  * @typedef {{ index: number, state: RowState, reason: string }} TrackedRow  `reason`: '' unless it failed
  * @typedef {{ index: number, print: boolean }} RowToCarve  `print`: simulate its print
@@ -267,8 +268,10 @@
 
 /**
  * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
- * `depths`: carved depths as colours; `section`: offset of a section from the code's centre, -1 … 1, null: none.
- * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, section?: number | null }} Shown
+ * `depths`: carved depths as colours; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
+ * dark colours; `upAxis`: the model's axis that points up, and along which the code's top points.
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, section?: number | null, dark?: boolean,
+ *   upAxis?: UpAxis }} Shown
  */
 
 /** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */

@@ -22,6 +22,7 @@
  * @property {JobProgress & import('./types.js').Spots} spots  the spots come with the last step
  * @property {HoverResult & { done: boolean }} settling
  * @property {{ done: boolean }} preparation
+ * @property {import('./types.js').ViewTrialProgress} view-trials
  */
 /** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
 /** @typedef {import('./types.js').PlanOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
@@ -53,11 +54,6 @@ export const kPageVerbs = {
   loadModel: { part: 'model', draws: true },
   /** @type {Verb<(settings: Settings) => void>} */
   configure: { draws: true },
-  /**
-   * Returns the symbol that these settings engrave.
-   * @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>}
-   */
-  symbol: { part: 'symbol' },
   /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
   placement: { part: 'placement', draws: true },
   /** Previews a change of the placed code. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
@@ -92,8 +88,6 @@ export const kPageVerbs = {
    * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
    */
   setReadings: {},
-  /** Reports the outcome of the trial. @type {Verb<(read: boolean) => import('./types.js').ViewTrialProgress>} */
-  noteViewTrial: {},
   /**
    * Describes the current carving for the manifest.
    * @type {Verb<(totalMs: number) => import('./types.js').DescribedRow>}
@@ -105,15 +99,11 @@ export const kPageVerbs = {
    */
   addToPlate: {},
 
-  /** @type {Verb<(dark: boolean) => void>} */
-  setTheme: { of: 'InspectedEngine', draws: true },
-  /** Sets the model's up axis, along which the code's top points. @type {Verb<(axis: import('./types.js').UpAxis) => void>} */
-  setUpAxis: { draws: true },
   /**
    * Shows or hides what is named. Returns the depth of the last colour and of the deepest pocket; 0 without a carving.
    * @type {Verb<(what: import('./types.js').Shown) => { topMm: number, deepestMm: number }>}
    */
-  show: { draws: true },
+  show: { of: 'InspectedEngine', draws: true },
 };
 
 /** Verbs of the engine that only the host calls. The C++ class is Engine. */
@@ -128,8 +118,8 @@ export const kInnerVerbs = {
    */
   startJob: { of: 'InspectedEngine' },
   /**
-   * Does one bounded piece of work.
-   * @type {Verb<<Name extends keyof JobAnswers>(job: Name) => JobAnswers[Name]>}
+   * Does one bounded piece of work. `given`: see Engine::advanceJob().
+   * @type {Verb<<Name extends keyof JobAnswers>(job: Name, given: { read?: boolean }) => JobAnswers[Name]>}
    */
   advanceJob: {},
   /** @type {Verb<(job: 'engrave' | 'spots') => void>} */
@@ -172,8 +162,6 @@ export const kBatchVerbs = {
    * @type {Verb<(list: Uint8Array, wanted: import('./types.js').WantedBatch) => import('./types.js').BatchPlan>}
    */
   planBatch: {},
-  /** @type {Verb<(from: number, countAtMost: number) => import('./types.js').BatchRowName[]>} */
-  batchRows: { part: 'rows' },
   /** @type {Verb<(index: number) => import('./types.js').BatchRow>} */
   batchRow: { part: 'row' },
   /**
@@ -193,17 +181,17 @@ export const kBatchVerbs = {
 export const kTrackVerbs = {
   /** Begins with all rows waiting. @type {Verb<(layout: import('./types.js').BatchLayout) => void>} */
   begin: {},
-  /** Counts the rows. `workedMs`: time of the run without pauses. @type {Verb<(workedMs: number) => import('./types.js').BatchState>} */
+  /**
+   * Counts the rows, and lists a page of those in a state, after the first `skipped`. `workedMs`: time of the run without
+   * pauses.
+   * @type {Verb<(asked: { workedMs?: number, page?: import('./types.js').RowPage }) => import('./types.js').BatchState>}
+   */
   state: {},
   /**
-   * Lists rows in a state, after the first `skipped`.
-   * @type {Verb<(state: import('./types.js').RowState | 'all', skipped: number, countAtMost: number) => import('./types.js').TrackedRow[]>}
+   * Begins or ends a run. `retry`: begins, and failed rows wait again; `end`: running rows wait again.
+   * @type {Verb<(what: 'start' | 'retry' | 'end') => void>}
    */
-  page: { part: 'rows' },
-  /** @type {Verb<(retriesFailed: boolean) => void>} */
-  startRun: {},
-  /** Ends the run: running rows wait again. @type {Verb<() => void>} */
-  endRun: {},
+  run: {},
   /** Returns the rows to carve next, all of one file; none: no row waits. @type {Verb<() => import('./types.js').RowToCarve[]>} */
   take: { part: 'rows' },
   /** Records stored results, as lines of the manifest. @type {Verb<(lines: string) => void>} */
@@ -261,6 +249,7 @@ export const kHostVerbs = /** @type {const} */ ([
   'prepareEngrave',
   'engrave',
   'startViewTrials',
+  'noteViewTrial',
   'cancel',
   'memory',
   'printJob',

@@ -71,7 +71,7 @@ function showNumbers(id, rows) {
 
 class Demonstration {
   constructor() {
-    this.theme_ = openArticle((dark) => void this.client_.setTheme(dark));
+    this.theme_ = openArticle((dark) => void this.client_.show({ dark }));
     this.view_ = new View(byId('live', HTMLElement));
     this.view_.listen({
       onAct: (action) => void this.client_.act(action).catch(() => {}),
@@ -127,7 +127,7 @@ class Demonstration {
   async place_() {
     const [, [sample]] = await Promise.all([this.client_.start(), fetchJson('samples/manifest.json')]);
     this.view_.announceSize();
-    await this.client_.setTheme(this.theme_.dark);
+    await this.client_.show({ dark: this.theme_.dark });
     const { triangles } = await this.client_.loadModel(await fetchBytes(`samples/${sample.file}`), sample.file, 1);
     await this.client_.setCentre({ mm: sample.centreMm });
     await this.client_.configure(kSettings);

@@ -79,7 +79,7 @@ export class Engine {
    * @returns {Promise<import('../engine/types.js').ModelInfo>}
    */
   async loadModel(bytes, fileName, { scaleToMm = 0, up = 'z' } = {}) {
-    await this.client_.setUpAxis(up);
+    await this.client_.show({ upAxis: up });
     return this.client_.loadModel(bytes, fileName, scaleToMm);
   }
 

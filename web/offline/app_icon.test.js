@@ -13,7 +13,7 @@ const kInk = [255, 255, 255, 255];
 /** @param {Uint8Array} rgba @param {number} pixels @param {number} x @param {number} y */
 const pixel = (rgba, pixels, x, y) => [...rgba.subarray(4 * (y * pixels + x), 4 * (y * pixels + x) + 4)];
 
-test('the icon has the colours of its drawing where the drawing has them', () => {
+test('the icon has the colours of its drawing', () => {
   const rgba = drawIcon(icon, 64); // two pixels per unit
   assert.deepEqual(pixel(rgba, 64, 0, 0), [0, 0, 0, 0]); // outside the rounded corner
   assert.deepEqual(pixel(rgba, 64, 32, 4), kGround);

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { tooSmall } from './module_size.js';
 
-test('modules that print give no advice, down to the exact size', () => {
+test('printable modules need no advice, down to the exact size', () => {
   assert.equal(tooSmall(29, 29 * 0.6, 0.6), undefined);
   assert.equal(tooSmall(29, 40, 0.6), undefined);
 });
 
-test('too small modules name the width they need and how many would fit', () => {
+test('advice about small modules names the needed width and the number that fits', () => {
   // 33 modules of 0.9 mm are 29.7 mm wide. 24 mm has room for 26; the largest symbol within 26 has 25.
   const size = tooSmall(33, 24, 0.9);
   assert.ok(size);

@@ -162,7 +162,7 @@ export class BatchCarving {
       messages,
       makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given),
     } = this.options_;
-    tracker.startRun(retriesFailed);
+    tracker.run(retriesFailed ? 'retry' : 'start');
     const run = new BatchRun({
       tracker,
       engines: engineCount(),
@@ -208,7 +208,7 @@ export class BatchCarving {
 
   /** Counts of the open batch's rows. */
   get state_() {
-    return /** @type {Open} */ (this.open_).tracker.state(this.run_?.workedMs ?? 0);
+    return /** @type {Open} */ (this.open_).tracker.state({ workedMs: this.run_?.workedMs });
   }
 
   showProgress_() {
@@ -294,7 +294,7 @@ export class BatchCarving {
     }
     const tracker = await trackerOf(record);
     await readManifest(await storage.manifest(), tracker, { restores: true });
-    const { done, finished } = tracker.state(0);
+    const { done, finished } = tracker.state({});
     const isOver = finished === record.rows;
     const values = { done, count: record.rows, name: record.work.fileName };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
@@ -347,8 +347,7 @@ export class BatchCarving {
    */
   async nameOf(index) {
     // A new module gets the list again.
-    const [name] = await this.options_.client.batchRows(index, 1).catch(() => []);
-    return name;
+    return this.options_.client.batchRow(index).catch(() => undefined);
   }
 }
 

@@ -111,7 +111,7 @@ export class ModelSession {
     const { source } = this;
     if (!source) return;
     this.store_.update({ source: { ...source, upAxis } });
-    await this.client_.setUpAxis(upAxis);
+    await this.client_.show({ upAxis });
   }
 
   /**
@@ -125,7 +125,7 @@ export class ModelSession {
     this.messages_.clearError();
     const axisBefore = this.source?.upAxis ?? 'z';
     try {
-      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
+      if (source.upAxis !== axisBefore) await this.client_.show({ upAxis: source.upAxis });
       this.info = await this.read_(source);
       const { scaleToMm } = this.info;
       this.store_.update({
@@ -135,7 +135,7 @@ export class ModelSession {
     } catch (thrown) {
       this.show_();
       this.onFailed_();
-      if (source.upAxis !== axisBefore && !isReplaced(thrown)) await this.client_.setUpAxis(axisBefore);
+      if (source.upAxis !== axisBefore && !isReplaced(thrown)) await this.client_.show({ upAxis: axisBefore });
       throw thrown;
     }
     this.show_();
@@ -145,7 +145,7 @@ export class ModelSession {
   /** Loads the current model into a new module. */
   async reload() {
     if (!this.source) return;
-    await this.client_.setUpAxis(this.source.upAxis);
+    await this.client_.show({ upAxis: this.source.upAxis });
     this.info = await this.read_(this.source);
   }
 

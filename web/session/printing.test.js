@@ -36,7 +36,7 @@ beforeEach(() => {
 
 const print = () => ({ facingDeg: 30, misread: [[1, 2]], pictures: [1, 2], picture: {} });
 
-test('A print is made, decoded and passed on with its report', async () => {
+test('A print is simulated, decoded and reported', async () => {
   const run = printing.begin(7, tell);
   await settled();
   assert.deepEqual(

@@ -84,7 +84,7 @@ export class Starting {
   async prepareView_() {
     const { client, view, theme } = this.options_;
     view.announceSize();
-    await client.setTheme(theme.dark);
+    await client.show({ dark: theme.dark });
   }
 
   /** Restores the work in a new module. */

@@ -13,7 +13,7 @@ const kCost = {
   towerG: 22.3,
 };
 
-test('The cost says changes, grams and minutes', () => {
+test('The cost lists filament changes, grams and minutes', () => {
   assert.equal(colourCost(kCost), '2 filament changes, 0.3 g and 4 min of waste');
   assert.match(colourCost({ ...kCost, changes: 1 }), /^1 filament change,/);
   assert.match(colourCost({ ...kCost, firstWasteG: 14.6, secondWasteG: 10 }), / 25 g and/);

@@ -6,7 +6,7 @@ import { byId } from '../dom/dom.js';
 import { PartsTable } from './parts_table.js';
 import { showStep } from './steps.js';
 
-/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'page' | 'state'>} Tracker */
+/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'state'>} Tracker */
 
 /**
  * State before the batch is started: the number of parts, and whether the first part was carved and passed.

@@ -8,7 +8,7 @@ import { make } from '../dom/dom.js';
 /** @typedef {import('../engine/types.js').BatchRowName} BatchRowName */
 /** @typedef {import('../engine/types.js').RowState} RowState */
 /** @typedef {import('../engine/types.js').TrackedRow} TrackedRow */
-/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'page' | 'state'>} Tracker */
+/** @typedef {Pick<import('../batch/tracker.js').Tracker, 'state'>} Tracker */
 
 const kRows = 10;
 /** @type {readonly (RowState | 'all')[]} */
@@ -82,10 +82,10 @@ export class PartsTable {
     const { tracker_: tracker } = this;
     if (!tracker) return;
     const state = /** @type {RowState | 'all'} */ (this.filter_.value);
-    const count = state === 'all' ? this.rows_ : tracker.state(0)[state];
+    const count = state === 'all' ? this.rows_ : tracker.state({})[state];
     this.page_ = Math.max(0, Math.min(this.page_, Math.ceil(count / kRows) - 1));
     const first = this.page_ * kRows;
-    const rows = tracker.page(state, first, kRows);
+    const { rows } = tracker.state({ page: { state, skipped: first, count: kRows } });
     const asked = (this.asked_ += 1);
     const names = await Promise.all(rows.map(({ index }) => this.nameOf_(index)));
     if (asked !== this.asked_) return;
