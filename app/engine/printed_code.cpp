@@ -36,6 +36,7 @@ PrintedViewRequest requestOf(const Json& order) {
   request.mark = static_cast<Mark>(mark["kind"].get<int>());
   request.markDepthMm = mark["depthMm"];
   request.ink = {mark["dark"], mark["light"]};
+  request.label = {mark["label"], static_cast<LabelFrame>(mark["frame"].get<int>())};
   if (const Json& lamp = order["oneLight"]; !lamp.is_null())
     request.oneLight = {lamp["azimuthDeg"], lamp["elevationDeg"], lamp["strength"]};
   return request;
@@ -73,7 +74,9 @@ Json jsonOf(const PrintedViewRequest& request) {
            {{"kind", static_cast<int>(request.mark)},
             {"depthMm", request.markDepthMm},
             {"dark", request.ink.dark},
-            {"light", request.ink.light}}},
+            {"light", request.ink.light},
+            {"label", request.label.text},
+            {"frame", static_cast<int>(request.label.frame)}}},
           {"oneLight", std::move(oneLight)}};
 }
 

@@ -42,7 +42,8 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .oneLight = request.oneLight,
                             .mark = request.mark,
                             .markDepthMm = request.markDepthMm,
-                            .ink = request.ink};
+                            .ink = request.ink,
+                            .label = request.label};
 }
 
 /// The job's state.
@@ -51,9 +52,10 @@ struct PrintedViewJob::State {
   PrintedViewRequest request;
   JobStages<State> stages = stagesOf(request);
   HeightMap printed;
-  Mesh outside;      // of a body with its inlay
-  Symbol marked;     // of a code in colour: the modules in the second colour
-  double bedMm = 0;  // height of the model's lowest point
+  Mesh outside;              // of a body with its inlay
+  Symbol marked;             // of a code in colour: the modules in the second colour ...
+  std::vector<Ring> around;  // ... and the label in it, mm on the QR plane
+  double bedMm = 0;          // height of the model's lowest point
   PrintedView result;
 
   State(const Mesh& mesh, const PrintedViewRequest& viewed) : model(&mesh), request(viewed) {}
@@ -77,13 +79,17 @@ JobStages<PrintedViewJob::State> PrintedViewJob::State::stagesOf(const PrintedVi
           {message("lighting-print"), 1, &State::light}};
 }
 
-/// Finds the shape to print, and the modules in the second colour.
+/// Finds the shape to print, and the modules and the label in the second colour.
 const Mesh& PrintedViewJob::State::shape() {
   marked = request.symbol;
   bedMm = std::numeric_limits<double>::infinity();
   const Vec3 up = glm::normalize(request.buildUp);
   for (const Vec3f p : model->positions) bedMm = std::min(bedMm, glm::dot(Vec3(p), up));
-  if (request.mark != Mark::Inlay) return *model;
+  if (request.mark == Mark::Shadow) return *model;
+  if (auto label = layOutLabel(request.label, request.symbol.size)) around = std::move(label->rings);
+  for (Ring& ring : around)
+    for (Vec2& corner : ring) corner *= request.symbolMm / request.symbol.size;
+  if (request.mark == Mark::Paint) return *model;
   InlaidSurface surface =
       inlaidSurface(*model, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
   marked.dark = std::move(surface.inlaid);
@@ -108,6 +114,7 @@ void PrintedViewJob::State::addInk(std::vector<float>& luminance, const PictureG
   InkMap(printedInk({.process = request.process,
                      .symbol = marked,
                      .symbolMm = request.symbolMm,
+                     .around = around,
                      .frame = request.frame,
                      .buildUp = request.buildUp,
                      .bedMm = bedMm},

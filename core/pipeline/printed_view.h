@@ -23,6 +23,7 @@ struct PrintedViewRequest {
   Mark mark = Mark::Shadow;                       ///< see VerifyRequest
   double markDepthMm = 0;
   Ink ink = {};
+  LabelOptions label = {};
   bool isRough = false;  ///< half the time, without a picture; exact enough for means over modules
 };
 

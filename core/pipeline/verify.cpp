@@ -78,6 +78,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   verification.mark = request.marking.mark;
   verification.markDepthMm = result.markDepthMm;
   verification.ink = request.marking.ink;
+  verification.label = request.code.label;
   if (request.isForOneLight()) verification.oneLight = request.lamps().front();
   verification.ranges = false;
   verification.inheritedSelfIntersections = result.inheritedSelfIntersections;

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "carving/mark.h"
+#include "label/label_layout.h"
 #include "light/directional_light.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/ray_tree.h"
@@ -35,6 +36,7 @@ struct VerifyRequest {
   Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` says which modules are dark, as meshes have no colours
   double markDepthMm = 0;    ///< Inlay: depth along the rays, > 0
   Ink ink;                   ///< Inlay, Paint: the reflectances
+  LabelOptions label;        ///< Inlay, Paint: in the second colour, too; only the print shows it
   /// The only lamp, in addition to the sky, under which the code must decode, see DepthObjective::OneLight. None: the
   /// code must decode under the sky alone.
   std::optional<DirectionalLight> oneLight;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "label/ring_coverage.h"
 
 namespace qrelief {
 namespace {
@@ -15,7 +16,8 @@ constexpr double kNodesPerLine = 13;  // odd: a node is the middle of a line
 constexpr double kMaxNodes = 2000;    // along an edge
 constexpr int kSamples = 3;           // of a pixel, along its edge
 constexpr double kRounding = 1e-9;
-constexpr double kBlurReach = 3;  // in standard deviations
+constexpr double kBlurReach = 3;   // in standard deviations
+constexpr int kRingPixels = 1500;  // along the edge of the picture of the outlines
 
 /// A square grid whose rows are horizontal in the printer, centred on the code.
 struct Nodes {
@@ -64,9 +66,29 @@ bool isDark(const Symbol& symbol, double symbolMm, Vec2 onPlane) {
   return symbol.isDark(static_cast<int>(row), static_cast<int>(column));
 }
 
-Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope) {
+/// The outlines around the symbol as pixels.
+struct Around {
+  double edgeMm = 0;
+  std::vector<std::uint8_t> coverage;
+
+  /// @param edge  of the square that is looked at, mm
+  Around(const std::vector<Ring>& rings, double edge) : edgeMm(edge) {
+    if (!rings.empty()) coverage = ringCoverage(rings, kRingPixels, edge);
+  }
+  bool isDark(Vec2 onPlane) const {
+    if (coverage.empty()) return false;
+    const Vec2 pixel = static_cast<double>(kRingPixels) * (Vec2(0.5) + Vec2(onPlane.x, -onPlane.y) / edgeMm);
+    if (!(pixel.x >= 0 && pixel.y >= 0 && pixel.x < kRingPixels && pixel.y < kRingPixels)) return false;
+    return coverage[static_cast<std::size_t>(pixel.y) * kRingPixels + static_cast<std::size_t>(pixel.x)] > 127;
+  }
+};
+
+/// @param pictureMm  edge of the picture that is made of it
+Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope, double pictureMm) {
   const double lineMm = 2 * request.process.cornerRadiusMm;
-  const double edgeMm = std::numbers::sqrt2 * request.symbolMm + 4 * lineMm;
+  const double shownMm = request.around.empty() ? request.symbolMm : std::max(request.symbolMm, pictureMm);
+  const double edgeMm = std::numbers::sqrt2 * shownMm + 4 * lineMm;
+  const Around around(request.around, edgeMm);
   Nodes nodes;
   nodes.edge = static_cast<int>(std::ceil(std::min(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
   nodes.stepMm = edgeMm / nodes.edge;
@@ -76,7 +98,8 @@ Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope) {
     for (int column = 0; column < nodes.edge; ++column) {
       const Vec2 at = nodes.at(column, row);
       const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.shown(at.y, request.process.layerMm);
-      nodes.dark[nodes.index(column, row)] = isDark(request.symbol, request.symbolMm, onPlane);
+      nodes.dark[nodes.index(column, row)] =
+          isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane);
     }
   });
   return nodes;
@@ -163,7 +186,7 @@ std::vector<float> blurredAcross(const std::vector<float>& map, int edge, double
 
 std::vector<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid) {
   const Slope slope(request);
-  const Nodes nodes = slicedCode(request, slope);
+  const Nodes nodes = slicedCode(request, slope, grid.pixelMm * grid.pixels);
   const std::vector<int> line = lineOutline(nodes, request.process.cornerRadiusMm, slope.cosine);
   const std::vector<std::uint8_t> dark = opened(nodes, 1, line), light = opened(nodes, 0, line);
   std::vector<float> shares(nodes.dark.size());

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "label/text_outline.h"
 #include "math/frame.h"
 #include "printing/print_process.h"
 #include "qr/symbol.h"
@@ -12,8 +13,9 @@ namespace qrelief {
 /// A code in two materials to print.
 struct PrintedInkRequest {
   PrintProcess process;
-  Symbol symbol;        ///< only its size and colours are used
-  double symbolMm = 0;  ///< edge without the quiet zone, on the QR plane, > 0
+  Symbol symbol;             ///< only its size and colours are used
+  double symbolMm = 0;       ///< edge without the quiet zone, on the QR plane, > 0
+  std::vector<Ring> around;  ///< dark outlines outside the symbol, mm on the QR plane, filled on their left
   ProjectionFrame frame;
   Vec3 buildUp{0, 0, 1};  ///< the printer's vertical, any length > 0
   double bedMm = 0;       ///< height of the model's lowest point along the vertical

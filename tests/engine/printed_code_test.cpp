@@ -18,8 +18,9 @@ class PrintedCodeTest : public GlTest {
     engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
     engine_->setCentre(R"({"mm": [0, 0, 10]})");
   }
-  void carve(double sizeMm, const std::string& process) {
-    const Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};
+  void carve(double sizeMm, const std::string& process, const Json& others = Json::object()) {
+    Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};
+    settings.update(others);
     engine_->configure(settings.dump());
     ASSERT_EQ(Json::parse(engine_->startJob("engrave"))["ok"], true);
     for (Json progress; progress["done"] != true;) {
@@ -61,6 +62,21 @@ TEST_F(PrintedCodeTest, SeesTheSamePrintAsTheCommand) {
   // The file holds 32-bit coordinates like the mesh, so the surface and the picture are the same.
   EXPECT_EQ(printed.pictures("front").at(0).pixels, view->seen.clean.pixels);
   EXPECT_FALSE(printed.pictures("reading").empty());
+}
+
+TEST_F(PrintedCodeTest, SeesFramesInTheSecondColour) {
+  for (const char* mark : {"inlay", "paint"}) {
+    carve(25.2, "fdm-0.4/0.2", {{"mark", mark}, {"frame", "square"}});
+    PrintedCode printed;
+    ASSERT_EQ(print(printed)["ok"], true) << mark;
+    const GreyImage front = printed.pictures("front").at(0);
+    const double module = front.width / (21.0 + 2 * 6);
+    const auto at = [&](double fromSymbol) {
+      const auto row = static_cast<int>(front.height / 2.0), column = static_cast<int>((6 - fromSymbol) * module);
+      return front.pixels.at(static_cast<std::size_t>(row * front.width + column));
+    };
+    EXPECT_LT(at(5), 0.8 * at(2.5)) << mark;  // in the frame's line, and in the quiet zone
+  }
 }
 
 TEST_F(PrintedCodeTest, ReportsTheModulesLostInPrint) {

@@ -87,6 +87,27 @@ TEST(PrintedInk, OnAWallHeightsAreWholeLayers) {
   EXPECT_NEAR(height, 6 * 0.2, 0.02);
 }
 
+TEST(PrintedInk, OutlinesAroundTheSymbolArePrintedTooUnlessNarrowerThanALine) {
+  const auto bar = [](double left, double right) { return Ring{{left, -1}, {right, -1}, {right, 1}, {left, 1}}; };
+  for (const Vec3 up : kPoses) {
+    PrintedInkRequest request = requestOf(1, 2, {0}, up);
+    request.symbolMm = 2;
+    request.around = {bar(3, 4), bar(-4, -3)};
+    const double pixelMm = 10.0 / kPixels;
+    const std::vector<float> shares = printedInk(request, {pixelMm, kPixels});
+    const auto at = [&](double x, double y) {
+      const Vec2 pixel = Vec2(x, y) / pixelMm + kPixels / 2.0;
+      return static_cast<double>(
+          shares[static_cast<std::size_t>(static_cast<int>(pixel.y) * kPixels + static_cast<int>(pixel.x))]);
+    };
+    for (const double x : {0.0, 3.5, -3.5}) EXPECT_NEAR(at(x, 0), 1, 0.01) << x << up.x << up.y << up.z;
+    for (const double x : {2.0, -2.0, 4.8}) EXPECT_NEAR(at(x, 0), 0, 0.01) << x << up.x << up.y << up.z;
+  }
+  PrintedInkRequest thin = requestOf(1, 2, {0});
+  thin.around = {bar(3, 3.3)};  // lines are 0.45 mm wide
+  EXPECT_NEAR(printedInk(thin, {10.0 / kPixels, kPixels})[kPixels / 2 * kPixels + kPixels / 2 + 126], 0, 0.05);
+}
+
 TEST(PrintedInk, ColoursBleedAcrossTheBorder) {
   const PrintedInkRequest request = requestOf(3, 4, {4});
   const Picture picture(request);
