@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kCapitalFraction = 1.0 / 8;  // of the symbol's edge
 constexpr double kDescender = 0.35;           // room below the baseline, in capital heights
-constexpr double kGapModules = 0.5;           // between quiet zone, text and frame
+constexpr double kTextGapModules = 0.5;       // between quiet zone and text
+constexpr double kFrameGapModules = 0.5;      // between quiet zone or text and frame
 constexpr double kFrameModules = 1;           // width of the frame's line
 constexpr double kCornerModules = 2.5;        // outer radius of a rounded frame; its inside clears the quiet zone
 constexpr double kToleranceModules = 0.01;    // of chords: a hundredth of a millimetre in modules of one
@@ -21,12 +22,13 @@ constexpr double kBorderModules = 1;          // material outside the label, for
 
 double highestCapital(int modules) { return kCapitalFraction * modules; }
 
-/// Returns the distance from the symbol to the frame's inner edge, above and beside it, or below.
+/// Returns the distance from the symbol to the frame's inner edge, or to the end of quiet zone and text if there is no
+/// frame: above and at the sides, or below.
 double aboveModules(const LabelOptions& label) {
-  return kQuietZoneModules + (label.frame == LabelFrame::None ? 0 : kGapModules);
+  return kQuietZoneModules + (label.frame == LabelFrame::None ? 0 : kFrameGapModules);
 }
 double belowModules(const LabelOptions& label, int modules) {
-  const double text = label.text.empty() ? 0 : kGapModules + (1 + kDescender) * highestCapital(modules);
+  const double text = label.text.empty() ? 0 : kTextGapModules + (1 + kDescender) * highestCapital(modules);
   return aboveModules(label) + text;
 }
 
@@ -76,7 +78,7 @@ Status addText(LabelLayout& layout, const LabelOptions& label, int modules) {
   const double room = (1 + kDescender) * highest;
   const double capital = std::min({highest, modules / width, room / (rise + drop)});
   const Vec2 centre((text->low.x + text->high.x) / 2, 0);
-  const Vec2 baseline(0, -(modules / 2.0 + kQuietZoneModules + kGapModules) - rise * capital);
+  const Vec2 baseline(0, -(modules / 2.0 + kQuietZoneModules + kTextGapModules) - rise * capital);
   for (Ring& ring : text->rings) {
     Rectangle box{Vec2(INFINITY), Vec2(-INFINITY)};
     for (Vec2& corner : ring) {

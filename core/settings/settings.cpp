@@ -17,10 +17,10 @@ using V = SettingValue;
 using Kind = Setting::Kind;
 using Unit = Setting::Unit;
 
-constexpr double kMaxMm = 1e4;                 // largest edge: no printer is larger
-constexpr double kMaxWallMm = 1000;            // largest wall and largest depth
-constexpr const char* kSinceSecond = "0.2.0";  // older settings files lack these
-constexpr const char* kSinceThird = "0.3.0";
+constexpr double kMaxMm = 1e4;              // largest edge: no printer is larger
+constexpr double kMaxWallMm = 1000;         // largest wall and largest depth
+constexpr const char* kSince020 = "0.2.0";  // older settings files lack these
+constexpr const char* kSince030 = "0.3.0";  // the next release
 
 struct Range {
   double min, max, step;
@@ -147,7 +147,7 @@ Setting text() {
 
 Setting label() {
   Setting setting = made("label", "making", Kind::Text);
-  setting.since = kSinceThird;
+  setting.since = kSince030;
   setting.read = [](const R& r) -> V { return r.code.label.text; };
   setting.write = [](R& r, const V& v) { r.code.label.text = std::get<std::string>(v); };
   return setting;
@@ -157,7 +157,7 @@ Setting frame() {
   Setting setting = choice(
       "frame", "making", [](auto& r) -> auto& { return r.code.label.frame; },
       [] { return namesOf(3, [](int i) { return labelFrameName(static_cast<LabelFrame>(i)); }); });
-  setting.since = kSinceThird;
+  setting.since = kSince030;
   return setting;
 }
 
@@ -212,7 +212,7 @@ Setting carveFor() {
       [] {
         return std::vector<std::string>{"design", "print"};
       });
-  setting.since = kSinceSecond;
+  setting.since = kSince020;
   return setting;
 }
 
@@ -224,7 +224,7 @@ Setting mark() {
   Setting setting = made("mark", "mark", Kind::Choice);
   setting.choices = markNames();
   setting.choices.insert(setting.choices.begin(), "auto");
-  setting.since = kSinceThird;
+  setting.since = kSince030;
   setting.read = [](const R& r) -> V {
     return r.marking.isOpen ? std::string("auto") : std::string(markName(r.marking.mark));
   };
@@ -239,7 +239,7 @@ Setting markDepth() {
   Setting setting = optionalNumber(
       "markDepthMm", "mark", Unit::Millimetre, {0.05, kMaxWallMm, 0.05},
       [](auto& r) -> auto& { return r.marking.markDepthMm; });
-  setting.since = kSinceThird;
+  setting.since = kSince030;
   return setting;
 }
 
@@ -247,7 +247,7 @@ Setting markDepth() {
 template <class Part>
 Setting reflectance(const char* key, Part part) {
   Setting setting = number(key, "mark", Unit::None, {0.01, 1, 0.05}, part);
-  setting.since = kSinceThird;
+  setting.since = kSince030;
   return setting;
 }
 
@@ -255,7 +255,7 @@ Setting objective() {
   Setting setting = choice(
       "objective", "depth", [](auto& r) -> auto& { return r.depth.objective; },
       [] { return namesOf(2, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
-  setting.since = kSinceSecond;
+  setting.since = kSince020;
   return setting;
 }
 
@@ -314,7 +314,7 @@ std::vector<std::string> processNames() {
 Setting process() {
   Setting setting = made("process", "printing", Kind::Choice);
   setting.choices = processNames();
-  setting.since = kSinceSecond;
+  setting.since = kSince020;
   setting.read = [](const R& r) -> V { return processNames()[r.print.process ? *r.print.process + 1 : 0]; };
   setting.write = [](R& r, const V& v) {
     const std::size_t chosen = indexIn(processNames(), v);
@@ -330,14 +330,14 @@ Setting lineWidth() {
   Setting setting = optionalNumber(
       "lineWidthMm", "printing", Unit::Millimetre, {0.01, 10, 0.05},
       [](auto& r) -> auto& { return r.print.printer.lineWidthMm; });
-  setting.since = kSinceSecond;
+  setting.since = kSince020;
   return setting;
 }
 
 Setting buildUp() {
   Setting setting = made("buildUp", "printing", Kind::ChoiceOrVector);
   setting.choices = buildPoseNames();
-  setting.since = kSinceSecond;
+  setting.since = kSince020;
   setting.read = [](const R& r) -> V {
     if (r.print.buildUp.up) return *r.print.buildUp.up;
     return std::string(buildPoseName(r.print.buildUp.pose));

@@ -160,8 +160,8 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   o->flags.add(*c, "text", "gives the exact quiet zone, which is narrower for longer texts: ");
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "placement");
-  for (const char* key :
-       {"mark", "markDepthMm", "pattern", "finderPattern", "minWallMm", "process", "nozzleMm", "layerMm", "buildUp"})
+  for (const char* key : {"mark", "markDepthMm", "pattern", "finderPattern", "minWallMm", "label", "frame", "process",
+                          "nozzleMm", "layerMm", "buildUp"})
     o->flags.add(*c, key);
   c->add_option("--views", request.views, fmt::format("number of viewing directions tried [{}]", request.views))
       ->check(CLI::Range(200, 10000));

@@ -47,6 +47,21 @@ TEST_F(PlaceCommandTest, ReportsSpotsTooSmallForTheNozzleAndTheSizeThatWouldDo) 
   EXPECT_NE(impossible.err.find("A nozzle of 0.2 mm cannot lay layers of 0.5 mm"), std::string::npos) << impossible.err;
 }
 
+TEST_F(PlaceCommandTest, LeavesRoomForLabelAndFrame) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  const auto largestWith = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = {"place",   model,  "--count", "1",      "--text", "x", "--json", path("spots.json"),
+                                    "--quiet", "--up", "0,1,0",   "--size", "best"};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_EQ(run(all).status, 0);
+    return nlohmann::json::parse(contentOf(path("spots.json")))["spots"][0]["largestMm"].get<double>();
+  };
+  // A code of 21 modules takes 29 with its quiet zone, and 34 with a frame: on each side half a module of gap, the line
+  // of one, and one of material.
+  EXPECT_NEAR(largestWith({"--frame", "square"}) / largestWith({}), 29.0 / 34.0, 0.06);
+  EXPECT_LT(largestWith({"--frame", "square", "--label", "AB"}), 0.95 * largestWith({"--frame", "square"}));
+}
+
 TEST_F(PlaceCommandTest, ReportsSpotsThatFaceDownInTheRequestedPose) {
   const std::string model = writeModel("box.stl", shapes::box({60, 60, 12}));
   const auto place = [&](const std::string& buildUp) {

@@ -20,6 +20,7 @@
 /** @typedef {'auto' | 'none' | 'as-modules' | 'diamond' | 'thick-plus' | 'thick-plus-sharp'} FinderPattern */
 
 /**
+ * The settings that the page's code reads by name; all of them are in web/generated/settings.js.
  * @typedef {object} Settings
  * @property {string} text
  * @property {'auto' | 'shadow' | 'inlay' | 'paint'} [mark]
