@@ -7,6 +7,17 @@ import { EngineFailure, internal } from '../engine/engine_error.js';
 import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
 import { message } from '../engine/message.js';
 import { dismissPrinter } from '../engine/printer.js';
+import {
+  bytesOf,
+  checkFormat,
+  checkFormats,
+  checkIndex,
+  checkOutputName,
+  checkPoint,
+  checkText,
+  fileNameOf,
+  kModelName,
+} from './arguments.js';
 
 /**
  * Settings by key, see options.md. A missing key has its default. The top of the code is not among them: see `up`
@@ -19,7 +30,8 @@ import { dismissPrinter } from '../engine/printer.js';
  * Options of a job. Aborting rejects its promise with the signal's reason.
  * @typedef {{ signal?: AbortSignal, onProgress?: (progress: Progress) => void }} JobOptions
  */
-/** @typedef {'stl' | 'obj' | 'ply' | '3mf' | '3mf-inlay'} Format  `3mf-inlay`: with the body that fills the pockets */
+/** @typedef {import('./arguments.js').Bytes} Bytes */
+/** @typedef {import('./arguments.js').Format} Format */
 /**
  * A finished engraving. `settings`: it was carved with; a deeper preset if the one you chose did not decode.
  * @typedef {{ verdict: import('../engine/types.js').Verdict, report: import('../engine/types.js').Report, settings: Settings }} Engraved
@@ -29,7 +41,7 @@ import { dismissPrinter } from '../engine/printer.js';
 
 /**
  * One engraving module in its own worker, with one model. Its verbs run one after the other. Every failure rejects with
- * an EngineError.
+ * an EngineError; arguments of a wrong kind reject with a TypeError or RangeError.
  */
 export class Engine {
   /**
@@ -71,23 +83,24 @@ export class Engine {
 
   /**
    * Loads, checks and repairs a model. Proposes a centre for the code.
-   * @param {Uint8Array} bytes  of an STL, OBJ, PLY, OFF or 3MF file
-   * @param {string} fileName   its extension tells the format
+   * @param {Bytes} bytes        of an STL, OBJ, PLY, OFF or 3MF file
+   * @param {string} [fileName]  its extension tells the format; without it, the content does
    * @param {{ scaleToMm?: number, up?: import('../engine/types.js').UpAxis }} [options]
    *   `scaleToMm`: file units → mm; default: as the file says (3MF), else 1; `up`: the model's upward axis, to which the
    *   top of the code points; default: z
    * @returns {Promise<import('../engine/types.js').ModelInfo>}
    */
-  async loadModel(bytes, fileName, { scaleToMm = 0, up = 'z' } = {}) {
+  async loadModel(bytes, fileName = kModelName, { scaleToMm = 0, up = 'z' } = {}) {
+    const [content, name] = [bytesOf(bytes), fileNameOf(fileName)];
     await this.client_.show({ upAxis: up });
-    return this.client_.loadModel(bytes, fileName, scaleToMm);
+    return this.client_.loadModel(content, name, scaleToMm);
   }
 
   /**
    * Sets all settings of the next search or engraving.
-   * @param {Settings} settings
+   * @param {Settings} [settings]
    */
-  async configure(settings) {
+  async configure(settings = {}) {
     await this.client_.configure(asFull(settings));
     this.settings_ = { ...settings };
   }
@@ -117,6 +130,7 @@ export class Engine {
    * @param {number} index
    */
   async chooseSpot(index) {
+    checkIndex(index);
     await this.client_.setCentre({ spot: index });
   }
 
@@ -126,6 +140,7 @@ export class Engine {
    * @returns {Promise<Point>}  the surface point
    */
   async setCentre(centre) {
+    checkPoint(centre);
     const { centre: found } = await this.client_.setCentre({ mm: centre });
     if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
     return found;
@@ -160,15 +175,34 @@ export class Engine {
    * @param {Format} format
    * @returns {Promise<Uint8Array<ArrayBuffer>>}
    */
-  exportModel(format) {
+  async exportModel(format) {
+    checkFormat(format);
+    await this.requireEngraved_();
     return this.client_.exportModel(format);
+  }
+
+  /**
+   * Writes the engraved model like `exportModel`, with the file that a code in two colours needs beside it: the body of
+   * the second colour for STL (`part-2.stl`), the materials for OBJ (`part.mtl`).
+   * @param {string} name  of the first file; its extension tells the format: .stl, .obj, .ply or .3mf
+   * @returns {Promise<import('../engine/types.js').NamedFile[]>}
+   */
+  async exportFiles(name) {
+    checkOutputName(name);
+    await this.requireEngraved_();
+    return this.client_.exportFiles(name);
+  }
+
+  async requireEngraved_() {
+    if ((await this.client_.carving()) === 0)
+      throw new EngineFailure({ kind: 'BadUsage', ...message('nothing-engraved') });
   }
 }
 
 /**
  * @typedef {object} EngraveOptions
- * @property {Settings} settings       `text` at least
- * @property {string} [fileName]       its extension tells the format; default: model.stl
+ * @property {Settings} [settings]     `text` at least, or the promise rejects
+ * @property {string} [fileName]       its extension tells the format; without it, the content does
  * @property {number} [scaleToMm]      see `Engine.loadModel`
  * @property {import('../engine/types.js').UpAxis} [up]
  * @property {Point} [centre]          default: the best spot
@@ -180,12 +214,16 @@ export class Engine {
 
 /**
  * Engraves a code into a model, in an engine of its own.
- * @param {Uint8Array} bytes  of the model's file
- * @param {EngraveOptions} options
+ * @param {Bytes} bytes  of the model's file
+ * @param {EngraveOptions} [options]
  * @returns {Promise<Engraved & { files: Partial<Record<Format, Uint8Array<ArrayBuffer>>> }>}
  */
-export async function engrave(bytes, options) {
-  const { settings, fileName = 'model.stl', scaleToMm, up, centre, formats = ['stl'], signal } = options;
+export async function engrave(bytes, options = {}) {
+  const { settings = {}, fileName, scaleToMm, up, centre, formats = ['stl'], signal } = options;
+  bytesOf(bytes);
+  checkText(settings);
+  checkFormats(formats);
+  if (centre) checkPoint(centre);
   signal?.throwIfAborted();
   const engine = await Engine.start();
   const end = () => engine.end();
