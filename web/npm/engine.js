@@ -44,6 +44,10 @@ import {
  * an EngineError; arguments of a wrong kind reject with a TypeError or RangeError.
  */
 export class Engine {
+  // Private to the language, too: their types need those of the DOM, which package users may lack.
+  /** @type {EngineClient} */ #client;
+  /** @type {Settings} */ #settings = {};
+
   /**
    * Starts an engine, in a page, in a worker or in Node. It uses the GPU through WebGL 2 if it can, else the processor.
    * @returns {Promise<Engine>}
@@ -51,7 +55,7 @@ export class Engine {
   static async start() {
     const engine = new Engine();
     running.add(engine);
-    const { problems } = await engine.client_.start();
+    const { problems } = await engine.#client.start();
     if (problems.length === 0) return engine;
     engine.end();
     throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
@@ -59,7 +63,7 @@ export class Engine {
 
   /** Call `Engine.start` instead. */
   constructor() {
-    this.client_ = new EngineClient({
+    this.#client = new EngineClient({
       makeCanvas: makeHiddenCanvas,
       onEvent: ({ event }) => {
         if (event === 'contextlost' || event === 'failure') this.end();
@@ -67,7 +71,6 @@ export class Engine {
       onReplaced: () => this.end(),
       draws: false,
     });
-    /** @type {Settings} */ this.settings_ = {};
   }
 
   /**
@@ -75,7 +78,7 @@ export class Engine {
    * also ends by itself if its module crashes, or needs more than 4 s to obey an aborted job.
    */
   end() {
-    this.client_.end();
+    this.#client.end();
     if (!running.delete(this) || running.size > 0) return;
     dismissPrinter();
     dismissReader();
@@ -92,8 +95,8 @@ export class Engine {
    */
   async loadModel(bytes, fileName = kModelName, { scaleToMm = 0, up = 'z' } = {}) {
     const [content, name] = [bytesOf(bytes), fileNameOf(fileName)];
-    await this.client_.show({ upAxis: up });
-    return this.client_.loadModel(content, name, scaleToMm);
+    await this.#client.show({ upAxis: up });
+    return this.#client.loadModel(content, name, scaleToMm);
   }
 
   /**
@@ -101,8 +104,8 @@ export class Engine {
    * @param {Settings} [settings]
    */
   async configure(settings = {}) {
-    await this.client_.configure(asFull(settings));
-    this.settings_ = { ...settings };
+    await this.#client.configure(asFull(settings));
+    this.#settings = { ...settings };
   }
 
   /**
@@ -110,7 +113,7 @@ export class Engine {
    * @returns {Promise<import('../engine/types.js').SymbolFacts>}
    */
   symbol() {
-    return this.client_.symbol(asFull(this.settings_));
+    return this.#client.symbol(asFull(this.#settings));
   }
 
   /**
@@ -120,7 +123,7 @@ export class Engine {
    */
   async findSpots(options) {
     const job = jobOf(options);
-    const spots = await this.client_.findSpots(job);
+    const spots = await this.#client.findSpots(job);
     job.signal.throwIfAborted();
     return /** @type {import('../engine/types.js').Spots} */ (spots);
   }
@@ -131,7 +134,7 @@ export class Engine {
    */
   async chooseSpot(index) {
     checkIndex(index);
-    await this.client_.setCentre({ spot: index });
+    await this.#client.setCentre({ spot: index });
   }
 
   /**
@@ -141,7 +144,7 @@ export class Engine {
    */
   async setCentre(centre) {
     checkPoint(centre);
-    const { centre: found } = await this.client_.setCentre({ mm: centre });
+    const { centre: found } = await this.#client.setCentre({ mm: centre });
     if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
     return found;
   }
@@ -151,7 +154,7 @@ export class Engine {
    * @returns {Promise<import('../engine/types.js').Placement>}
    */
   placement() {
-    return this.client_.placement();
+    return this.#client.placement();
   }
 
   /**
@@ -164,9 +167,9 @@ export class Engine {
   async engrave({ simulatesPrint = true, ...options } = {}) {
     const job = jobOf(options);
     job.signal.throwIfAborted();
-    const carver = new Carver({ client: this.client_ });
-    const settings = await carver.carve(asFull(this.settings_), simulatesPrint, job);
-    const report = await this.client_.report();
+    const carver = new Carver({ client: this.#client });
+    const settings = await carver.carve(asFull(this.#settings), simulatesPrint, job);
+    const report = await this.#client.report();
     return { verdict: report.verification.verdict, report, settings };
   }
 
@@ -177,8 +180,8 @@ export class Engine {
    */
   async exportModel(format) {
     checkFormat(format);
-    await this.requireEngraved_();
-    return this.client_.exportModel(format);
+    await this.#requireEngraved();
+    return this.#client.exportModel(format);
   }
 
   /**
@@ -189,12 +192,12 @@ export class Engine {
    */
   async exportFiles(name) {
     checkOutputName(name);
-    await this.requireEngraved_();
-    return this.client_.exportFiles(name);
+    await this.#requireEngraved();
+    return this.#client.exportFiles(name);
   }
 
-  async requireEngraved_() {
-    if ((await this.client_.carving()) === 0)
+  async #requireEngraved() {
+    if ((await this.#client.carving()) === 0)
       throw new EngineFailure({ kind: 'BadUsage', ...message('nothing-engraved') });
   }
 }

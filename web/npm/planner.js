@@ -18,8 +18,13 @@ import { bytesOf, fileNameOf, kModelName } from './arguments.js';
  * TypeError.
  */
 export class Planner {
+  // Private to the language, so that the package's types have no part of them.
+  /** @type {import('../engine/verbs.js').Calls<typeof kFactVerbs>} */ #facts;
+  /** @type {import('../engine/verbs.js').Calls<typeof kBatchVerbs>} */ #verbs;
+
   /**
    * Loads a module for the planner.
+   * @internal
    * @param {import('../engine/module.js').Compile} [compile]
    * @returns {Promise<Planner>}
    */
@@ -27,10 +32,10 @@ export class Planner {
     return new Planner((await loadModule(compile)).module);
   }
 
-  /** Call `loadPlanner` instead. @param {import('../engine/types.js').QReliefModule} module */
+  /** Call `loadPlanner` instead. @internal @param {import('../engine/module.js').QReliefModule} module */
   constructor(module) {
-    this.facts_ = callsOf(new module.Facts(), kFactVerbs);
-    this.verbs_ = callsOf(new module.PlannedBatch(), kBatchVerbs);
+    this.#facts = callsOf(new module.Facts(), kFactVerbs);
+    this.#verbs = callsOf(new module.PlannedBatch(), kBatchVerbs);
   }
 
   /**
@@ -41,7 +46,7 @@ export class Planner {
    * @returns {Omit<import('../engine/types.js').ModelInfo, 'centre'>}
    */
   model(bytes, fileName = kModelName, { scaleToMm = 0 } = {}) {
-    return this.facts_.model(bytesOf(bytes), fileNameOf(fileName), scaleToMm);
+    return this.#facts.model(bytesOf(bytes), fileNameOf(fileName), scaleToMm);
   }
 
   /**
@@ -50,7 +55,7 @@ export class Planner {
    * @returns {import('../engine/types.js').SymbolFacts}
    */
   symbol(settings = {}) {
-    return this.facts_.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));
+    return this.#facts.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));
   }
 
   /**
@@ -61,7 +66,7 @@ export class Planner {
    */
   planBatch(list, { settings = {}, text = '', name = '', count = 0, perPlate = 0 } = {}) {
     const shared = /** @type {import('../engine/types.js').Settings} */ (settings);
-    return this.verbs_.planBatch(count > 0 ? new Uint8Array() : bytesOf(/** @type {Bytes} */ (list)), {
+    return this.#verbs.planBatch(count > 0 ? new Uint8Array() : bytesOf(/** @type {Bytes} */ (list)), {
       settings: shared,
       text,
       name,
@@ -76,6 +81,6 @@ export class Planner {
    * @returns {import('../engine/types.js').BatchRow}
    */
   batchRow(index) {
-    return this.verbs_.batchRow(index);
+    return this.#verbs.batchRow(index);
   }
 }
