@@ -11,10 +11,12 @@ export const wordErrors = (words) => void (textOf = words);
 
 /** An error with a message and its kind. It crosses the worker's boundary as a plain value. */
 export class EngineFailure extends Error {
+  static name = 'EngineError'; // its name in the npm package, in traces, too
+
   /** @param {EngineErrorValue} value */
   constructor({ kind, code, values }) {
     super(textOf({ kind, code, values }));
-    this.name = 'EngineError'; // its name in the npm package
+    this.name = EngineFailure.name;
     this.kind = kind;
     this.code = code;
     this.values = values;
