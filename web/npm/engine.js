@@ -85,7 +85,8 @@ export class Engine {
   }
 
   /**
-   * Loads, checks and repairs a model. Proposes a centre for the code.
+   * Loads, checks and repairs a model. The `centre` it returns is only the middle of a first view, and a code may not fit
+   * there: choose a spot or a centre before you engrave.
    * @param {Bytes} bytes        of an STL, OBJ, PLY, OFF or 3MF file
    * @param {string} [fileName]  its extension tells the format; without it, the content does
    * @param {{ scaleToMm?: number, up?: import('../engine/types.js').UpAxis }} [options]
@@ -130,7 +131,7 @@ export class Engine {
 
   /**
    * Chooses a spot of the last search, with the viewing direction that was found for it.
-   * @param {number} index
+   * @param {number} index  from 0; the sentence of an error counts from 1
    */
   async chooseSpot(index) {
     checkIndex(index);
@@ -174,7 +175,7 @@ export class Engine {
   }
 
   /**
-   * Writes the engraved model, after it was read back and compared.
+   * Writes the engraved model, after it was read back and compared. See `exportFiles` for codes in two colours.
    * @param {Format} format
    * @returns {Promise<Uint8Array<ArrayBuffer>>}
    */
