@@ -72,7 +72,7 @@ test('An engine works in a worker, at a given centre, and says what it refuses',
     });
   });
   expect(told).toEqual({
-    refused: ['EngineFailure', 'BadUsage'],
+    refused: ['EngineError', 'BadUsage'],
     sizeMm: [40, 40, 20],
     centre: [0, 0, 10],
     symbolMm: 25,

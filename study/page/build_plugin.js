@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of the build: draws the figures of study.html from the measured tables, states the findings, and writes figures
 // and tables next to the page.
-import { kLanguages } from '../../web/i18n/catalogue.js';
+import { kLanguages } from '../../web/i18n/languages.js';
 import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';

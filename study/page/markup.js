@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures and the sentences about them as markup, in every language; article.css shows the page's language.
-import { kLanguages } from '../../web/i18n/catalogue.js';
+import { kLanguages } from '../../web/i18n/languages.js';
 import { escaped } from '../../web/i18n/fill.js';
 import { isKnown, said, sentence } from './say.js';
 

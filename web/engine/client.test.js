@@ -92,7 +92,7 @@ test('An error of the engine is thrown with kind, code and values', async () => 
   const placed = client.placement();
   worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { count: 2 } }) } });
   await assert.rejects(placed, {
-    name: 'EngineFailure',
+    name: 'EngineError',
     kind: 'NoSolution',
     code: 'no-such-spot',
     values: { index: { count: 2 } },

@@ -3,12 +3,20 @@ import { message } from './message.js';
 
 /** @typedef {import('./types.js').EngineError} EngineErrorValue */
 
+/** Returns the text of an error. The page words errors itself, in its language. @type {(value: EngineErrorValue) => string} */
+let textOf = ({ code }) => code;
+
+/** Gives errors a text from now on. @param {typeof textOf} words */
+export const wordErrors = (words) => void (textOf = words);
+
 /** An error with a message and its kind. It crosses the worker's boundary as a plain value. */
 export class EngineFailure extends Error {
+  static name = 'EngineError'; // its name in the npm package, in traces, too
+
   /** @param {EngineErrorValue} value */
   constructor({ kind, code, values }) {
-    super(code);
-    this.name = 'EngineFailure';
+    super(textOf({ kind, code, values }));
+    this.name = EngineFailure.name;
     this.kind = kind;
     this.code = code;
     this.values = values;

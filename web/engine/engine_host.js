@@ -23,7 +23,7 @@ const kPictureMs = 1500; // time to refine a picture
 export class EngineHost {
   /**
    * @param {object} options
-   * @param {import('./types.js').QReliefModule} options.module
+   * @param {import('./module.js').QReliefModule} options.module
    * @param {() => Promise<void>} options.loadInspector
    * @param {HTMLCanvasElement | OffscreenCanvas | null} options.canvas  null: no verb that draws may be called
    * @param {WebGL2RenderingContext | null} options.gl  of the canvas

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages without words: a code and its values, as core/base/message_json.h writes them. The words are in
-// messages/*.json; web/i18n/messages.js makes the sentences.
+// messages/*.json; web/i18n/sentences.js makes the sentences.
 
 /**
  * A value of a message. Its kind decides its format.

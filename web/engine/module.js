@@ -7,7 +7,23 @@ import wasmUrl from 'qrelief-wasm';
 import { EngineFailure, internal } from './engine_error.js';
 import { message } from './message.js';
 
-/** @typedef {import('./types.js').QReliefModule} QReliefModule */
+/**
+ * Emscripten's tables of WebGL objects by their OpenGL names; null for deleted objects.
+ * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
+ *   (object | null)[]>} GlTables
+ */
+
+/**
+ * @typedef {object} QReliefModule
+ * @property {new () => import('./types.js').ModuleObject & { memoryInUse: () => number }} Engine  `memoryInUse`: bytes of the heap
+ * @property {new () => import('./types.js').ModuleObject} PrintedCode
+ * @property {new () => import('./types.js').ModuleObject} PlannedBatch
+ * @property {new () => import('./types.js').ModuleObject} TrackedBatch
+ * @property {new () => import('./types.js').ModuleObject} Facts
+ * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
+ *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
+ * @property {Uint8Array} HEAPU8
+ */
 
 /** Placeholders for the inspector's functions, by their index in the table, until the inspector is loaded. */
 const kPlaceholders = new Proxy(

@@ -4,7 +4,7 @@
 declare module 'qrelief-module' {
   type Receive = (instance: WebAssembly.Instance) => void;
   const createQRelief: (options: { instantiateWasm: (imports: WebAssembly.Imports, receive: Receive) => object }) =>
-    Promise<import('./types.js').QReliefModule>;
+    Promise<import('./module.js').QReliefModule>;
   export default createQRelief;
 }
 

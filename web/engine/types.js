@@ -221,31 +221,6 @@
 /** An object of the module (embind), by verb. @typedef {Record<string, (...given: any[]) => any>} ModuleObject */
 
 /**
- * The class `Facts` of the module: what it says about a model's file and a symbol without a canvas.
- * @typedef {object} Facts
- * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} model
- * @property {(settings: string) => string} symbol
- */
-
-/**
- * Emscripten's tables of WebGL objects by their OpenGL names; null for deleted objects.
- * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
- *   (object | null)[]>} GlTables
- */
-
-/**
- * @typedef {object} QReliefModule
- * @property {new () => ModuleObject & { memoryInUse: () => number }} Engine  `memoryInUse`: bytes of the heap
- * @property {new () => ModuleObject} PrintedCode
- * @property {new () => ModuleObject} PlannedBatch
- * @property {new () => ModuleObject} TrackedBatch
- * @property {new () => ModuleObject} Facts
- * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
- *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
- * @property {Uint8Array} HEAPU8
- */
-
-/**
  * A camera action; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }

@@ -144,7 +144,7 @@ test('every wrong property of the model is named', () => {
 test('a file truncated anywhere is refused', () => {
   const whole = writeSettingsFile({ settings: kSettings, model: kModel }).trimEnd();
   for (let length = 0; length < whole.length; length += 1) {
-    assert.throws(() => readSettingsFile(whole.slice(0, length), 'x.json'), { name: 'EngineFailure' });
+    assert.throws(() => readSettingsFile(whole.slice(0, length), 'x.json'), { name: 'EngineError' });
   }
 });
 

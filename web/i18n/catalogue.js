@@ -2,6 +2,7 @@
 // All texts of the app in all languages. The texts of each part of the page are in parts/, all languages side by side.
 // An article adds its own texts.
 import { recall, remember } from '../storage/remembered.js';
+import { kLanguages } from './languages.js';
 import { batch } from './parts/batch.js';
 import { check } from './parts/check.js';
 import { code } from './parts/code.js';
@@ -15,7 +16,7 @@ import { settings } from './parts/settings.js';
 import { exports } from './parts/exports.js';
 import { view } from './parts/view.js';
 
-/** @typedef {'en' | 'de'} Language */
+/** @typedef {import('./languages.js').Language} Language */
 /**
  * @typedef {string | { one: string, other: string }} Entry  the value `count` selects the form; `{name}` stands for a
  *   value
@@ -34,8 +35,6 @@ const kParts = { batch, check, code, help, inspector, autosave, links, page, sam
 /** @param {Partial<Articles>} articles  articles whose texts `text` will find from now on */
 export const addTexts = (articles) => void Object.assign(kParts, articles);
 
-/** @type {readonly Language[]} */
-export const kLanguages = ['en', 'de'];
 const kStored = 'language';
 
 /** @param {unknown} value @returns {value is Language} */

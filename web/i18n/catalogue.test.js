@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addTexts, allParts, kLanguages, setLanguage, text } from './catalogue.js';
+import { addTexts, allParts, setLanguage, text } from './catalogue.js';
+import { kLanguages } from './languages.js';
 import { figures } from './parts/figures.js';
 import { guide } from './parts/guide.js';
 import { method } from './parts/method.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Build plugin: reduces a module imported as `message_catalogues.js?language=de` to that language. Without a build,
 // under Node and from the development server, the module has all languages.
-import { kLanguages } from './catalogue.js';
+import { kLanguages } from './languages.js';
 import { catalogue } from './message_catalogues.js';
 
 /**

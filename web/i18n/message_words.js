@@ -3,11 +3,8 @@
 // is to be shown, and only in the current language (cut_language.js).
 import { currentLanguage, writeAgain } from './catalogue.js';
 
-/** @typedef {import('./catalogue.js').Language} Language */
-/** @typedef {string | { one: string, other: string }} Forms  the value `count` selects the form */
-/** @typedef {{ [L in Language]?: Forms }} Words */
-/** @typedef {Words & { hint?: Words }} Entry */
-/** @typedef {Record<string, Entry>} Catalogue  by message code */
+/** @typedef {import('./languages.js').Language} Language */
+/** @typedef {import('./sentences.js').Catalogue} Catalogue */
 
 const kRetryMs = 10_000; // least time between a failed fetch and the next try
 const kPatienceMs = 8_000; // a message waits so long for its words and is then shown without them, until they arrive

@@ -6,7 +6,8 @@ import { onLanguage, setLanguage, text } from './catalogue.js';
 import { wordsIn } from './cut_language.js';
 import { catalogue } from './message_catalogues.js';
 import { MessageWords, messageWords } from './message_words.js';
-import { asSentence, hintOf, sentenceOf } from './messages.js';
+import { hintOf, sentenceOf } from './messages.js';
+import { asSentence } from './sentences.js';
 
 /** @typedef {import('./catalogue.js').Language} Language */
 

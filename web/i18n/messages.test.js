@@ -6,7 +6,7 @@ import { message } from '../engine/message.js';
 import { setLanguage } from './catalogue.js';
 import { catalogue } from './message_catalogues.js';
 import { hintOf, sentenceOf } from './messages.js';
-import { isKnownSetting } from './setting_names.js';
+import { isKnownSetting } from './setting_words.js';
 
 const kFolder = new URL('../../messages/', import.meta.url);
 // The cases that the command's renderer is tested with, too (tests/messages/sentences_test.cpp), so that the two agree.

@@ -1,57 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's names of the settings and their choices. The words come with the table of settings. Controls that messages
-// mention but that are no core settings have their names here.
+// The names of the settings and their choices in the current language (setting_words.js).
 import { kSettingGroups, kSettings, kUnits } from '../generated/settings.js';
-import { currentLanguage, text } from './catalogue.js';
-
-/** @typedef {import('./catalogue.js').Key} Key */
-/** @typedef {import('../generated/settings.js').Setting} Setting */
-
-/** @type {Record<string, Key>} */
-const kOtherControls = {
-  centreMm: 'settings.centre',
-  units: 'settings.unit',
-  unit: 'settings.unit',
-  scale: 'settings.unit',
-  upAxis: 'settings.upAxis',
-};
-const kUnitNames = /** @type {const} */ ({ m: 'settings.metres', cm: 'settings.centimetres', in: 'settings.inches' });
-
-/** @param {string} key @returns {Setting | undefined} */
-const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[key];
-
-/**
- * Returns the label of a number that has its own control next to the setting's choices: "sizeMm".
- * @param {string} key
- */
-const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.number : undefined);
-
-export const isKnownSetting = (/** @type {string} */ key) =>
-  key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
+import { currentLanguage } from './catalogue.js';
+import { choiceIn, labelIn, nameIn } from './setting_words.js';
 
 /** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of a setting of the core */
-export function controlLabel(key) {
-  const words = settingOf(key)?.label ?? numberBeside(key);
-  if (words) return words[currentLanguage()];
-  return key in kOtherControls ? text(kOtherControls[key]).replace(/ \([^)]*\)$/, '') : key;
-}
+export const controlLabel = (key) => labelIn(currentLanguage(), key);
 
-/**
- * Returns the label of the control with its unit: "Minimum wall (mm)".
- * @param {string} key  of a setting of the core
- */
-export function controlName(key) {
-  if (key in kOtherControls) return text(kOtherControls[key]);
-  const setting = settingOf(key);
-  const unit = setting?.kind === 'number' ? setting.unit : numberBeside(key) && 'mm';
-  return unit ? `${controlLabel(key)} (${kUnits[unit][currentLanguage()]})` : controlLabel(key);
-}
+/** Returns the label of the control with its unit: "Minimum wall (mm)". @param {string} key  of a setting of the core */
+export const controlName = (key) => nameIn(currentLanguage(), key);
 
 /** @param {string} key @param {string} value */
-export function choiceLabel(key, value) {
-  if (key === 'units' && value in kUnitNames) return text(kUnitNames[/** @type {keyof typeof kUnitNames} */ (value)]);
-  return settingOf(key)?.choiceNames?.[value]?.[currentLanguage()] ?? value;
-}
+export const choiceLabel = (key, value) => choiceIn(currentLanguage(), key, value);
 
 /**
  * Returns the texts of all settings by the keys that the engine uses (app/inspector/setting_labels.h).

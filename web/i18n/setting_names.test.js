@@ -4,7 +4,8 @@ import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { kSettings } from '../generated/settings.js';
 import { setLanguage } from './catalogue.js';
-import { choiceLabel, controlLabel, controlName, isKnownSetting, settingTexts } from './setting_names.js';
+import { choiceLabel, controlLabel, controlName, settingTexts } from './setting_names.js';
+import { isKnownSetting } from './setting_words.js';
 
 after(() => setLanguage('en'));
 

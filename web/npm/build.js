@@ -6,6 +6,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'no
 import { dirname, join, posix, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { wordsIn } from '../i18n/cut_language.js';
+import { kLanguages } from '../i18n/languages.js';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kModuleFolder = process.env.QRELIEF_WASM_DIR ?? join(kRoot, 'build/wasm/wasm');
@@ -45,6 +46,13 @@ const kAddresses = {
   'qrelief-inspector-wasm': undefined,
 };
 
+/** The words of messages in a language, cut as for the page. */
+const kWords = /'[^']*\/message_catalogues\.js\?language=(\w+)'/g;
+
+/** Returns the place of a language's words in the package. @param {string} language */
+const wordsFile = (language) => `messages/${language}.js`;
+const kWordsFiles = kLanguages.map(wordsFile);
+
 /** Returns a path as an import from a file of the package. @param {string} file @param {string} target */
 function pathFrom(file, target) {
   const path = posix.relative(posix.dirname(file), target);
@@ -67,7 +75,8 @@ export function resolved(file, source) {
     })
     .replace(/(\bfrom |\bimport\()'([^'.][^']*)'/g, (whole, before, from) =>
       from in kModules ? `${before}'${pathFrom(file, kModules[from])}'` : whole,
-    );
+    )
+    .replace(kWords, (_, language) => `'${pathFrom(file, wordsFile(language))}'`);
 }
 
 /** Returns the files that a source imports when it runs. @param {string} file @param {string} source */
@@ -83,7 +92,7 @@ function copySources() {
   const open = [...kEntries];
   const seen = new Set(open);
   for (let file = open.pop(); file !== undefined; file = open.pop()) {
-    if (file in kForeign) continue;
+    if (file in kForeign || kWordsFiles.includes(file)) continue;
     const source = resolved(file, readFileSync(join(kRoot, 'web', file), 'utf8'));
     const left = /(?:\bfrom |\bimport\()'((?!\.|node:)[^']*)'/.exec(source.replace(/\/\*[\s\S]*?\*\//g, ''));
     if (left) throw new Error(`${file} imports ${left[1]}, which the package does not have`);
@@ -109,8 +118,10 @@ function build(version) {
     mkdirSync(dirname(join(kPackage, file)), { recursive: true });
     copyFileSync(source, join(kPackage, file));
   }
-  for (const language of ['en', 'de'])
+  for (const language of kLanguages) {
+    write(wordsFile(language), `export const catalogue = ${JSON.stringify(wordsIn(language))};\n`);
     write(`messages/${language}.json`, `${JSON.stringify(sentencesIn(language), undefined, 1)}\n`);
+  }
   execFileSync(join(kRoot, 'node_modules/.bin/tsc'), ['-p', join(kRoot, 'web/npm'), '--outDir', kPackage], {
     stdio: 'inherit',
   });

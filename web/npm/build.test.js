@@ -13,6 +13,13 @@ test('Imports of the page’s build become files of the package', () => {
   assert.equal(resolved('a.js', "import inspectorUrl from 'qrelief-inspector-wasm';"), "const inspectorUrl = '';");
 });
 
+test('The words of a language are a file of the package', () => {
+  assert.equal(
+    resolved('npm/a.js', "import { catalogue } from '../i18n/message_catalogues.js?language=de';"),
+    "import { catalogue } from '../messages/de.js';",
+  );
+});
+
 test('Other imports stay', () => {
   const source = "import { a } from './a.js';\nimport { readFile } from 'node:fs/promises';\n";
   assert.equal(resolved('b.js', source), source);

@@ -7,6 +7,17 @@ import { EngineFailure, internal } from '../engine/engine_error.js';
 import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
 import { message } from '../engine/message.js';
 import { dismissPrinter } from '../engine/printer.js';
+import {
+  bytesOf,
+  checkFormat,
+  checkFormats,
+  checkIndex,
+  checkOutputName,
+  checkPoint,
+  checkText,
+  fileNameOf,
+  kModelName,
+} from './arguments.js';
 
 /**
  * Settings by key, see options.md. A missing key has its default. The top of the code is not among them: see `up`
@@ -19,7 +30,8 @@ import { dismissPrinter } from '../engine/printer.js';
  * Options of a job. Aborting rejects its promise with the signal's reason.
  * @typedef {{ signal?: AbortSignal, onProgress?: (progress: Progress) => void }} JobOptions
  */
-/** @typedef {'stl' | 'obj' | 'ply' | '3mf' | '3mf-inlay'} Format  `3mf-inlay`: with the body that fills the pockets */
+/** @typedef {import('./arguments.js').Bytes} Bytes */
+/** @typedef {import('./arguments.js').Format} Format */
 /**
  * A finished engraving. `settings`: it was carved with; a deeper preset if the one you chose did not decode.
  * @typedef {{ verdict: import('../engine/types.js').Verdict, report: import('../engine/types.js').Report, settings: Settings }} Engraved
@@ -29,9 +41,13 @@ import { dismissPrinter } from '../engine/printer.js';
 
 /**
  * One engraving module in its own worker, with one model. Its verbs run one after the other. Every failure rejects with
- * an EngineError.
+ * an EngineError; arguments of a wrong kind reject with a TypeError or RangeError.
  */
 export class Engine {
+  // Private to the language, too: their types need those of the DOM, which package users may lack.
+  /** @type {EngineClient} */ #client;
+  /** @type {Settings} */ #settings = {};
+
   /**
    * Starts an engine, in a page, in a worker or in Node. It uses the GPU through WebGL 2 if it can, else the processor.
    * @returns {Promise<Engine>}
@@ -39,7 +55,7 @@ export class Engine {
   static async start() {
     const engine = new Engine();
     running.add(engine);
-    const { problems } = await engine.client_.start();
+    const { problems } = await engine.#client.start();
     if (problems.length === 0) return engine;
     engine.end();
     throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
@@ -47,7 +63,7 @@ export class Engine {
 
   /** Call `Engine.start` instead. */
   constructor() {
-    this.client_ = new EngineClient({
+    this.#client = new EngineClient({
       makeCanvas: makeHiddenCanvas,
       onEvent: ({ event }) => {
         if (event === 'contextlost' || event === 'failure') this.end();
@@ -55,7 +71,6 @@ export class Engine {
       onReplaced: () => this.end(),
       draws: false,
     });
-    /** @type {Settings} */ this.settings_ = {};
   }
 
   /**
@@ -63,33 +78,35 @@ export class Engine {
    * also ends by itself if its module crashes, or needs more than 4 s to obey an aborted job.
    */
   end() {
-    this.client_.end();
+    this.#client.end();
     if (!running.delete(this) || running.size > 0) return;
     dismissPrinter();
     dismissReader();
   }
 
   /**
-   * Loads, checks and repairs a model. Proposes a centre for the code.
-   * @param {Uint8Array} bytes  of an STL, OBJ, PLY, OFF or 3MF file
-   * @param {string} fileName   its extension tells the format
+   * Loads, checks and repairs a model. The `centre` it returns is only the middle of a first view, and a code may not fit
+   * there: choose a spot or a centre before you engrave.
+   * @param {Bytes} bytes        of an STL, OBJ, PLY, OFF or 3MF file
+   * @param {string} [fileName]  its extension tells the format; without it, the content does
    * @param {{ scaleToMm?: number, up?: import('../engine/types.js').UpAxis }} [options]
    *   `scaleToMm`: file units → mm; default: as the file says (3MF), else 1; `up`: the model's upward axis, to which the
    *   top of the code points; default: z
    * @returns {Promise<import('../engine/types.js').ModelInfo>}
    */
-  async loadModel(bytes, fileName, { scaleToMm = 0, up = 'z' } = {}) {
-    await this.client_.show({ upAxis: up });
-    return this.client_.loadModel(bytes, fileName, scaleToMm);
+  async loadModel(bytes, fileName = kModelName, { scaleToMm = 0, up = 'z' } = {}) {
+    const [content, name] = [bytesOf(bytes), fileNameOf(fileName)];
+    await this.#client.show({ upAxis: up });
+    return this.#client.loadModel(content, name, scaleToMm);
   }
 
   /**
    * Sets all settings of the next search or engraving.
-   * @param {Settings} settings
+   * @param {Settings} [settings]
    */
-  async configure(settings) {
-    await this.client_.configure(asFull(settings));
-    this.settings_ = { ...settings };
+  async configure(settings = {}) {
+    await this.#client.configure(asFull(settings));
+    this.#settings = { ...settings };
   }
 
   /**
@@ -97,7 +114,7 @@ export class Engine {
    * @returns {Promise<import('../engine/types.js').SymbolFacts>}
    */
   symbol() {
-    return this.client_.symbol(asFull(this.settings_));
+    return this.#client.symbol(asFull(this.#settings));
   }
 
   /**
@@ -107,17 +124,18 @@ export class Engine {
    */
   async findSpots(options) {
     const job = jobOf(options);
-    const spots = await this.client_.findSpots(job);
+    const spots = await this.#client.findSpots(job);
     job.signal.throwIfAborted();
     return /** @type {import('../engine/types.js').Spots} */ (spots);
   }
 
   /**
    * Chooses a spot of the last search, with the viewing direction that was found for it.
-   * @param {number} index
+   * @param {number} index  from 0; the sentence of an error counts from 1
    */
   async chooseSpot(index) {
-    await this.client_.setCentre({ spot: index });
+    checkIndex(index);
+    await this.#client.setCentre({ spot: index });
   }
 
   /**
@@ -126,7 +144,8 @@ export class Engine {
    * @returns {Promise<Point>}  the surface point
    */
   async setCentre(centre) {
-    const { centre: found } = await this.client_.setCentre({ mm: centre });
+    checkPoint(centre);
+    const { centre: found } = await this.#client.setCentre({ mm: centre });
     if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
     return found;
   }
@@ -136,7 +155,7 @@ export class Engine {
    * @returns {Promise<import('../engine/types.js').Placement>}
    */
   placement() {
-    return this.client_.placement();
+    return this.#client.placement();
   }
 
   /**
@@ -149,26 +168,45 @@ export class Engine {
   async engrave({ simulatesPrint = true, ...options } = {}) {
     const job = jobOf(options);
     job.signal.throwIfAborted();
-    const carver = new Carver({ client: this.client_ });
-    const settings = await carver.carve(asFull(this.settings_), simulatesPrint, job);
-    const report = await this.client_.report();
+    const carver = new Carver({ client: this.#client });
+    const settings = await carver.carve(asFull(this.#settings), simulatesPrint, job);
+    const report = await this.#client.report();
     return { verdict: report.verification.verdict, report, settings };
   }
 
   /**
-   * Writes the engraved model, after it was read back and compared.
+   * Writes the engraved model, after it was read back and compared. See `exportFiles` for codes in two colours.
    * @param {Format} format
    * @returns {Promise<Uint8Array<ArrayBuffer>>}
    */
-  exportModel(format) {
-    return this.client_.exportModel(format);
+  async exportModel(format) {
+    checkFormat(format);
+    await this.#requireEngraved();
+    return this.#client.exportModel(format);
+  }
+
+  /**
+   * Writes the engraved model like `exportModel`, with the file that a code in two colours needs beside it: the body of
+   * the second colour for STL (`part-2.stl`), the materials for OBJ (`part.mtl`).
+   * @param {string} name  of the first file; its extension tells the format: .stl, .obj, .ply or .3mf
+   * @returns {Promise<import('../engine/types.js').NamedFile[]>}
+   */
+  async exportFiles(name) {
+    checkOutputName(name);
+    await this.#requireEngraved();
+    return this.#client.exportFiles(name);
+  }
+
+  async #requireEngraved() {
+    if ((await this.#client.carving()) === 0)
+      throw new EngineFailure({ kind: 'BadUsage', ...message('nothing-engraved') });
   }
 }
 
 /**
  * @typedef {object} EngraveOptions
- * @property {Settings} settings       `text` at least
- * @property {string} [fileName]       its extension tells the format; default: model.stl
+ * @property {Settings} [settings]     `text` at least, or the promise rejects
+ * @property {string} [fileName]       its extension tells the format; without it, the content does
  * @property {number} [scaleToMm]      see `Engine.loadModel`
  * @property {import('../engine/types.js').UpAxis} [up]
  * @property {Point} [centre]          default: the best spot
@@ -180,12 +218,16 @@ export class Engine {
 
 /**
  * Engraves a code into a model, in an engine of its own.
- * @param {Uint8Array} bytes  of the model's file
- * @param {EngraveOptions} options
+ * @param {Bytes} bytes  of the model's file
+ * @param {EngraveOptions} [options]
  * @returns {Promise<Engraved & { files: Partial<Record<Format, Uint8Array<ArrayBuffer>>> }>}
  */
-export async function engrave(bytes, options) {
-  const { settings, fileName = 'model.stl', scaleToMm, up, centre, formats = ['stl'], signal } = options;
+export async function engrave(bytes, options = {}) {
+  const { settings = {}, fileName, scaleToMm, up, centre, formats = ['stl'], signal } = options;
+  bytesOf(bytes);
+  checkText(settings);
+  checkFormats(formats);
+  if (centre) checkPoint(centre);
   signal?.throwIfAborted();
   const engine = await Engine.start();
   const end = () => engine.end();

@@ -7,7 +7,10 @@ export class NodeWorker {
   constructor(url) {
     /** @type {((event: { data: any }) => void) | null} */ this.onmessage = null;
     /** @type {((event: { message: string, preventDefault: () => void }) => void) | null} */ this.onerror = null;
-    this.thread_ = new Thread(new URL('./node_thread.js', import.meta.url), { workerData: url.href });
+    this.thread_ = new Thread(new URL('./node_thread.js', import.meta.url), {
+      workerData: url.href,
+      execArgv: [], // some flags of the program, such as --input-type, stop a thread that runs a file
+    });
     this.thread_.on('message', (data) => this.onmessage?.({ data }));
     this.thread_.on('error', ({ message }) => this.onerror?.({ message, preventDefault: () => {} }));
   }

@@ -3,7 +3,9 @@
 import { callsOf } from '../engine/module_calls.js';
 import { loadModule } from '../engine/module.js';
 import { kBatchVerbs, kFactVerbs } from '../engine/verbs.js';
+import { bytesOf, fileNameOf, kModelName } from './arguments.js';
 
+/** @typedef {import('./arguments.js').Bytes} Bytes */
 /** @typedef {import('./engine.js').Settings} Settings */
 /**
  * A wanted batch, see `planBatch`. `text`, `name`: templates, needed where the list has no such column; `count`: number
@@ -11,10 +13,18 @@ import { kBatchVerbs, kFactVerbs } from '../engine/verbs.js';
  * @typedef {{ settings?: Settings, text?: string, name?: string, count?: number, perPlate?: number }} WantedBatch
  */
 
-/** The verbs run in the thread of the caller. Every failure throws an EngineError. */
+/**
+ * The verbs run in the thread of the caller. Every failure throws an EngineError; arguments of a wrong kind throw a
+ * TypeError.
+ */
 export class Planner {
+  // Private to the language, so that the package's types have no part of them.
+  /** @type {import('../engine/verbs.js').Calls<typeof kFactVerbs>} */ #facts;
+  /** @type {import('../engine/verbs.js').Calls<typeof kBatchVerbs>} */ #verbs;
+
   /**
    * Loads a module for the planner.
+   * @internal
    * @param {import('../engine/module.js').Compile} [compile]
    * @returns {Promise<Planner>}
    */
@@ -22,41 +32,47 @@ export class Planner {
     return new Planner((await loadModule(compile)).module);
   }
 
-  /** Call `loadPlanner` instead. @param {import('../engine/types.js').QReliefModule} module */
+  /** Call `loadPlanner` instead. @internal @param {import('../engine/module.js').QReliefModule} module */
   constructor(module) {
-    this.facts_ = callsOf(new module.Facts(), kFactVerbs);
-    this.verbs_ = callsOf(new module.PlannedBatch(), kBatchVerbs);
+    this.#facts = callsOf(new module.Facts(), kFactVerbs);
+    this.#verbs = callsOf(new module.PlannedBatch(), kBatchVerbs);
   }
 
   /**
    * Reads, checks and repairs a model.
-   * @param {Uint8Array} bytes
-   * @param {string} fileName
+   * @param {Bytes} bytes
+   * @param {string} [fileName]                 see `Engine.loadModel`
    * @param {{ scaleToMm?: number }} [options]  see `Engine.loadModel`
    * @returns {Omit<import('../engine/types.js').ModelInfo, 'centre'>}
    */
-  model(bytes, fileName, { scaleToMm = 0 } = {}) {
-    return this.facts_.model(bytes, fileName, scaleToMm);
+  model(bytes, fileName = kModelName, { scaleToMm = 0 } = {}) {
+    return this.#facts.model(bytesOf(bytes), fileNameOf(fileName), scaleToMm);
   }
 
   /**
    * Describes the symbol that the settings give.
-   * @param {Settings} settings
+   * @param {Settings} [settings]
    * @returns {import('../engine/types.js').SymbolFacts}
    */
-  symbol(settings) {
-    return this.facts_.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));
+  symbol(settings = {}) {
+    return this.#facts.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));
   }
 
   /**
    * Reads a list (CSV or JSON lines) and checks it as a whole. The other verbs refer to its rows.
-   * @param {Uint8Array} list  ignored if there is a `count`
+   * @param {Bytes} [list]  ignored if there is a `count`
    * @param {WantedBatch} [wanted]
    * @returns {import('../engine/types.js').BatchPlan}
    */
   planBatch(list, { settings = {}, text = '', name = '', count = 0, perPlate = 0 } = {}) {
     const shared = /** @type {import('../engine/types.js').Settings} */ (settings);
-    return this.verbs_.planBatch(list, { settings: shared, text, name, count, perPlate });
+    return this.#verbs.planBatch(count > 0 ? new Uint8Array() : bytesOf(/** @type {Bytes} */ (list)), {
+      settings: shared,
+      text,
+      name,
+      count,
+      perPlate,
+    });
   }
 
   /**
@@ -65,6 +81,6 @@ export class Planner {
    * @returns {import('../engine/types.js').BatchRow}
    */
   batchRow(index) {
-    return this.verbs_.batchRow(index);
+    return this.#verbs.batchRow(index);
   }
 }

@@ -2,8 +2,9 @@
 // The page's messages: the status line, and errors with their hints.
 import { onLanguage } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../dom/dom.js';
+import { asSentence } from '../i18n/sentences.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {import('../engine/message.js').Message} Message */

@@ -4,9 +4,10 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatNumber, formatPlain } from '../i18n/format.js';
+import { asSentence } from '../i18n/sentences.js';
 import { adviseText, isWebAddress, shorterForms } from '../payloads/link.js';
 import { tooSmall } from '../payloads/module_size.js';
 import { drawSymbol } from './symbol_drawing.js';

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict in three lines, each with its reasons and one-click remedies.
 import { text } from '../i18n/catalogue.js';
-import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { asSentence } from '../i18n/sentences.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes sentences from messages in a language, by the rules of messages/sentences.h. Settings have the names of the
+// page's controls.
+import { choiceIn, labelIn } from './setting_words.js';
+
+/** @typedef {import('../engine/message.js').Message} Message */
+/** @typedef {import('../engine/message.js').Value} Value */
+/** @typedef {import('./languages.js').Language} Language */
+/** @typedef {string | { one: string, other: string }} Forms  the value `count` selects the form */
+/** @typedef {{ [L in Language]?: Forms }} Words */
+/** @typedef {Words & { hint?: Words }} Entry */
+/** @typedef {Record<string, Entry>} Catalogue  by message code */
+/**
+ * The language of sentences, and the words of messages in it; words in another language serve where it has none.
+ * @typedef {{ language: Language, words: Catalogue }} Wording
+ */
+
+const kMostNamed = 6; // most entries listed by name
+const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
+const kAnd = { en: ' and ', de: ' und ' };
+
+/**
+ * Returns the problem or fact that a message states, without full stop.
+ * @param {Message} message
+ * @param {Wording} wording
+ */
+export function sentenceIn(message, wording) {
+  const entry = wording.words[message.code];
+  return entry ? filled(entry, message, wording) : unworded(message);
+}
+
+/**
+ * Returns the message's advice, or else the advice of its cause; '' if there is none.
+ * @param {Message} message
+ * @param {Wording} wording
+ * @returns {string}
+ */
+export function hintIn(message, wording) {
+  const hint = wording.words[message.code]?.hint;
+  if (hint) return filled(hint, message, wording);
+  for (const value of Object.values(message.values)) if ('cause' in value) return hintIn(value.cause, wording);
+  return '';
+}
+
+/** Adds the capital letter and the full stop that messages lack. @param {string} said */
+export function asSentence(said) {
+  const capital = said.charAt(0).toUpperCase() + said.slice(1);
+  return said === '' || /[.!?…]$/.test(capital) ? capital : `${capital}.`;
+}
+
+/** @param {Words} entry @param {Message} message @param {Wording} wording */
+function filled(entry, { values }, wording) {
+  const { language } = wording;
+  const forms = entry[language] ?? entry.en ?? entry.de ?? '';
+  const template = typeof forms === 'string' ? forms : forms[countIn(values) === 1 ? 'one' : 'other'];
+  return template.replace(/\{(@?)(\w+)\}/g, (whole, ofSetting, name) => {
+    if (ofSetting) return quoted(labelIn(language, name), language);
+    return values[name] ? writtenIn(values[name], wording) : whole;
+  });
+}
+
+/** @param {Record<string, Value>} values */
+const countIn = ({ count }) => (count && 'count' in count ? count.count : undefined);
+
+/**
+ * Returns a value as a sentence writes it.
+ * @param {Value} value
+ * @param {Wording} wording
+ * @returns {string}
+ */
+export function writtenIn(value, wording) {
+  const { language } = wording;
+  if ('count' in value) return digits(value.count, 15, language);
+  if ('number' in value) return digits(value.number, 6, language);
+  if ('lengthMm' in value) return `${digits(value.lengthMm, 3, language)} mm`;
+  if ('angleDeg' in value) return `${digits(value.angleDeg, 3, language)}°`;
+  if ('fraction' in value) return `${Math.round(100 * value.fraction)} %`;
+  if ('place' in value) return placed(value.place, language);
+  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(mm, 3, language)).join(' × ')} mm`;
+  if ('quoted' in value) return quoted(value.quoted, language);
+  if ('term' in value) return value.term;
+  if ('setting' in value) return quoted(labelIn(language, value.setting), language);
+  if ('choice' in value) return choiceIn(language, value.choice.key, value.choice.value);
+  if ('indices' in value) return listed(value.indices, language);
+  return sentenceIn(value.cause, wording);
+}
+
+/** @param {string} words @param {Language} language */
+const quoted = (words, language) => kQuotes[language].join(words);
+
+/** Formats a point; less than a millionth is rounding error. @param {number[]} place @param {Language} language */
+function placed(place, language) {
+  const coordinates = place.map((value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6, language));
+  return `(${coordinates.join(language === 'de' ? '; ' : ', ')})`;
+}
+
+/**
+ * Formats a number like messages/sentences.cpp: it never drops digits before the decimal point, and it uses an exponent
+ * for very large and very small numbers.
+ * @param {number} value
+ * @param {number} significant
+ * @param {Language} language
+ */
+function digits(value, significant, language) {
+  const size = Math.abs(value);
+  if (size === 0) return '0';
+  if (!(size >= 1e-6 && size < 1e15)) return withExponent(value, significant, language);
+  const decimals = Math.max(0, significant - 1 - Math.floor(Math.log10(size)));
+  return Number(value.toFixed(decimals)).toLocaleString(language, {
+    useGrouping: false,
+    maximumFractionDigits: decimals,
+  });
+}
+
+/** @param {number} value @param {number} significant @param {Language} language */
+function withExponent(value, significant, language) {
+  const figures = Number(value.toPrecision(significant))
+    .toExponential()
+    .replace(/e([+-])(\d)$/, 'e$10$2');
+  return language === 'de' ? figures.replace('.', ',') : figures;
+}
+
+/** @param {number[]} indices @param {Language} language */
+function listed(indices, language) {
+  const names = indices.slice(0, kMostNamed).map(String);
+  if (indices.length > kMostNamed) return `${names.join(', ')}, …`;
+  return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + kAnd[language] + names[names.length - 1];
+}
+
+/**
+ * Shows the code and the values of a message without words. Tests find such a fault of ours.
+ * @param {Message} message
+ */
+const unworded = ({ code, values }) =>
+  [
+    code,
+    ...Object.entries(values).map(
+      ([name, value]) =>
+        `${name}=${Object.values(value)
+          .map((part) => JSON.stringify(part))
+          .join()}`,
+    ),
+  ].join(' ');
