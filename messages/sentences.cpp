@@ -25,7 +25,7 @@ const Json& catalogue() {
   return kAll;
 }
 
-/// The page writes numbers by the same rule (web/i18n/messages.js); what nobody writes out has an exponent.
+/// The page writes numbers by the same rule (web/i18n/sentences.js); what nobody writes out has an exponent.
 /// @param significant  digits, but never fewer than those before the decimal point
 std::string digits(double value, int significant = 3) {
   constexpr double kLeastWrittenOut = 1e-6;

@@ -21,7 +21,7 @@ namespace qrelief {
 ///
 /// A sentence is a text, or { "one": …, "other": … } selected by the value `count`. If there is a "command" next to
 /// "en", the command uses it, because the page's words do not fit there. The page reads the same files
-/// (web/i18n/messages.js).
+/// (web/i18n/sentences.js).
 /// @returns the code and its values without words for an unknown code; tests find such a fault
 std::string sentence(const Message& message);
 

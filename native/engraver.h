@@ -16,7 +16,7 @@
 
 namespace qrelief {
 
-/// A carving with the results of its checks.
+/// A carving with the results of its checks. To save it, use encodeCarved() (pipeline/carved_file.h).
 struct Engraved {
   EngraveRequest request;  ///< as carved, which may be deeper than requested
   EngraveResult result;

@@ -309,10 +309,9 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
 
 std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name) {
   if (!current_.result || !holdsColoursOf(current_.request, formatOfName(name))) return {};
-  const bool withInlay = current_.request.marking.hasInlay();
-  if (withInlay && !fillPockets(model)) return {};
-  auto encoded = encodeCarved(model.engravable->prepared, *current_.result, model.partNames, name, withInlay,
-                              {.title = model.fileName});
+  if (current_.request.marking.hasInlay() && !fillPockets(model)) return {};
+  auto encoded =
+      encodeCarved(model.engravable->prepared, *current_.result, name, model.partNames, {.title = model.fileName});
   return encoded ? std::move(encoded->files) : std::vector<NamedFile>();
 }
 

@@ -35,12 +35,11 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
   return Carved3mf{std::move(*bytes), std::move(notKept)};
 }
 
-Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
-                                 const WriteOptions& options) {
+Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result, const std::string& fileName,
+                                 std::span<const std::string> partNames, const WriteOptions& options) {
   const ModelFormat format = formatOfName(fileName);
-  const bool hasInlay = withInlay && result.inlay;
-  if (format == ModelFormat::Stl && !options.ascii && !hasInlay && result.painted.empty())
+  const bool withInlay = result.request.marking.hasInlay();
+  if (format == ModelFormat::Stl && !options.ascii && !(withInlay && result.inlay) && result.painted.empty())
     return CarvedFiles{{{fileName, result.stl}}, {}};
   if (format == ModelFormat::ThreeMf) {
     auto written = writeCarved3mf(before, result, partNames, withInlay, options);

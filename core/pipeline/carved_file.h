@@ -34,11 +34,12 @@ struct CarvedFiles {
 Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResult& result,
                                  std::span<const std::string> partNames, bool withInlay, const WriteOptions& options);
 
-/// Encodes a carved model in the format that the file name implies, with all files that the format needs.
-/// @param before  the model before carving
+/// Encodes a carved model in the format that the file name implies, with all files that the format needs. Includes the
+/// inlay if the carved request has one.
+/// @param before     the model before carving
+/// @param partNames  names of the model's parts (PolygonSoup::parts), for 3MF and OBJ; empty: one part only
 /// @returns the errors of writeCheckedFiles()
-Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result,
-                                 std::span<const std::string> partNames, const std::string& fileName, bool withInlay,
-                                 const WriteOptions& options);
+Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result, const std::string& fileName,
+                                 std::span<const std::string> partNames = {}, const WriteOptions& options = {});
 
 }  // namespace qrelief

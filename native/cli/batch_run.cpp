@@ -135,8 +135,8 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
     return fail(ErrorKind::NoSolution, failures.front());
   if (isFiled()) {
-    const auto encoded = encodeCarved(model_->prepared, engraved->result, partNames_, row.file,
-                                      engraved->request.marking.hasInlay(), options_->fileFlags.writeOptions(row.id));
+    const auto encoded = encodeCarved(model_->prepared, engraved->result, row.file, partNames_,
+                                      options_->fileFlags.writeOptions(row.id));
     if (!encoded) return tl::unexpected(encoded.error());
     tellNotKept(encoded->notKept);
     for (const NamedFile& file : encoded->files) {

@@ -64,9 +64,8 @@ Status completeRequest(EngraveOptions& options) {
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto encoded =
-      encodeCarved(model.prepared, result, partNames, options.output, result.request.marking.hasInlay(),
-                   options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
+  const auto encoded = encodeCarved(model.prepared, result, options.output, partNames,
+                                    options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
   if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
   for (const NamedFile& file : encoded->files)

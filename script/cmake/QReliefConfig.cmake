@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # find_package(QRelief) defines
-#   QRelief::core    parsing, projecting, carving and writing; uses the OpenGL ES 3 context of the program, if it has one
-#   QRelief::native  the core with the GPU (without a window), files, a QR decoder and `Engraver`
+#   QRelief::core      parsing, projecting, carving and writing; uses the OpenGL ES 3 context of the program, if it has one
+#   QRelief::messages  the words of errors and other messages (messages/sentences.h)
+#   QRelief::native    both, with the GPU (without a window), files, a QR decoder and `Engraver`
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
 foreach(dependency qrencode:libqrencode zlib:zlib expat:expat freetype:freetype2 gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)

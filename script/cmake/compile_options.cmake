@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# An interface target that every target of ours links: warnings, and arithmetic that is the same everywhere.
+# An interface target that every target of ours links, privately, so that the library's users keep their own options:
+# warnings, and arithmetic that is the same everywhere.
 add_library(qrelief_options INTERFACE)
 target_compile_options(qrelief_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
@@ -15,4 +16,6 @@ endif()
 if(EMSCRIPTEN)
   target_compile_options(qrelief_options INTERFACE -fwasm-exceptions -msimd128)
   target_link_options(qrelief_options INTERFACE -fwasm-exceptions)
+else()
+  target_compile_options(qrelief_options INTERFACE -frounding-math)  # CGAL's intervals switch the rounding mode
 endif()

@@ -2,7 +2,7 @@
 # Third-party libraries as targets qrelief::<name>, with the same names natively and for WebAssembly.
 
 # A folder that links the headers of a few libraries, because a WASM build must not see /usr/include.
-set(QRELIEF_HEADERS ${CMAKE_BINARY_DIR}/third_party)
+set(QRELIEF_HEADERS ${PROJECT_BINARY_DIR}/third_party)
 file(MAKE_DIRECTORY ${QRELIEF_HEADERS})
 foreach(name CGAL boost glm hwy tiny_obj_loader.h fmt nlohmann tl)
   find_path(${name}_parent NAMES ${name} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH
@@ -16,8 +16,6 @@ target_compile_definitions(qrelief_headers INTERFACE FMT_HEADER_ONLY CGAL_DISABL
 if(EMSCRIPTEN)
   # WASM cannot switch the rounding mode; without this CGAL's interval filters are silently wrong.
   target_compile_definitions(qrelief_headers INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST)
-else()
-  target_compile_options(qrelief_headers INTERFACE -frounding-math)
 endif()
 add_library(qrelief::headers ALIAS qrelief_headers)
 

@@ -6,7 +6,7 @@ set(EMBED_LABEL_FONT_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 function(embed_label_font target)
   find_file(QRELIEF_LABEL_FONT OpenSans-Bold.ttf PATHS /usr/share/fonts/truetype/open-sans NO_DEFAULT_PATH
     NO_CMAKE_FIND_ROOT_PATH REQUIRED)
-  set(out ${CMAKE_BINARY_DIR}/generated)
+  set(out ${PROJECT_BINARY_DIR}/generated)
   add_custom_command(
     OUTPUT ${out}/label_font.h ${out}/label_font.cpp
     COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DFONT=${QRELIEF_LABEL_FONT} -P ${EMBED_LABEL_FONT_SCRIPT}

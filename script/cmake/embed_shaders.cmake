@@ -4,7 +4,7 @@
 set(EMBED_SHADERS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders_script.cmake)
 
 function(embed_shaders target)
-  set(out ${CMAKE_BINARY_DIR}/generated)
+  set(out ${PROJECT_BINARY_DIR}/generated)
   file(GLOB includes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*.glsl)
   add_custom_command(
     OUTPUT ${out}/shaders.h ${out}/shaders.cpp

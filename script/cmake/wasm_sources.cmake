@@ -45,8 +45,8 @@ target_include_directories(qrelief_expat SYSTEM PUBLIC ${folder})
 # Definitions that its configure script would put into expat_config.h.
 target_compile_definitions(qrelief_expat PRIVATE
   BYTEORDER=1234 HAVE_MEMMOVE=1 XML_NS=1 XML_DTD=1 XML_CONTEXT_BYTES=1024 XML_POOR_ENTROPY=1)
-file(WRITE ${CMAKE_BINARY_DIR}/expat/expat_config.h "")
-target_include_directories(qrelief_expat PRIVATE ${CMAKE_BINARY_DIR}/expat)
+file(WRITE ${PROJECT_BINARY_DIR}/expat/expat_config.h "")
+target_include_directories(qrelief_expat PRIVATE ${PROJECT_BINARY_DIR}/expat)
 target_compile_options(qrelief_expat PRIVATE -w)
 add_library(qrelief::expat ALIAS qrelief_expat)
 
@@ -58,7 +58,7 @@ add_library(qrelief::csv ALIAS qrelief_csv)
 
 # Only what outlines of a TrueType font take: no hinting, no bitmaps, no other formats.
 set(folder ${deps}/freetype-2.12.1+dfsg)
-set(config ${CMAKE_BINARY_DIR}/freetype)
+set(config ${PROJECT_BINARY_DIR}/freetype)
 file(WRITE ${config}/label_modules.h
   "FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)\nFT_USE_MODULE(FT_Module_Class, sfnt_module_class)\n")
 file(READ ${folder}/include/freetype/config/ftoption.h options)

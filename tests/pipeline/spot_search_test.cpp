@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "messages/sentences.h"
+#include "pipeline/best_spot.h"
 #include "pipeline/engrave.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
@@ -128,9 +129,7 @@ TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
     EXPECT_GE(spot.largestMm, 22);
     EngraveRequest engraving;
     engraving.code.text = "HELLO";  // version 1, the default of the spot search
-    engraving.placement = request(22).placement;
-    engraving.placement.centreMm = spot.centreMm;
-    if (spot.needsDirection) engraving.placement.direction = spot.direction;
+    engraving.placement = placedAt(spot, request(22).placement);
     const auto engraved = engrave(model, engraving);
     ASSERT_TRUE(engraved.has_value()) << engraved.error().message;
     EXPECT_EQ(engraved->symbol.size, 21);
