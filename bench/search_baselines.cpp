@@ -100,10 +100,10 @@ Result<Row> runRedrawing(const Spot& spot) {
     light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);
     light.horizonSamples = 1;
     light.horizonStartMm = light.radiusMm;
-    auto luminance = LuminancePass::create(*maps, nullptr, spot.placement.frame.eyeDistance, light);
-    if (!luminance) return tl::unexpected(luminance.error());
-    luminance->run();
-    const std::vector<float> means = luminance->readLuminance();
+    auto lightPass = LuminancePass::create(*maps, nullptr, spot.placement.frame.eyeDistance, light);
+    if (!lightPass) return tl::unexpected(lightPass.error());
+    lightPass->run();
+    const std::vector<float> means = lightPass->readLuminance();
     std::vector<double> luminance;
     for (int row = 0; row < spot.edge(); ++row)
       for (int column = 0; column < spot.edge(); ++column)
