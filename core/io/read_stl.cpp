@@ -44,9 +44,9 @@ bool looksLikeFacet(const std::uint8_t* facet) {
   return true;
 }
 
-/// Returns true if half of the first facets look like facets. If there is no whole facet, returns true if the declared
-/// number is within the limit. Text does not look like facets, whatever numbers its characters make, because a facet's
-/// attributes are usually zeros.
+/// Returns true if half of the first facets look valid. A file without a whole facet passes if the declared number is
+/// within the limit. Text does not look valid, because a facet's attributes are usually zeros and its characters are
+/// not.
 bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
   if (present == 0) return announcedFacets(bytes) <= limits.maxTriangles;

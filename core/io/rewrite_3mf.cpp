@@ -267,8 +267,8 @@ class Rewriter {
     return {};
   }
 
-  /// Adds a component next to that of a run's mesh, in the item's object: in the start part, or in the mesh's own part
-  /// as older versions of Bambu Studio have it.
+  /// Adds a component to the item's object, after the component of a run's mesh. The item's object is in the start
+  /// part. Older versions of Bambu Studio write it into the mesh's own part.
   /// @returns false if the item's object does not have the mesh as a component
   bool addComponent(const ThreeMfRun& run, std::size_t id) {
     for (const std::string& name : {source_.start, run.part}) {

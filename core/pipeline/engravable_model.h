@@ -15,8 +15,8 @@ namespace qrelief {
 
 /// Device that draws maps of a model and computes the light on it.
 enum class Device : std::uint8_t {
-  Faster,  ///< the GPU; the processor if there is no GPU or only a software renderer
-  Gpu,     ///< shaders, even on a software renderer; the processor if there is no GL context
+  Faster,  ///< the GPU if there is a real one, else the processor
+  Gpu,     ///< shaders on any renderer, software included; without a GL context, the processor
   Processor
 };
 
@@ -29,7 +29,7 @@ struct EngravableModel {
   std::shared_ptr<const SurfaceRenderer> renderer;  ///< `raster` or `gpu`: draws the maps for searches
 
   /// @param prepared  may have blocking findings; EngraveJob refuses them
-  /// @param pass      geometry pass of the current GL context; null: there is no context
+  /// @param pass      geometry pass of the current GL context, or null without a context
   static std::shared_ptr<const EngravableModel> create(PreparedModel prepared, std::shared_ptr<const GeometryPass> pass,
                                                        Device device = Device::Faster);
   /// Creates a model with a geometry pass of its own. Needs a current GL context.

@@ -38,7 +38,7 @@ struct EngraveJob::State {
   std::unique_ptr<PrintedViewJob> printing;
   EngraveResult result;
 
-  explicit State(JobStages<State> toDo) : stages(std::move(toDo)) {}
+  explicit State(JobStages<State> jobStages) : stages(std::move(jobStages)) {}
 
   /// Returns the stages of a request.
   /// @param isPlaced  the placement is known

@@ -164,6 +164,16 @@ TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
 }
 
+/// Writes a file again with an inlay in its first run.
+std::vector<std::uint8_t> withInlay(const std::vector<std::uint8_t>& bytes) {
+  const PolygonSoup soup = soupOf(bytes);
+  ChangedRun change = sameRun(soup, 0);
+  change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  EXPECT_TRUE(written) << sentence(written.error().message);
+  return written ? *written : std::vector<std::uint8_t>();
+}
+
 TEST(Rewrite3mf, AddsAPartToAnObjectWhoseComponentsAreInThePartFile) {
   const std::string part =
       zip_file::modelPart(boxObject(1, 10, 20, 30) +
@@ -180,18 +190,14 @@ TEST(Rewrite3mf, AddsAPartToAnObjectWhoseComponentsAreInThePartFile) {
        {"Metadata/plate_1.json", "{}"},
        {"Metadata/model_settings.config",
         "<config><object id=\"2\"><part id=\"1\" subtype=\"normal_part\"></part></object></config>"}});
-  const PolygonSoup soup = soupOf(bytes);
-  ChangedRun change = sameRun(soup, 0);
-  change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
-  ASSERT_TRUE(written) << sentence(written.error().message);
-  auto before = unzipped(bytes), after = unzipped(*written);
+  const auto written = withInlay(bytes);
+  auto before = unzipped(bytes), after = unzipped(written);
   for (const char* name : {"3D/3dmodel.model", "Metadata/plate_1.json", "3D/_rels/3dmodel.model.rels"})
     EXPECT_EQ(after[name], before[name]) << name;
   EXPECT_THAT(after["3D/Objects/tower_1.model"],
               HasSubstr("<component objectid=\"3\" p:UUID=\"00000003-b206-40ff-9872-83e8017abed1\"/>"));
   EXPECT_THAT(after["Metadata/model_settings.config"], HasSubstr("<part id=\"3\" subtype=\"normal_part\">"));
-  EXPECT_EQ(soupOf(*written).triangles.size(), 24u);
+  EXPECT_EQ(soupOf(written).triangles.size(), 24u);
 }
 
 /// Returns a file of the production extension as a CAD program writes it, without settings of a slicer.
@@ -212,12 +218,8 @@ std::vector<std::uint8_t> plainFile() {
 
 TEST(Rewrite3mf, AFileWithoutSettingsGetsThoseOfAnInlayAndKeepsTheRest) {
   const auto bytes = plainFile();
-  const PolygonSoup soup = soupOf(bytes);
-  ChangedRun change = sameRun(soup, 0);
-  change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
-  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
-  ASSERT_TRUE(written) << sentence(written.error().message);
-  auto before = unzipped(bytes), after = unzipped(*written);
+  const auto written = withInlay(bytes);
+  auto before = unzipped(bytes), after = unzipped(written);
   EXPECT_EQ(after.size(), before.size() + 2);
   EXPECT_EQ(after["Thumbnails/lid.png"], before["Thumbnails/lid.png"]);
   EXPECT_THAT(after["[Content_Types].xml"], HasSubstr("Extension=\"config\""));
@@ -228,8 +230,8 @@ TEST(Rewrite3mf, AFileWithoutSettingsGetsThoseOfAnInlayAndKeepsTheRest) {
                         "<base name=\"QR code\" displaycolor=\"#010203FF\"/></basematerials>"));
   EXPECT_THAT(after["3D/lid.model"],
               HasSubstr("p:UUID=\"aaaaaaaa-61cb-4c03-9d28-80fed5dfa1dc\" pid=\"8\" pindex=\"0\">"));
-  const auto bambu = slicer_rules::openInBambuStudio(*written);
-  const auto prusa = openInPrusaSlicer(*written, slicer_rules::PrusaVersion::V2_9);
+  const auto bambu = slicer_rules::openInBambuStudio(written);
+  const auto prusa = openInPrusaSlicer(written, slicer_rules::PrusaVersion::V2_9);
   for (const auto& project : {bambu, prusa}) {
     EXPECT_EQ(project.refused, "");
     EXPECT_THAT(project.filaments(), ElementsAre(1, 2));
