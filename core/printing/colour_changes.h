@@ -59,7 +59,7 @@ struct PaintedTriangles {
 /// the other. The print begins with the first filament if the first layer contains it. The second colour has the shape
 /// that the process gives the inlay's cross-sections (extruded_outline.h); a layer where it is too thin has none.
 ///
-/// The wipe tower is that of PrusaSlicer 2.5 with its defaults [src/libslic3r/GCode/WipeTower.cpp], as long as the
+/// The wipe tower follows the defaults of PrusaSlicer 2.5 [src/libslic3r/GCode/WipeTower.cpp], as long as the
 /// purges of one layer need. Other slicers build smaller towers or none. The tower's printing time is not counted.
 ///
 /// Cost: O(triangles · layers they pass), and about 0.1 µs for each of the inlay's points, which are a sixth of the
