@@ -29,7 +29,7 @@ function requireModule() {
   return {
     name: 'qrelief-require-module',
     buildStart() {
-      for (const file of ['qrelief.js', 'qrelief.wasm', 'qrelief_inspector.wasm']) {
+      for (const file of ['qrelief.js', 'qrelief.wasm']) {
         if (!existsSync(`${moduleFolder}/${file}`)) {
           this.error(
             `${moduleFolder}/${file} is not there: build the module first (cmake --preset wasm && cmake --build --preset wasm)`,
@@ -64,11 +64,7 @@ export default defineConfig({
   base: './',
   publicDir: `${root}public`,
   resolve: {
-    alias: {
-      'qrelief-module': `${moduleFolder}/qrelief.js`,
-      'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url`,
-      'qrelief-inspector-wasm': `${moduleFolder}/qrelief_inspector.wasm?url`,
-    },
+    alias: { 'qrelief-module': `${moduleFolder}/qrelief.js`, 'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url` },
   },
   plugins: [
     requireModule(),

@@ -11,38 +11,15 @@ test.beforeEach(async () => {
 });
 test.afterEach(() => site.close());
 
-const kInspector = /inspector.*\.wasm$/;
-
-test('The page is usable after at most 1.5 MB; decoder, inspector and message words load later', async ({ page }) => {
+test('The page is usable after at most 1.5 MB; decoder and message words load later', async ({ page }) => {
   const app = new Engraver(page);
-  const inspector = new Inspector(page);
   await page.goto(site.address);
   await app.expectReady();
   const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
   console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
   expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
-  expect(site.sent.filter(({ path }) => /reader|inspector|message_catalogues/.test(path))).toEqual([]);
+  expect(site.sent.filter(({ path }) => /reader|message_catalogues/.test(path))).toEqual([]);
   expect(bytes).toBeLessThan(1.5e6);
-
-  await test.step('a failure to load the inspector is reported, and pressing again retries', async () => {
-    await app.sample.selectOption('Saddle'); // quick to engrave
-    await expect(app.facts).toContainText('Saddle');
-    await app.expectReady();
-    site.lacks = (path) => kInspector.test(path);
-    await inspector.button.click();
-    await expect(app.alert).toContainText('The inspector could not be loaded (404');
-    await expect(inspector.button).toHaveAttribute('aria-pressed', 'false');
-    expect(await inspector.state()).toBeUndefined();
-    await page.getByRole('button', { name: 'Dismiss' }).click();
-    await app.engrave(); // everything else still works
-
-    site.lacks = () => false;
-    await inspector.open();
-    await inspector.expectState((state) => state.passes > 1, true);
-    const loaded = site.sent.filter(({ path }) => kInspector.test(path));
-    expect(loaded.length).toBe(1);
-    console.log(`the inspector: ${(loaded[0].bytes / 1e6).toFixed(2)} MB by gzip`);
-  });
 });
 
 test('Message words load with the first message, in its language; a failure is reported', async ({ page }) => {

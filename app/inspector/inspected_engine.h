@@ -36,8 +36,7 @@ class InspectedEngine {
 
   /// Tells the inspector of an event. Returns {takes}: the inspector uses the event, so that nothing else may. No
   /// effect before there is a window; keys, pointer and picks also need it to be shown.
-  /// @param event  {"kind": "open"}: makes the window, and times the passes from then on. Call it after the inspector's
-  ///                   part of the module is loaded
+  /// @param event  {"kind": "open"}: makes the window, and times the passes from then on
   ///               {"kind": "show", "shown"}
   ///               {"kind": "texts", "texts": {…}}: sets the translations, keyed by the English texts
   ///               {"kind": "area", "x", "y", "width", "height"}, {"kind": "pointer", "x", "y", "buttons", "wheel"},

@@ -24,8 +24,8 @@ struct DrawnGlyphs {
 };
 
 /// A window over the canvas that shows how an engraving came about: every channel of the G-buffer, depth and luminance
-/// pass by pass, convergence, times, and the settings to tune. Lengths are CSS pixels. It is an interface because its
-/// implementation is loaded later (split_inspector.js): nothing else may be called directly.
+/// pass by pass, convergence, times, and the settings to tune. Lengths are CSS pixels. It is an interface because only
+/// the browser's build has its drawing.
 class InspectorWindow {
  public:
   virtual ~InspectorWindow() = default;
@@ -57,7 +57,7 @@ class InspectorWindow {
   virtual const RequestOverrides& overrides() const = 0;
 };
 
-/// Makes the window. Needs the engine's GL context and the inspector's part of the module.
+/// Makes the window. Needs the engine's GL context.
 std::unique_ptr<InspectorWindow> makeInspector();
 
 }  // namespace qrelief

@@ -94,5 +94,5 @@ target_include_directories(qrelief_imgui SYSTEM PUBLIC ${folder} ${folder}/backe
 target_compile_definitions(qrelief_imgui
   PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS
   PRIVATE IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_FILE_FUNCTIONS)
-target_compile_options(qrelief_imgui PRIVATE -fwasm-exceptions -msimd128)
+target_compile_options(qrelief_imgui PRIVATE -fwasm-exceptions -msimd128 -Oz)
 add_library(qrelief::imgui ALIAS qrelief_imgui)

@@ -9,6 +9,6 @@ import { kTrackVerbs } from '../engine/verbs.js';
 /** @returns {Promise<Tracker>} */
 export async function loadTracker() {
   const { loadModule } = await import('../engine/module.js');
-  const { module } = await loadModule();
+  const module = await loadModule();
   return callsOf(new module.TrackedBatch(), kTrackVerbs);
 }

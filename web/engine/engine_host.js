@@ -24,15 +24,13 @@ export class EngineHost {
   /**
    * @param {object} options
    * @param {import('./module.js').QReliefModule} options.module
-   * @param {() => Promise<void>} options.loadInspector
    * @param {HTMLCanvasElement | OffscreenCanvas | null} options.canvas  null: no verb that draws may be called
    * @param {WebGL2RenderingContext | null} options.gl  of the canvas
    * @param {(event: HostEvent) => void} options.notify
    * @param {boolean} options.draws  false: the canvas is never visible
    */
-  constructor({ module, loadInspector, canvas, gl, notify, draws }) {
+  constructor({ module, canvas, gl, notify, draws }) {
     this.module_ = module;
-    this.loadInspector_ = loadInspector;
     this.object_ = new module.Engine();
     this.engine_ = callsOf(this.object_, { ...kPageVerbs, ...kInnerVerbs });
     this.facts_ = callsOf(new module.Facts(), kFactVerbs);
@@ -60,9 +58,9 @@ export class EngineHost {
    */
   static async create(canvas, notify, { draws = true } = {}) {
     const gl = canvas && contextOf(canvas);
-    const { module, loadInspector } = await loadModule();
+    const module = await loadModule();
     if (gl) module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
-    const host = new EngineHost({ module, loadInspector, canvas, gl, notify, draws });
+    const host = new EngineHost({ module, canvas, gl, notify, draws });
     canvas?.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.frames_.lose();
@@ -286,13 +284,8 @@ export class EngineHost {
     return new Uint8Array(await blob.arrayBuffer());
   }
 
-  /**
-   * Tells the inspector of an event.
-   * @param {import('./types.js').InspectorEvent} event
-   * @returns {Promise<void>}
-   */
-  async inspector(event) {
-    if (event.kind === 'open') await this.loadInspector_();
+  /** Tells the inspector of an event. @param {import('./types.js').InspectorEvent} event */
+  inspector(event) {
     this.inspector_.handle(event, this.size_.devicePixelRatio);
     this.frames_.request();
   }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads the module in two parts: the main part at once, the inspector on demand. Both share one memory and one table of
-// functions (wasm/split_inspector.js).
-import inspectorUrl from 'qrelief-inspector-wasm';
+// Loads the WebAssembly module.
 import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
 import { EngineFailure, internal } from './engine_error.js';
@@ -25,16 +23,6 @@ import { message } from './message.js';
  * @property {Uint8Array} HEAPU8
  */
 
-/** Placeholders for the inspector's functions, by their index in the table, until the inspector is loaded. */
-const kPlaceholders = new Proxy(
-  {},
-  {
-    get: (_, place) => () => {
-      throw new Error(`the inspector was called before it was loaded (${String(place)})`);
-    },
-  },
-);
-
 /** @typedef {(url: string) => Promise<WebAssembly.Module>} Compile */
 
 /** @type {Compile} */
@@ -49,23 +37,16 @@ async function compileFetched(url) {
 const detailOf = (thrown) => (thrown instanceof Error ? thrown.message : String(thrown));
 
 /**
- * Loads the main part.
  * @param {Compile} [compile]
- * @returns {Promise<{ module: QReliefModule, loadInspector: () => Promise<void> }>}
+ * @returns {Promise<QReliefModule>}
  * @throws {EngineFailure}
  */
 export async function loadModule(compile = compileFetched) {
-  /** @type {WebAssembly.Instance | undefined} */ let first;
-  /** @type {Promise<unknown> | undefined} */ let second;
-
   /** @param {WebAssembly.Imports} imports @param {(instance: WebAssembly.Instance) => void} receive */
-  async function instantiate(imports, receive) {
-    first = await WebAssembly.instantiate(await compile(wasmUrl), { ...imports, inspector: kPlaceholders });
-    receive(first);
-  }
-
-  function start() {
-    return new Promise((resolve, reject) => {
+  const instantiate = async (imports, receive) =>
+    receive(await WebAssembly.instantiate(await compile(wasmUrl), imports));
+  const start = () =>
+    new Promise((resolve, reject) => {
       createQRelief({
         instantiateWasm: (imports, receive) => {
           instantiate(imports, receive).catch(reject);
@@ -73,26 +54,8 @@ export async function loadModule(compile = compileFetched) {
         },
       }).then(resolve, reject);
     });
-  }
-
-  async function addInspector() {
-    await WebAssembly.instantiate(await compile(inspectorUrl), {
-      primary: /** @type {WebAssembly.Instance} */ (first).exports,
-    });
-  }
-
-  async function loadInspector() {
-    second ??= addInspector();
-    try {
-      await second;
-    } catch (thrown) {
-      second = undefined; // allows another attempt
-      throw new EngineFailure(internal(message('inspector-not-loaded', { detail: { term: detailOf(thrown) } })));
-    }
-  }
-
   try {
-    return { module: await start(), loadInspector };
+    return await start();
   } catch (thrown) {
     throw new EngineFailure(internal(message('engine-not-started', { detail: { term: detailOf(thrown) } })));
   }

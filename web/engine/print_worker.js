@@ -14,7 +14,7 @@ loading.catch(() => {}); // the job reports the error
 
 scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
   try {
-    const { module } = await loading;
+    const module = await loading;
     const printed = callsOf(new module.PrintedCode(), kPrintVerbs);
     let progress = printed.start(stl, order);
     while (!progress.done) {

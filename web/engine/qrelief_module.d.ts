@@ -13,11 +13,6 @@ declare module 'qrelief-wasm' {
   export default url;
 }
 
-declare module 'qrelief-inspector-wasm' {
-  const url: string;
-  export default url;
-}
-
 declare module '*.wasm?url' {
   const url: string;
   export default url;

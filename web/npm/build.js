@@ -39,11 +39,10 @@ const kForeign = {
 /** Modules that the page's build resolves, by their place in the package. @type {Record<string, string>} */
 const kModules = { 'qrelief-module': 'module/qrelief.js', 'zxing-wasm/reader': 'zxing/reader/index.js' };
 
-/** Addresses that the page's build resolves. The package has no inspector. @type {Record<string, string | undefined>} */
+/** Addresses that the page's build resolves. @type {Record<string, string>} */
 const kAddresses = {
   'qrelief-wasm': 'module/qrelief.wasm',
   'zxing-wasm/reader/zxing_reader.wasm?url': 'zxing/zxing_reader.wasm',
-  'qrelief-inspector-wasm': undefined,
 };
 
 /** The words of messages in a language, cut as for the page. */
@@ -68,10 +67,7 @@ export function resolved(file, source) {
   return source
     .replace(/^import (\w+) from '([^'.][^']*)';$/gm, (whole, name, from) => {
       if (!(from in kAddresses)) return whole;
-      const address = kAddresses[from];
-      return address
-        ? `const ${name} = new URL('${pathFrom(file, address)}', import.meta.url).href;`
-        : `const ${name} = '';`;
+      return `const ${name} = new URL('${pathFrom(file, kAddresses[from])}', import.meta.url).href;`;
     })
     .replace(/(\bfrom |\bimport\()'([^'.][^']*)'/g, (whole, before, from) =>
       from in kModules ? `${before}'${pathFrom(file, kModules[from])}'` : whole,

@@ -29,7 +29,7 @@ export class Planner {
    * @returns {Promise<Planner>}
    */
   static async load(compile) {
-    return new Planner((await loadModule(compile)).module);
+    return new Planner(await loadModule(compile));
   }
 
   /** Call `loadPlanner` instead. @internal @param {import('../engine/module.js').QReliefModule} module */

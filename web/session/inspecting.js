@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens and closes the inspector. Loads its part of the module and its texts on first use.
+// Opens and closes the inspector. Loads its texts on first use.
 import { onLanguage } from '../i18n/catalogue.js';
 
 /**
