@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "messages/catalogues.h"
+#include "settings/units.h"
 
 namespace qrelief {
 namespace {
@@ -88,9 +89,9 @@ std::string written(const MessageValue& value, const Json& words) {
 }
 
 const MessageValue* find(const Message& message, std::string_view name) {
-  const auto found =
+  const auto value =
       std::find_if(message.values.begin(), message.values.end(), [&](const MessageValue& v) { return v.name == name; });
-  return found == message.values.end() ? nullptr : &*found;
+  return value == message.values.end() ? nullptr : &*value;
 }
 
 /// The text of an entry in which `en` may be a text or one of { one, other }.
@@ -151,8 +152,8 @@ std::string durationInWords(double seconds) {
 }
 
 std::string flagOf(std::string_view key) {
-  for (const std::string_view unit : {"Mm", "Deg"})
-    if (key.ends_with(unit)) key.remove_suffix(unit.size());
+  for (const UnitTraits& unit : units())
+    if (key.ends_with(unit.keySuffix)) key.remove_suffix(unit.keySuffix.size());
   std::string flag = "--";
   for (const char c : key) {
     if (std::isupper(static_cast<unsigned char>(c))) flag += '-';

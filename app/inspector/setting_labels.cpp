@@ -16,26 +16,17 @@ std::string worded(const std::string& key, const std::string& otherwise) {
 std::string nameOf(const Tunable& tunable) { return worded("setting:" + tunable.key, tunable.key); }
 
 /// Returns the unit. Parts of a lamp have units of their own, not the setting's.
-Setting::Unit unitOf(const Tunable& tunable) {
+Unit unitOf(const Tunable& tunable) {
   for (const LampPart& part : lampParts())
     if (tunable.setting->kind == Setting::Kind::Lamps && tunable.key.ends_with(part.key)) return part.unit;
   const bool isNumber = tunable.choices.empty() && !tunable.isSwitch;
-  return isNumber ? tunable.setting->unit : Setting::Unit::None;
+  return isNumber ? tunable.setting->unit : Unit::None;
 }
 
 /// Returns the unit's label; empty if there is no unit.
 std::string unitLabelOf(const Tunable& tunable) {
-  switch (unitOf(tunable)) {
-    case Setting::Unit::Millimetre:
-      return worded("unit:mm", "mm");
-    case Setting::Unit::Degree:
-      return worded("unit:deg", "°");
-    case Setting::Unit::Sky:
-      return worded("unit:skies", "skies");
-    case Setting::Unit::None:
-      break;
-  }
-  return {};
+  const UnitTraits& unit = traitsOf(unitOf(tunable));
+  return unit.name.empty() ? "" : worded(fmt::format("unit:{}", unit.name), std::string(unit.symbol));
 }
 
 }  // namespace

@@ -8,29 +8,20 @@ namespace qrelief {
 namespace {
 
 using Kind = Setting::Kind;
-using Unit = Setting::Unit;
 
 bool isWithin(double value, double min, double max) { return value >= min && value <= max; }  // false for NaN
+
+template <ValueName kName>
+NamedValue<kName> inUnit(Unit unit, double value) {
+  return {with::numeric(kName.text, traitsOf(unit).kind, value)};
+}
 
 /// Checks a number of a setting, or of a part of one.
 Status checkNumber(const std::string& key, Unit unit, double value, double min, double max) {
   if (isWithin(value, min, max)) return {};
-  switch (unit) {
-    case Unit::Millimetre:
-      return fail(ErrorKind::BadUsage,
-                  message("setting-out-of-range", with::setting<"setting">(key), with::lengthMm<"value">(value),
-                          with::lengthMm<"min">(min), with::lengthMm<"max">(max)));
-    case Unit::Degree:
-      return fail(ErrorKind::BadUsage,
-                  message("setting-out-of-range", with::setting<"setting">(key), with::angleDeg<"value">(value),
-                          with::angleDeg<"min">(min), with::angleDeg<"max">(max)));
-    case Unit::None:
-    case Unit::Sky:
-      break;
-  }
   return fail(ErrorKind::BadUsage,
-              message("setting-out-of-range", with::setting<"setting">(key), with::number<"value">(value),
-                      with::number<"min">(min), with::number<"max">(max)));
+              message("setting-out-of-range", with::setting<"setting">(key), inUnit<"value">(unit, value),
+                      inUnit<"min">(unit, min), inUnit<"max">(unit, max)));
 }
 
 Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& lamps) {

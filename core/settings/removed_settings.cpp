@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/removed_settings.h"
 
+#include <utility>
 #include <vector>
 
 namespace qrelief {
@@ -11,13 +12,16 @@ constexpr const char* kSinceSecond = "0.2.0";
 std::vector<RemovedSetting> makeRemoved() {
   const Message reading = message("removed-reading");
   std::vector<RemovedSetting> all = {
-      {"raiseEcc", "", "symbol", true, kSinceSecond,
+      {"raiseEcc", "--raise-ecc", "", "symbol", true, kSinceSecond,
        message("removed-raise-ecc", with::setting<"ecc">("ecc"), with::choice<"auto">("ecc", "auto"))},
-      {"breakUp", "", "symbol", true, kSinceSecond, message("removed-break-up")},
-      {"floor", "", "depth", false, kSinceSecond, message("removed-floor")},
-      {"objective", "reading", "", false, kSinceSecond, reading}};
-  for (const char* key : {"dataContrast", "finderContrast", "blurModules", "tolerance", "maxPasses"})
-    all.push_back({key, "", "reading", false, kSinceSecond, reading});
+      {"breakUp", "--break-up", "", "symbol", true, kSinceSecond, message("removed-break-up")},
+      {"floor", "--floor", "", "depth", false, kSinceSecond, message("removed-floor")},
+      {"objective", "--objective", "reading", "", false, kSinceSecond, reading}};
+  for (const auto& [key, flag] :
+       {std::pair("dataContrast", "--data-contrast"), std::pair("finderContrast", "--finder-contrast"),
+        std::pair("blurModules", "--blur-modules"), std::pair("tolerance", "--tolerance"),
+        std::pair("maxPasses", "--max-passes")})
+    all.push_back({key, flag, "", "reading", false, kSinceSecond, reading});
   return all;
 }
 

@@ -13,6 +13,7 @@ namespace qrelief {
 /// warning, so that old files, addresses, lists and scripts still work.
 struct RemovedSetting {
   std::string key;
+  std::string flag;       ///< as it was: "--raise-ecc"
   std::string choice;     ///< empty: the whole setting is gone
   std::string group;      ///< group of its flag, see Setting::group; empty for a choice
   bool isSwitch = false;  ///< its flag took no value

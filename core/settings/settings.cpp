@@ -15,7 +15,6 @@ namespace {
 using R = EngraveRequest;
 using V = SettingValue;
 using Kind = Setting::Kind;
-using Unit = Setting::Unit;
 
 constexpr double kMaxMm = 1e4;              // largest edge: no printer is larger
 constexpr double kMaxWallMm = 1000;         // largest wall and largest depth

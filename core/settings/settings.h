@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "settings/engrave_request.h"
+#include "settings/units.h"
 
 namespace qrelief {
 
@@ -30,7 +31,6 @@ struct Setting {
     Vector,
     Lamps  ///< a list of lamps, see lampParts()
   };
-  enum class Unit { None, Millimetre, Degree, Sky };
 
   std::string key;    ///< one name everywhere, with its unit: flag (messages/sentences.h), JSON, report, page
   std::string group;  ///< key of the group; settings of a group are adjacent
@@ -58,7 +58,7 @@ struct Setting {
 /// A numeric property of a lamp.
 struct LampPart {
   std::string_view key;
-  Setting::Unit unit = Setting::Unit::None;
+  Unit unit = Unit::None;
   double min = 0, max = 1, step = 1;
   double DirectionalLight::*value = nullptr;
 };

@@ -29,17 +29,17 @@ std::string headingOf(const Setting& setting) {
 }
 
 void warnOf(const RemovedSetting& removed) {
-  const std::string flag = flagOf(removed.key);
-  printWarning(removedWarning(removed, removed.choice.empty() ? flag : flag + " " + removed.choice), {});
+  printWarning(removedWarning(removed, removed.choice.empty() ? removed.flag : removed.flag + " " + removed.choice),
+               {});
 }
 
 /// Accepts the flag of a removed setting. `--help` does not list it.
 void addRemoved(CLI::App& command, const RemovedSetting& removed) {
   constexpr const char* kHidden = "";
-  const std::string flag = flagOf(removed.key);
+  const auto warn = [&removed] { warnOf(removed); };
   CLI::Option* option =
-      removed.isSwitch ? command.add_flag_callback(flag, [&removed] { warnOf(removed); })
-                       : command.add_option_function<std::string>(flag, [&removed](const auto&) { warnOf(removed); });
+      removed.isSwitch ? command.add_flag_callback(removed.flag, warn)
+                       : command.add_option_function<std::string>(removed.flag, [warn](const std::string&) { warn(); });
   option->group(kHidden);
 }
 
@@ -115,9 +115,9 @@ Result<EngraveRequest> SettingFlags::request() const {
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     if (!isGiven(setting.key)) continue;
-    const auto given = value(setting.key);
-    if (!given) return tl::unexpected(given.error());
-    setting.write(request, *given);
+    const auto parsed = value(setting.key);
+    if (!parsed) return tl::unexpected(parsed.error());
+    setting.write(request, *parsed);
   }
   return request;
 }

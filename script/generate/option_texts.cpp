@@ -36,15 +36,8 @@ std::string filled(const std::string& words) {
 }
 
 std::string numberName(const Setting& setting) {
-  switch (setting.unit) {
-    case Setting::Unit::Millimetre:
-      return "MM";
-    case Setting::Unit::Degree:
-      return "DEG";
-    case Setting::Unit::Sky:
-    case Setting::Unit::None:
-      break;
-  }
+  const std::string_view placeholder = traitsOf(setting.unit).placeholder;
+  if (!placeholder.empty()) return std::string(placeholder);
   return setting.isWhole ? "N" : "NUMBER";
 }
 

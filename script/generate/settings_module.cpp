@@ -24,7 +24,7 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @typedef {object} Setting
  * @property {string} group
  * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
- * @property {'mm' | 'deg' | 'skies'} [unit]
+ * @property {UnitName} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
  * @property {number} [step]
@@ -72,21 +72,6 @@ const char* nameOf(Setting::Kind kind) {
   return "lamps";
 }
 
-/// Returns the unit's key; empty if there is no unit.
-const char* nameOf(Setting::Unit unit) {
-  switch (unit) {
-    case Setting::Unit::Millimetre:
-      return "mm";
-    case Setting::Unit::Degree:
-      return "deg";
-    case Setting::Unit::Sky:
-      return "skies";
-    case Setting::Unit::None:
-      break;
-  }
-  return "";
-}
-
 /// Ranges and defaults of the numbers of a lamp.
 Json partsOfLamp() {
   Json parts = Json::object();
@@ -98,26 +83,26 @@ Json partsOfLamp() {
 
 Json describe(const Setting& setting, const Json& defaults) {
   const nlohmann::json& words = settingWords().at("settings").at(setting.key);
-  Json made = {{"group", setting.group}, {"kind", nameOf(setting.kind)}};
-  if (*nameOf(setting.unit)) made["unit"] = nameOf(setting.unit);
+  Json entry = {{"group", setting.group}, {"kind", nameOf(setting.kind)}};
+  if (setting.unit != Unit::None) entry["unit"] = traitsOf(setting.unit).name;
   if (setting.takesNumber()) {
-    made["min"] = setting.min;
-    made["max"] = setting.max;
-    made["step"] = setting.step;
-    if (setting.isWhole) made["whole"] = true;
+    entry["min"] = setting.min;
+    entry["max"] = setting.max;
+    entry["step"] = setting.step;
+    if (setting.isWhole) entry["whole"] = true;
   }
-  if (setting.mayBeEmpty) made["mayBeEmpty"] = true;
-  if (!setting.choices.empty()) made["choices"] = setting.choices;
-  made["default"] = defaults.at(setting.key);
-  made["since"] = setting.since;
-  made["label"] = words.at("label");
-  if (words.contains("choices")) made["choiceNames"] = words.at("choices");
-  if (words.contains("parts")) made["partLabels"] = words.at("parts");
+  if (setting.mayBeEmpty) entry["mayBeEmpty"] = true;
+  if (!setting.choices.empty()) entry["choices"] = setting.choices;
+  entry["default"] = defaults.at(setting.key);
+  entry["since"] = setting.since;
+  entry["label"] = words.at("label");
+  if (words.contains("choices")) entry["choiceNames"] = words.at("choices");
+  if (words.contains("parts")) entry["partLabels"] = words.at("parts");
   if (setting.kind == Setting::Kind::Lamps) {
-    made["parts"] = partsOfLamp();
-    made["most"] = kMaxLights;
+    entry["parts"] = partsOfLamp();
+    entry["most"] = kMaxLights;
   }
-  return made;
+  return entry;
 }
 
 /// Returns an object's entries as a constant of the module, one entry a line.
@@ -125,6 +110,11 @@ std::string constant(const char* name, const char* type, const Json& entries) {
   std::string text = fmt::format("/** @type {{{}}} */\nexport const {} = {{\n", type, name);
   for (const auto& [key, entry] : entries.items()) text += fmt::format("  {}: {},\n", key, entry.dump());
   return text + "};\n";
+}
+
+/// Returns quoted names as a type of the module.
+std::string choiceType(const char* name, const std::vector<std::string_view>& names) {
+  return fmt::format("/** @typedef {{'{}'}} {} */\n", fmt::join(names, "' | '"), name);
 }
 
 /// Returns the removed settings as a constant of the module, one a line.
@@ -153,12 +143,14 @@ Json processes() {
 std::string settingsModule() {
   const Json defaults = Json::parse(settingsJson(defaultRequest()));
   Json all = Json::object();
-  std::string keys;
+  std::vector<std::string_view> keys, unitNames;
   for (const Setting& setting : settings()) {
     all[setting.key] = describe(setting, defaults);
-    keys += fmt::format("{}'{}'", keys.empty() ? "" : " | ", setting.key);
+    keys.push_back(setting.key);
   }
-  return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kModuleHead, keys) +
+  for (const UnitTraits& unit : units())
+    if (!unit.name.empty()) unitNames.push_back(unit.name);
+  return kModuleHead + choiceType("SettingKey", keys) + choiceType("UnitName", unitNames) + "\n" +
          constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" + removedConstant() + "\n" +
          constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
          constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "messages/sentences.h"
 #include "settings/settings.h"
 
 namespace qrelief {
@@ -64,6 +65,22 @@ TEST(SettingWords, EveryGroupAndUnitHasItsNameInBothLanguages) {
   for (const char* part : {"groups", "units"})
     for (const auto& [key, words] : settingWords().at(part).items())
       EXPECT_THAT(unsaid(key, words), testing::IsEmpty());
+}
+
+TEST(SettingWords, EveryUnitIsWrittenByItsTraits) {
+  std::set<std::string> names;
+  for (const UnitTraits& unit : units()) {
+    EXPECT_EQ(&traitsOf(unit.unit), &unit);
+    if (unit.unit == Unit::None) continue;
+    const std::string name(unit.name);
+    EXPECT_TRUE(names.insert(name).second) << name;
+    ASSERT_TRUE(settingWords().at("units").contains(name)) << name;
+    EXPECT_EQ(settingWords().at("units").at(name).at("en"), unit.symbol);
+    if (!unit.keySuffix.empty()) {
+      EXPECT_EQ(flagOf("aValue" + std::string(unit.keySuffix)), "--a-value");
+    }
+  }
+  EXPECT_EQ(keysOf(settingWords().at("units")), names);
 }
 
 }  // namespace

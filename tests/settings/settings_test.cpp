@@ -41,8 +41,10 @@ TEST(SettingsTable, KeysAreUniqueAndGroupsContiguous) {
 TEST(SettingsTable, AKeyEndsWithItsUnit) {
   for (const Setting& setting : settings()) {
     if (setting.kind != Setting::Kind::Number) continue;  // a choice's key names no unit
-    EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
-    EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
+    for (const UnitTraits& unit : units()) {
+      if (unit.keySuffix.empty()) continue;
+      EXPECT_EQ(setting.key.ends_with(unit.keySuffix), setting.unit == unit.unit) << setting.key;
+    }
   }
 }
 

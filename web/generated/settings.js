@@ -7,7 +7,7 @@
  * @typedef {object} Setting
  * @property {string} group
  * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
- * @property {'mm' | 'deg' | 'skies'} [unit]
+ * @property {UnitName} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
  * @property {number} [step]
@@ -32,6 +32,7 @@
  */
 
 /** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'mm' | 'deg' | 'skies'} UnitName */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {

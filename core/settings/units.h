@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "base/message.h"
+
+namespace qrelief {
+
+/// Unit of a number that users set.
+enum class Unit { None, Millimetre, Degree, Sky };
+
+/// How a unit is written. Its words in each language are in messages/settings/settings.json under its name.
+struct UnitTraits {
+  Unit unit = Unit::None;
+  std::string_view name;         ///< for the page and the words: "mm"; empty: no unit
+  std::string_view symbol;       ///< where there are no words: "mm"
+  std::string_view keySuffix;    ///< at the end of each setting's key, and left out of its flag: "Mm"; may be empty
+  std::string_view placeholder;  ///< of a value in `--help`: "MM"; empty: as for a number without a unit
+  MessageValue::Kind kind = MessageValue::Kind::Number;  ///< of a value in a message
+};
+
+/// Returns all units, in the order of the enumeration.
+std::span<const UnitTraits> units();
+const UnitTraits& traitsOf(Unit unit);
+
+}  // namespace qrelief
