@@ -64,11 +64,11 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
 }
 
 std::string Engine::hover(const std::string& at) {
-  const Result<Json> given = parseJson(at);
-  if (!given) return answer(given.error());
+  const Result<Json> parsed = parseJson(at);
+  if (!parsed) return answer(parsed.error());
   preview_.stopSettling();
-  const bool mayHit = !given->is_null() && takesCode() && !showsCarved();
-  const auto point = mayHit ? surfaceAt(numberOf(given->at(0)), numberOf(given->at(1))) : std::nullopt;
+  const bool mayHit = !parsed->is_null() && takesCode() && !showsCarved();
+  const auto point = mayHit ? surfaceAt(numberOf(parsed->at(0)), numberOf(parsed->at(1))) : std::nullopt;
   if (!point) {
     endHover();
     return textOf({{"ok", true}, {"hit", false}});
@@ -97,10 +97,11 @@ std::string Engine::moveCode(double x, double y) {
 }
 
 std::string Engine::adjustCode(const std::string& change) {
-  const Result<Json> given = parseJson(change);
-  if (!given) return answer(given.error());
-  if (const auto at = given->find("at"); at != given->end()) return moveCode(numberOf(at->at(0)), numberOf(at->at(1)));
-  return resizeCode(numberOf(given->at("rotateDeg")), numberOf(given->at("symbolMm")));
+  const Result<Json> parsed = parseJson(change);
+  if (!parsed) return answer(parsed.error());
+  if (const auto at = parsed->find("at"); at != parsed->end())
+    return moveCode(numberOf(at->at(0)), numberOf(at->at(1)));
+  return resizeCode(numberOf(parsed->at("rotateDeg")), numberOf(parsed->at("symbolMm")));
 }
 
 std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
@@ -116,15 +117,15 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
 
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
-    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index + 1)));
+    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index)));
   const Spot& spot = offers_.spots()[index];
   const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
   return chosen;
 }
 
-void Engine::showSizes(bool shown) {
-  scene_.show(Scene::Surface::Sizes, shown && offers_.sizesDisplay());
+void Engine::showSizes(bool isShown) {
+  scene_.show(Scene::Surface::Sizes, isShown && offers_.sizesDisplay());
   updateView();
 }
 

@@ -292,6 +292,7 @@ TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
     EXPECT_NEAR(placement["placement"]["guaranteedMm"], progress["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
   expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"spot": 100})"))["error"]["values"]["index"]["count"], 100);
 }
 
 TEST_F(EngineTest, HasNoSpotsAfterACancelledSearch) {

@@ -120,10 +120,10 @@ test('A model that cannot be engraved says why, in the chosen language', async (
   };
   await messageWords.come();
   await placing.begin();
-  assert.equal(problem().found(), 'There is no spot 7');
+  assert.equal(problem().found(), 'There is no spot with index 7');
   setLanguage('de');
   await messageWords.come();
-  assert.equal(problem().found(), 'Es gibt keine Stelle 7');
+  assert.equal(problem().found(), 'Es gibt keine Stelle mit Index 7');
 });
 
 test('Nothing moves during a job or beside the model', async () => {
