@@ -111,14 +111,14 @@ test('The study shows figures with downloadable tables, in the page’s language
     for (const figure of await figures.all()) {
       const picture = figure.getByRole('img');
       await picture.scrollIntoViewIfNeeded();
-      const shown = await picture.evaluate(async (element) => {
+      const drawn = await picture.evaluate(async (element) => {
         const image = /** @type {HTMLImageElement} */ (element);
         await image.decode();
         return { source: image.currentSrc, wide: image.naturalWidth, alt: image.alt };
       });
-      expect(shown.source).toContain(`.${language}.${width}.svg`);
-      expect(shown.wide).toBeGreaterThan(200);
-      expect(shown.alt).not.toBe('');
+      expect(drawn.source).toContain(`.${language}.${width}.svg`);
+      expect(drawn.wide).toBeGreaterThan(200);
+      expect(drawn.alt).not.toBe('');
       const table = await figure.getByRole('link', { name: 'CSV' }).getAttribute('href');
       const rows = (await (await page.request.get(String(table))).text()).trim().split('\n');
       await expect(figure.getByRole('link', { name: 'CSV' })).toContainText((rows.length - 1).toLocaleString(language));

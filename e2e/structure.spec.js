@@ -6,10 +6,10 @@ const kSteps = ['Model', 'Code', 'Place', 'Engrave', 'Check and download'];
 
 test('Headings, landmarks, the skip link and a live region lead through the five steps', async ({ page }) => {
   await page.addInitScript(() => {
-    const told = /** @type {string[]} */ (/** @type {any} */ (window).told = []);
+    const announcements = /** @type {string[]} */ (/** @type {any} */ (window).told = []);
     new MutationObserver(() => {
       const status = document.querySelector('[role="status"]')?.textContent ?? '';
-      if (status && told.at(-1) !== status) told.push(status);
+      if (status && announcements.at(-1) !== status) announcements.push(status);
     }).observe(document, { subtree: true, childList: true, characterData: true });
   });
   const app = new Engraver(page);
@@ -17,10 +17,10 @@ test('Headings, landmarks, the skip link and a live region lead through the five
   await app.expectReady();
 
   await test.step('the live region reports progress in words', async () => {
-    const told = await page.evaluate(() => /** @type {any} */ (window).told);
-    expect(told[0]).toBe('Starting…');
-    expect(told).toContain('Reading saddle.stl…');
-    expect(told.at(-1)).toBe('Ready.');
+    const announcements = await page.evaluate(() => /** @type {any} */ (window).told);
+    expect(announcements[0]).toBe('Starting…');
+    expect(announcements).toContain('Reading saddle.stl…');
+    expect(announcements.at(-1)).toBe('Ready.');
   });
   await test.step('headings and landmarks are in order', async () => {
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('QRelief');

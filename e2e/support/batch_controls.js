@@ -3,11 +3,8 @@
 import { expect } from '@playwright/test';
 
 /** @typedef {import('@playwright/test').Page} Page */
-/** @typedef {{ app: import('./engraver.js').Engraver, page: Page, at: (id: string) => import('@playwright/test').Locator, press: (id: string) => Promise<void> }} Hands */
-/**
- * @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by the id of the control or the side it shows;
- *   run in this order
- */
+/** @typedef {import('./hands.js').Hands} Hands */
+/** @typedef {import('./hands.js').Effects} Effects */
 
 /** @param {string} text @param {string} [name] */
 const listFile = (text, name = 'parts.csv') => ({ name, mimeType: 'text/csv', buffer: Buffer.from(text) });

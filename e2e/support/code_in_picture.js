@@ -12,9 +12,9 @@ const kDark = 0.6; // of the brightness of the quiet zone
  */
 export async function lookRound(element) {
   const png = await element.screenshot();
-  const found = await findCode(png);
-  if (!found) return undefined;
-  const { topLeft, bottomRight } = found.position;
+  const symbol = await findCode(png);
+  if (!symbol) return undefined;
+  const { topLeft, bottomRight } = symbol.position;
   const grey = await element.page().evaluate(async (encoded) => {
     const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));

@@ -3,8 +3,8 @@
 import { expect } from '@playwright/test';
 
 /** @typedef {import('@playwright/test').Page} Page */
-/** @typedef {import('./batch_controls.js').Hands} Hands */
-/** @typedef {import('./batch_controls.js').Effects} Effects */
+/** @typedef {import('./hands.js').Hands} Hands */
+/** @typedef {import('./hands.js').Effects} Effects */
 
 /** Returns the visible sides of the cube. @param {Page} page */
 const sidesOf = (page) =>
