@@ -61,17 +61,17 @@ Result<nlohmann::ordered_json> measure(const PreparedModel& model, const bench::
   nlohmann::ordered_json json;
   for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
     std::vector<double> times;
-    EmbedResult made;
+    EmbedResult last;
     for (int run = 0; run < kRuns; ++run) {
       const auto start = Clock::now();
       auto result = embedDepthField(model.mesh, spot.frame, spot.patch.triangles, depths, {.surface = surface});
       times.push_back(millisecondsSince(start));
       if (!result) return tl::unexpected(result.error());
-      made = std::move(*result);
+      last = std::move(*result);
     }
     std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
     json[std::string(surfaceModeName(surface))] = {
-        {"ms", times[kRuns / 2]}, {"triangles", made.mesh.triangles.size()}, {"volumeMm3", signedVolume(made.mesh)}};
+        {"ms", times[kRuns / 2]}, {"triangles", last.mesh.triangles.size()}, {"volumeMm3", signedVolume(last.mesh)}};
   }
   const auto carved = embedDepthField(model.mesh, spot.frame, spot.patch.triangles, depths, {.inlay = true});
   if (!carved) return tl::unexpected(carved.error());

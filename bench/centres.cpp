@@ -26,11 +26,11 @@ Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, dou
   return EngravableModel::upload(std::move(*prepared));
 }
 
-std::vector<std::string> kindsOf(const Json& picks, const std::vector<std::string>& wanted) {
+std::vector<std::string> kindsOf(const Json& picks, const std::vector<std::string>& requested) {
   std::vector<std::string> kinds;
-  if (wanted.empty())
+  if (requested.empty())
     for (const auto& [kind, pick] : picks.items()) kinds.push_back(kind);
-  for (const std::string& kind : wanted)
+  for (const std::string& kind : requested)
     if (picks.contains(kind)) kinds.push_back(kind);
   return kinds;
 }

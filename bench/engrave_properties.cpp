@@ -21,12 +21,12 @@ namespace {
 int run(std::uint64_t cases, std::uint64_t first, bool carvingOnly) {
   std::unique_ptr<EglContext> context;
   if (!carvingOnly) {
-    auto made = EglContext::create();
-    if (!made) {
-      fmt::print(stderr, "qrelief_property_bench: {}\n", sentence(made.error().message));
+    auto created = EglContext::create();
+    if (!created) {
+      fmt::print(stderr, "qrelief_property_bench: {}\n", sentence(created.error().message));
       return 2;
     }
-    context = std::move(*made);
+    context = std::move(*created);
   }
   const auto start = std::chrono::steady_clock::now();
   std::map<std::string, std::map<std::string, int>> shapesByKind;

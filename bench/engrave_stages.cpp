@@ -56,7 +56,7 @@ int failed(const Error& error) {
   return 1;
 }
 
-int measure(const Case& wanted) {
+int measure(const Case& subject) {
   const auto context = EglContext::create();
   if (!context) return failed(context.error());
   const auto gl = gl::queryCapabilities();
@@ -67,13 +67,13 @@ int measure(const Case& wanted) {
   std::map<std::string, std::vector<double>> times;
   EngraveResult last;
   std::size_t triangles = 0;
-  for (int run = 0; run < wanted.runs; ++run) {
+  for (int run = 0; run < subject.runs; ++run) {
     const auto start = Clock::now();
-    const auto soup = readModel(wanted.bytes, wanted.name);
+    const auto soup = readModel(subject.bytes, subject.name);
     if (!soup) return failed(soup.error());
     times["load"].push_back(millisecondsSince(start));
     const auto preparing = Clock::now();
-    auto prepared = prepareModel(*soup, {.scaleToMm = wanted.scale});
+    auto prepared = prepareModel(*soup, {.scaleToMm = subject.scale});
     if (!prepared) return failed(prepared.error());
     const auto model = EngravableModel::upload(std::move(*prepared));
     times["prepare"].push_back(millisecondsSince(preparing));
@@ -82,9 +82,9 @@ int measure(const Case& wanted) {
     EngraveRequest request;
     request.code.text = "https://qrelief.example/bench-000000001";
     request.code.symbol.version = 3;
-    request.placement.centreMm = wanted.centre;
-    request.placement.sizeMode = wanted.sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
-    request.placement.sizeMm = wanted.sizeMm;
+    request.placement.centreMm = subject.centre;
+    request.placement.sizeMode = subject.sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
+    request.placement.sizeMm = subject.sizeMm;
     auto result = engrave(model, request);
     if (!result) return failed(result.error());
     const auto reading = Clock::now();
@@ -105,9 +105,9 @@ int measure(const Case& wanted) {
     std::sort(sorted.begin(), sorted.end());
     return sorted[sorted.size() / 2];
   };
-  fmt::print("{}: {} triangles, {:.4g} mm, version {}, {} iterations, {} triangles out\n", wanted.name, triangles,
+  fmt::print("{}: {} triangles, {:.4g} mm, version {}, {} iterations, {} triangles out\n", subject.name, triangles,
              last.placement.symbolMm, last.symbol.version, last.searchIterations, last.solidity.triangles);
-  fmt::print("{}, {}; median of {} runs\n", gl->renderer, gl->version, wanted.runs);
+  fmt::print("{}, {}; median of {} runs\n", gl->renderer, gl->version, subject.runs);
   for (const std::string& stage : order)
     fmt::print("{:>12} {:9.1f} ms  {:5.1f} %\n", stage, median(stage), 100 * median(stage) / median("total"));
   rusage usage{};

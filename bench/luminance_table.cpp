@@ -92,16 +92,16 @@ std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model)
   Random random(7);
   const int edge = kN * (engraved.symbol.size + 2 * kQuietZoneModules);
   std::vector<Cell> cells;
-  std::array<int, 2> wanted = {count - count / 2, count / 2};
-  while (wanted[0] + wanted[1] > 0) {
+  std::array<int, 2> missing = {count - count / 2, count / 2};
+  while (missing[0] + missing[1] > 0) {
     Cell cell;
     cell.row = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
     cell.column = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
     const int row = cell.row - kN * kQuietZoneModules, column = cell.column - kN * kQuietZoneModules;
     const int size = engraved.depths.size;
     cell.carved = row >= 0 && column >= 0 && row < size && column < size && engraved.depths.depth(row, column) > 0;
-    if (wanted[cell.carved]-- <= 0) {
-      wanted[cell.carved] = 0;
+    if (missing[cell.carved]-- <= 0) {
+      missing[cell.carved] = 0;
       continue;
     }
     const auto i = static_cast<std::size_t>(cell.row * edge + cell.column);

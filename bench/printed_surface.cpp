@@ -152,8 +152,8 @@ int run(int argc, char** argv) {
   const Seen ours = look(surface, frame, modules, symbolMm, text);
   tell("printed", ours);
   if (argc > 5) {
-    if (const auto given = loadEngraved(argv[5])) {
-      const Seen other = look(*given, frame, modules, symbolMm, text);
+    if (const auto reference = loadEngraved(argv[5])) {
+      const Seen other = look(*reference, frame, modules, symbolMm, text);
       tell("other", other);
       compare(ours, other);
     }

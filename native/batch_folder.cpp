@@ -143,13 +143,13 @@ std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
   return hash ? std::optional(*hash) : std::nullopt;
 }
 
-EarlierRow BatchFolder::known(const ManifestEntry& wanted) const {
+EarlierRow BatchFolder::known(const ManifestEntry& planned) const {
   EarlierRow known;
   for (const auto& [name, index] : manifests_) {
-    const auto it = index.lines().find(wanted.number);
+    const auto it = index.lines().find(planned.number);
     if (it == index.lines().end()) continue;
     if (const auto listed = entryAt(name, it->second))
-      known.add(*listed, wanted, [&](const std::string& file) { return hashOf(file); });
+      known.add(*listed, planned, [&](const std::string& file) { return hashOf(file); });
   }
   return known;
 }

@@ -33,8 +33,8 @@ class BatchFolder {
 
   std::string pathOf(const std::string& file) const { return path_ + "/" + file; }
 
-  /// Looks a row up. Cost: reading the row's file and plate. @param wanted  the row's pending entry
-  EarlierRow known(const ManifestEntry& wanted) const;
+  /// Looks a row up. Cost: reading the row's file and plate. @param planned  the row's pending entry
+  EarlierRow known(const ManifestEntry& planned) const;
 
   /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other
   /// hashes. An outdated code must not stay among the others. A file that somebody has changed stays.

@@ -58,10 +58,10 @@ Result<std::unique_ptr<EglContext>> EglContext::create(bool onlyGpu) {
   for (const EGLDisplay display : candidateDisplays(onlyGpu)) {
     const EGLContext context = createContext(display);
     if (context == EGL_NO_CONTEXT) continue;
-    std::unique_ptr<EglContext> made(new EglContext);
-    made->display_ = display;
-    made->context_ = context;
-    return made;
+    std::unique_ptr<EglContext> owner(new EglContext);
+    owner->display_ = display;
+    owner->context_ = context;
+    return owner;
   }
   return fail(ErrorKind::Internal, message("no-gl-context"));
 }

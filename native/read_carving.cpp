@@ -12,10 +12,10 @@ ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& 
 
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
                                                    const std::function<void(const Progress&)>& progress) {
-  const auto wanted = printedViewOf(request);
-  if (!wanted) return tl::unexpected(wanted.error());
-  if (!*wanted) return std::nullopt;
-  auto job = PrintedViewJob::create(carved, **wanted);
+  const auto order = printedViewOf(request);
+  if (!order) return tl::unexpected(order.error());
+  if (!*order) return std::nullopt;
+  auto job = PrintedViewJob::create(carved, **order);
   if (!job) return tl::unexpected(job.error());
   if (const Status ended = advanceToEnd(**job, progress); !ended) return tl::unexpected(ended.error());
   const PrintedView view = (*job)->takeResult();

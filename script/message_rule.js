@@ -66,16 +66,16 @@ export const messageRule = (known) => ({
         return;
       }
       const properties = second?.type === 'ObjectExpression' ? second.properties : [];
-      const given = properties.flatMap((one) =>
+      const values = properties.flatMap((one) =>
         one.type === 'Property' && one.key.type === 'Identifier' && !one.computed ? [one.key.name] : [],
       );
-      if (given.length < properties.length || (second && second.type !== 'ObjectExpression')) {
+      if (values.length < properties.length || (second && second.type !== 'ObjectExpression')) {
         context.report({ node: second, messageId: 'names' });
         return;
       }
       for (const name of needed)
-        if (!given.includes(name)) context.report({ node, messageId: 'missing', data: { code, name } });
-      for (const name of given)
+        if (!values.includes(name)) context.report({ node, messageId: 'missing', data: { code, name } });
+      for (const name of values)
         if (!needed.has(name)) context.report({ node: second, messageId: 'surplus', data: { code, name } });
     },
   }),

@@ -91,10 +91,10 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
 
 /// Returns how far two values of a table differ: 0 = equal, 1 = as much as the column's values range, or different
 /// words.
-double apart(const std::string& kept, const std::string& now, double range) {
+double apart(const std::string& before, const std::string& now, double range) {
   char *endKept = nullptr, *endNow = nullptr;
-  const double a = std::strtod(kept.c_str(), &endKept), b = std::strtod(now.c_str(), &endNow);
-  if (kept.empty() || now.empty() || *endKept || *endNow) return kept == now ? 0 : 1;
+  const double a = std::strtod(before.c_str(), &endKept), b = std::strtod(now.c_str(), &endNow);
+  if (before.empty() || now.empty() || *endKept || *endNow) return before == now ? 0 : 1;
   return range > 0 ? std::abs(a - b) / range : 0;
 }
 
@@ -118,8 +118,8 @@ int check(const Experiment& experiment, const std::string& path, int count, Stud
   const std::size_t step = std::max<std::size_t>(1, experiment.cases.size() / static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < experiment.cases.size() && i / step < static_cast<std::size_t>(count); i += step) {
     const Row& key = experiment.cases[i];
-    const Row* kept = table->find(key);
-    if (!kept) {
+    const Row* before = table->find(key);
+    if (!before) {
       fmt::print("{}: no row {}\n", experiment.name, fmt::join(key, ","));
       ++off;
       continue;
@@ -127,9 +127,9 @@ int check(const Experiment& experiment, const std::string& path, int count, Stud
     const Row now = measured(experiment, key, context);
     for (std::size_t column = 0; column < now.size(); ++column) {
       const bool isTime = column < experiment.measures.size() && experiment.measures[column].ends_with("_ms");
-      if (isTime || apart((*kept)[column], now[column], rangeOf(experiment, *table, column)) <= kAlike) continue;
+      if (isTime || apart((*before)[column], now[column], rangeOf(experiment, *table, column)) <= kAlike) continue;
       fmt::print("{}, {}: {} was {}, is {}\n", experiment.name, fmt::join(key, ","),
-                 column < experiment.measures.size() ? experiment.measures[column] : kFailedColumn, (*kept)[column],
+                 column < experiment.measures.size() ? experiment.measures[column] : kFailedColumn, (*before)[column],
                  now[column]);
       ++off;
     }
@@ -150,12 +150,12 @@ int run(int argc, char** argv) {
   app.add_option("--only", only, "measure only the cases that have this value among their keys");
   app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
   CLI11_PARSE(app, argc, argv);
-  const std::optional<Shard> given = shardText.empty() ? Shard() : Shard::parse(shardText);
-  if (!given) {
+  const std::optional<Shard> parsed = shardText.empty() ? Shard() : Shard::parse(shardText);
+  if (!parsed) {
     fmt::print(stderr, "--shard is I/N with 0 ≤ I < N, not {}\n", shardText);
     return 2;
   }
-  const Shard shard = *given;
+  const Shard shard = *parsed;
   const auto gl = EglContext::create();
   if (!gl) return failed("EGL", gl.error());
   StudyContext context(samples);

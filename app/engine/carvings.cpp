@@ -151,10 +151,10 @@ void Carvings::forgetAll() {
   forgetCurrent();
 }
 
-bool Carvings::use(int wanted) {
+bool Carvings::use(int carving) {
   if (runs_) return false;
-  if (number() == wanted) return true;
-  if (!earlier_ || earlier_->number != wanted) return false;
+  if (number() == carving) return true;
+  if (!earlier_ || earlier_->number != carving) return false;
   Carving brought = std::move(*earlier_);
   earlier_.reset();
   setAside();

@@ -44,12 +44,12 @@ void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer
   missingFraction = reach->missingFraction(symbolMm * outer, turn);
 }
 
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& wanted, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm) {
-  const Symbol& symbol = *wanted.symbol();
+  const Symbol& symbol = *input.symbol();
   // Following the pointer does not wait for the GPU.
   const EstimatedSurface surface{model.mesh(), *model.engravable->raster, model.engravable->box.diagonal()};
-  auto estimate = estimateCode(surface, at, symbol.size, wanted.placementAt(at.position, upHint), expectedMm);
+  auto estimate = estimateCode(surface, at, symbol.size, input.placementAt(at.position, upHint), expectedMm);
   if (!estimate) return tl::unexpected(estimate.error());
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;
@@ -58,7 +58,7 @@ Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& w
   code.guaranteedMm = estimate->guaranteedMm;
   code.missingFraction = estimate->missingFraction;
   code.reach = estimate->reach;
-  code.decal = symbolDecal(symbol, estimate->frame, estimate->symbolMm, wanted.settings());
+  code.decal = symbolDecal(symbol, estimate->frame, estimate->symbolMm, input.settings());
   code.decal.reach = estimate->reach;
   return code;
 }

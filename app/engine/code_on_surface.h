@@ -29,7 +29,7 @@ struct CodeOnSurface {
 };
 
 /// Estimates where the wanted code would lie, see estimateCode. Its symbol must exist.
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& wanted, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm = {});
 
 /// Returns the code at the exact place that was found.

@@ -86,12 +86,12 @@ std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
 }
 
 std::string Engine::setCentre(const std::string& where) {
-  const Result<Json> given = parseJson(where);
-  if (!given) return answer(given.error());
-  if (given->contains("spot")) return chooseSpot(given->at("spot"));
-  if (const auto at = given->find("at"); at != given->end())
+  const Result<Json> parsed = parseJson(where);
+  if (!parsed) return answer(parsed.error());
+  if (parsed->contains("spot")) return chooseSpot(parsed->at("spot"));
+  if (const auto at = parsed->find("at"); at != parsed->end())
     return chooseCentre(surfaceAt(numberOf(at->at(0)), numberOf(at->at(1))));
-  const Json& mm = given->at("mm");
+  const Json& mm = parsed->at("mm");
   const Vec3 point(numberOf(mm.at(0)), numberOf(mm.at(1)), numberOf(mm.at(2)));
   if (!model_ || !std::isfinite(point.x + point.y + point.z)) return chooseCentre({});
   return chooseCentre(closestPoint(model_->mesh(), point));

@@ -92,8 +92,8 @@ class Engine {
   ///                 code is placed
   ///             "view-trials": notes whether one of the trial's pictures decoded. Returns {done, tried, all, views:
   ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
-  /// @param given  of "view-trials": {"read"}; all other jobs ignore it
-  std::string advanceJob(const std::string& job, const std::string& given = "{}");
+  /// @param answers  of "view-trials": {"read"}; all other jobs ignore it
+  std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots".
   void cancelJob(const std::string& job);
   /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
@@ -221,7 +221,7 @@ class Engine {
 
   void setUpAxis(const std::string& axis);
   void showCarved(bool carved);
-  void showSizes(bool shown);
+  void showSizes(bool isShown);
   void zoom(double factor, double x, double y);
   bool takesCode() const;
   bool showsCarved() const;

@@ -27,9 +27,9 @@ Json jsonOf(const SpotOffers& offers) {
 
 std::string Engine::startEngrave(const std::string& options,
                                  const std::function<EngraveRequest(EngraveRequest)>& overridden) {
-  const Result<Json> given = parseJson(options);
-  if (!given) return answer(given.error());
-  const bool isNext = given->value("next", false);
+  const Result<Json> parsed = parseJson(options);
+  if (!parsed) return answer(parsed.error());
+  const bool isNext = parsed->value("next", false);
   if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
     return answer(ErrorKind::BadUsage, message("not-engraving"));
   scene_.show(Scene::Surface::Sizes, false);
@@ -42,9 +42,9 @@ std::string Engine::startEngrave(const std::string& options,
   if (overridden) request = overridden(std::move(request));
   if (!isNext)
     carvings_.follow({request,
-                      {.looksAtPrint = given->value("print", true),
+                      {.looksAtPrint = parsed->value("print", true),
                        .mayChange = !overridden,
-                       .fixed = given->value("fixed", std::vector<std::string>())}});
+                       .fixed = parsed->value("fixed", std::vector<std::string>())}});
   const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
   const auto started = carvings_.start(ground(), std::move(request), placed);
   return started ? answer(*started) : answer(started.error());
@@ -131,11 +131,11 @@ std::string Engine::startJob(const std::string& job, const std::string& options,
   return startEngrave(options, overridden);
 }
 
-std::string Engine::advanceJob(const std::string& job, const std::string& given) {
+std::string Engine::advanceJob(const std::string& job, const std::string& answers) {
   if (job == "spots") return advanceSpotSearch();
   if (job == "settling") return advanceSettling();
   if (job == "preparation") return advancePreparation();
-  if (job == "view-trials") return advanceViewTrials(given);
+  if (job == "view-trials") return advanceViewTrials(answers);
   assert(job == "engrave");
   return advanceEngrave();
 }

@@ -69,10 +69,10 @@ void Engine::zoom(double factor, double x, double y) {
 }
 
 std::string Engine::look(const std::string& action) {
-  const Result<Json> given = parseJson(action);
-  if (!given) return answer(given.error());
-  const auto number = [&](const char* key) { return given->at(key).get<double>(); };
-  const std::string kind = given->at("kind");
+  const Result<Json> parsed = parseJson(action);
+  if (!parsed) return answer(parsed.error());
+  const auto number = [&](const char* key) { return parsed->at(key).get<double>(); };
+  const std::string kind = parsed->at("kind");
   const Placement* const placement = preview_.placement();
   const CodeOnSurface* const code = preview_.code();
   if (kind == "orbit")
@@ -84,7 +84,7 @@ std::string Engine::look(const std::string& action) {
   else if (kind == "fit")
     scene_.camera().fit();
   else if (kind == "standard")
-    scene_.standardView(given->at("name"));
+    scene_.standardView(parsed->at("name"));
   else if (kind == "readerView" && placement && code)
     scene_.lookAsReader(placement->frame, code->decal.edgeMm);
   else if (kind == "face" && placement && code)
@@ -95,14 +95,14 @@ std::string Engine::look(const std::string& action) {
 }
 
 std::string Engine::show(const std::string& what) {
-  const Result<Json> given = parseJson(what);
-  if (!given) return answer(given.error());
-  if (given->contains("carved")) showCarved(given->at("carved"));
-  if (given->contains("sizes")) showSizes(given->at("sizes"));
-  if (given->contains("depths")) scene_.showDepths(given->at("depths"));
-  if (given->contains("upAxis")) setUpAxis(given->at("upAxis"));
-  if (given->contains("section")) {
-    const Json& offset = given->at("section");
+  const Result<Json> parsed = parseJson(what);
+  if (!parsed) return answer(parsed.error());
+  if (parsed->contains("carved")) showCarved(parsed->at("carved"));
+  if (parsed->contains("sizes")) showSizes(parsed->at("sizes"));
+  if (parsed->contains("depths")) scene_.showDepths(parsed->at("depths"));
+  if (parsed->contains("upAxis")) setUpAxis(parsed->at("upAxis"));
+  if (parsed->contains("section")) {
+    const Json& offset = parsed->at("section");
     scene_.showSection(!offset.is_null(), offset.is_null() ? 0 : offset.get<double>());
   }
   updateView();

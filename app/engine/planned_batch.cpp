@@ -16,9 +16,9 @@ const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
 
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
 Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
-  const Json given = Json::parse(settingsJson(request)), common = Json::parse(settingsJson(all));
+  const Json full = Json::parse(settingsJson(request)), common = Json::parse(settingsJson(all));
   Json own = Json::object();
-  for (const auto& [key, value] : given.items())
+  for (const auto& [key, value] : full.items())
     if (value != common[key] || key == "text" || key == "version") own[key] = value;
   return own;
 }
@@ -29,9 +29,9 @@ Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, std::size_t cou
 
 }  // namespace
 
-std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, const std::string& wanted) {
+std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, const std::string& order) {
   plan_.reset();
-  const Result<Json> parsed = parseJson(wanted);
+  const Result<Json> parsed = parseJson(order);
   if (!parsed) return answer(parsed.error());
   const Json& asked = *parsed;
   auto request = requestFromJson(asked["settings"].dump());
@@ -100,15 +100,15 @@ std::string PlannedBatch::unitTexts(double index, const std::string& placed) con
   if (!unit) return answer(kNoRow);
   const Result<Json> parsed = parseJson(placed);
   if (!parsed) return answer(parsed.error());
-  const Json& given = *parsed;
-  const Json& centre = given["centre"];
+  const Json& order = *parsed;
+  const Json& centre = order["centre"];
   for (BatchRow& row : unit->rows)
     row.request.placement.centreMm = {centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()};
-  unit->others = given["others"].get<std::string>();
-  const bool isOfPlate = given["of"] == "plate";
+  unit->others = order["others"].get<std::string>();
+  const bool isOfPlate = order["of"] == "plate";
   return textOf(
       {{"ok", true},
-       {"texts", isOfPlate ? matesToHash(*unit) : rowsToHash(*unit, given["mates"].get<std::vector<std::string>>())}});
+       {"texts", isOfPlate ? matesToHash(*unit) : rowsToHash(*unit, order["mates"].get<std::vector<std::string>>())}});
 }
 
 std::string PlannedBatch::unitEntries(double index, const std::string& hashes) const {

@@ -19,11 +19,11 @@ class PlannedBatch {
   /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], warnings:
   /// [message], version, modules}. With a problem there are no rows; `version` and `modules` belong to the first row.
   /// An error if the list cannot be read.
-  /// @param list    the list's file; ignored if there is a count
-  /// @param wanted  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
-  ///                where the list's columns give the values; the number of rows without a list; and the number of rows
-  ///                per plate, or 0
-  std::string planBatch(const std::vector<std::uint8_t>& list, const std::string& wanted);
+  /// @param list   the list's file; ignored if there is a count
+  /// @param order  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
+  ///               where the list's columns give the values; the number of rows without a list; and the number of rows
+  ///               per plate, or 0
+  std::string planBatch(const std::vector<std::uint8_t>& list, const std::string& order);
 
   /// Returns {row: {number, line, id, text, file, settings}}. For a row on a plate, `file` is the plate's. `settings`
   /// are those in which the row differs from the common ones, and always its text and version. @param index  from 0

@@ -84,13 +84,13 @@ void Scene::setDecal(const CodeOnSurface* code) {
   if (viewer_) viewer_->setDecal(decalOf(code));
 }
 
-void Scene::show(Surface surface, bool shown) {
-  if (shown) surface_ = surface;
-  if (!shown && surface_ == surface) surface_ = Surface::Model;
+void Scene::show(Surface surface, bool isShown) {
+  if (isShown) surface_ = surface;
+  if (!isShown && surface_ == surface) surface_ = Surface::Model;
 }
 
-void Scene::showSection(bool shown, double offset) {
-  sectionShown_ = shown;
+void Scene::showSection(bool isShown, double offset) {
+  sectionShown_ = isShown;
   sectionOffset_ = std::clamp(offset, -1.0, 1.0);
 }
 

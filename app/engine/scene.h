@@ -43,11 +43,11 @@ class Scene {
 
   enum class Surface { Model, Carved, Sizes };
   /// Shows that surface from the next update on, if it exists. With `shown` false, shows the model.
-  void show(Surface surface, bool shown);
+  void show(Surface surface, bool isShown);
   Surface surface() const { return surface_; }
-  void showDepths(bool shown) { depthsShown_ = shown; }
+  void showDepths(bool isShown) { depthsShown_ = isShown; }
   /// Cuts the model open across the code. @param offset  in half edges of its square, clamped to -1 … 1
-  void showSection(bool shown, double offset);
+  void showSection(bool isShown, double offset);
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);

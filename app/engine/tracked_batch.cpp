@@ -34,9 +34,9 @@ Json rowsOf(const BatchProgress& progress, const Json& page) {
 std::string TrackedBatch::begin(const std::string& layout) {
   const Result<Json> parsed = parseJson(layout);
   if (!parsed) return answer(parsed.error());
-  const Json& given = *parsed;
+  const Json& order = *parsed;
   progress_ = BatchProgress(
-      {given["rows"].get<std::size_t>(), given["perPlate"].get<std::size_t>(), given["printEvery"].get<std::size_t>()});
+      {order["rows"].get<std::size_t>(), order["perPlate"].get<std::size_t>(), order["printEvery"].get<std::size_t>()});
   return done();
 }
 

@@ -17,10 +17,10 @@ void InspectedEngine::resize(double width, double height, double devicePixelRati
 }
 
 std::string InspectedEngine::show(const std::string& what) {
-  const Result<Json> given = parseJson(what);
-  if (!given) return answer(given.error());
-  if (given->contains("dark")) {
-    dark_ = given->at("dark");
+  const Result<Json> parsed = parseJson(what);
+  if (!parsed) return answer(parsed.error());
+  if (parsed->contains("dark")) {
+    dark_ = parsed->at("dark");
     engine_.setTheme(dark_);
     if (window_) window_->setTheme(dark_);
   }
@@ -57,23 +57,23 @@ void InspectedEngine::showWindow(bool isShown) {
 }
 
 std::string InspectedEngine::inspector(const std::string& event) {
-  const Result<Json> given = parseJson(event);
-  if (!given) return answer(given.error());
-  const auto number = [&](const char* key) { return given->at(key).get<double>(); };
-  const std::string kind = given->at("kind");
+  const Result<Json> parsed = parseJson(event);
+  if (!parsed) return answer(parsed.error());
+  const auto number = [&](const char* key) { return parsed->at(key).get<double>(); };
+  const std::string kind = parsed->at("kind");
   bool takes = false;
   if (kind == "open")
     open();
   else if (kind == "show")
-    showWindow(given->at("shown"));
+    showWindow(parsed->at("shown"));
   else if (kind == "texts")
-    setTranslation(given->at("texts").get<Translation>());
+    setTranslation(parsed->at("texts").get<Translation>());
   else if (kind == "area" && window_)
     window_->setFreeArea(number("x"), number("y"), number("width"), number("height"));
   else if (kind == "pointer" && shownWindow())
-    takes = window_->pointer(number("x"), number("y"), given->at("buttons"), number("wheel"));
+    takes = window_->pointer(number("x"), number("y"), parsed->at("buttons"), number("wheel"));
   else if (kind == "key" && shownWindow())
-    window_->key(given->at("key"), given->at("control"), given->at("shift"));
+    window_->key(parsed->at("key"), parsed->at("control"), parsed->at("shift"));
   else if (kind == "pick" && shownWindow())
     takes = window_->pickSubmodule(engine_, number("x"), number("y"));
   return textOf({{"ok", true}, {"takes", takes}});

@@ -30,20 +30,20 @@ void smooth(const Mesh& mesh, std::vector<float>& values, int rounds) {
 }  // namespace
 
 GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double topMm) {
-  const Mesh& shown = map.isCoarser ? model : map.mesh;
-  std::vector<float> values(shown.positions.size());
+  const Mesh& surface = map.isCoarser ? model : map.mesh;
+  std::vector<float> values(surface.positions.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
     const float sizeMm = map.sizeMm[map.isCoarser ? map.vertexOf[v] : v];
     values[v] = static_cast<double>(sizeMm) < leastMm ? 0 : sizeMm / static_cast<float>(topMm);
   }
   // A round carries values over one edge of the shown mesh; this many of its edges make up one edge of the map.
   const double edges = std::sqrt(static_cast<double>(values.size()) / static_cast<double>(map.sizeMm.size()));
-  smooth(shown, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));
+  smooth(surface, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));
 
-  const DisplayMesh display = splitAtCreases(shown);
+  const DisplayMesh display = splitAtCreases(surface);
   std::vector<float> displayed(display.mesh.positions.size(), 0.0f);
-  for (std::size_t t = 0; t < shown.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) displayed[display.mesh.triangles[t][k]] = values[shown.triangles[t][k]];
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) displayed[display.mesh.triangles[t][k]] = values[surface.triangles[t][k]];
   GpuMesh mesh(display.mesh, display.normals);
   mesh.setValues(displayed);
   return mesh;

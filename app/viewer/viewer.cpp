@@ -95,9 +95,9 @@ void Viewer::setMesh(std::shared_ptr<const GpuMesh> mesh) {
   changed_ = true;
 }
 
-void Viewer::showHeat(HeatShown shown) {
-  if (heatShown_ == shown) return;
-  heatShown_ = shown;
+void Viewer::showHeat(HeatShown heat) {
+  if (heatShown_ == heat) return;
+  heatShown_ = heat;
   changed_ = true;
 }
 
@@ -173,9 +173,9 @@ Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colo
   const int height = std::max(1, static_cast<int>(std::lround(height_ * bounded)));
   if (stage && stage->width == width && stage->height == height) return {};
   stage.reset();  // before making the new one: two sets of full size may not fit
-  auto made = makeStage(width, height, colourOnly);
-  if (!made) return tl::unexpected(made.error());
-  stage = std::move(*made);
+  auto created = makeStage(width, height, colourOnly);
+  if (!created) return tl::unexpected(created.error());
+  stage = std::move(*created);
   return {};
 }
 
@@ -282,16 +282,16 @@ void Viewer::uploadInk() {
   ink_ = gl::Texture(decal->size, decal->size, gl::Format::RGBA8, texels.data());
 }
 
-void Viewer::uploadDecal(Shown& shown) {
-  if (!shown.decal || shown.isUploaded) return;
-  shown.isUploaded = true;
-  if (!shown.decal->reach) return;
-  const int texels = shown.decal->reach->window.texels;
-  const void* const data = shown.decal->reach->texels.data();
-  if (shown.reach.width() == texels)
-    shown.reach.upload(data);
+void Viewer::uploadDecal(Shown& layer) {
+  if (!layer.decal || layer.isUploaded) return;
+  layer.isUploaded = true;
+  if (!layer.decal->reach) return;
+  const int texels = layer.decal->reach->window.texels;
+  const void* const data = layer.decal->reach->texels.data();
+  if (layer.reach.width() == texels)
+    layer.reach.upload(data);
   else
-    shown.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
+    layer.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
 }
 
 void Viewer::bindCanvas(const gl::Framebuffer* target) const {
@@ -323,9 +323,9 @@ void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* tar
   gl::drawFullscreen();
 }
 
-void Viewer::drawDecal(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target) {
-  if (!shown.decal) return;
-  const Decal& decal = *shown.decal;
+void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target) {
+  if (!layer.decal) return;
+  const Decal& decal = *layer.decal;
   bindCanvas(target);
   const PixelBox box = decalBounds(decal, camera, width_, height_);
   glEnable(GL_SCISSOR_TEST);
@@ -337,7 +337,7 @@ void Viewer::drawDecal(const Shown& shown, double strength, const CameraView& ca
   decalProgram_.set("u_paperColour", decal.colours.body);
   decalProgram_.set("u_inkColour", decal.colours.ink);
   decalProgram_.setTexture("u_ink", 2, ink_);
-  decalProgram_.setTexture("u_reach", 3, decal.reach ? shown.reach : nothing_);
+  decalProgram_.setTexture("u_reach", 3, decal.reach ? layer.reach : nothing_);
   decalProgram_.set("u_strength", static_cast<float>(strength));
   decalProgram_.set("u_centre", pointInView(camera, decal.frame.centre));
   decalProgram_.set("u_right", inView(camera, decal.frame.right));
@@ -392,7 +392,7 @@ Status Viewer::makePlain(const CameraView& camera) {
 /// Does the same as `present`, more cheaply if only decals have changed.
 Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
   uploadPrints();
-  if (const Status made = makePlain(camera); !made) return made;
+  if (const Status status = makePlain(camera); !status) return status;
   bindCanvas(target);
   copy_.use();
   copy_.setTexture("u_picture", 0, plain_);

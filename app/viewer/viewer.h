@@ -76,7 +76,7 @@ class Viewer {
   /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
   /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
-  void showHeat(HeatShown shown);
+  void showHeat(HeatShown heat);
   void setColours(const SurfaceColours& colours);
   void setDecal(std::optional<Decal> decal);
   /// Sets a second, fainter decal of the same symbol at another place.
@@ -132,9 +132,9 @@ class Viewer {
                     const Sample& sample) const;
   static Vec2 jitterOf(const Sample& sample, const Stage& stage);
   void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
-  void drawDecal(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target);
+  void drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target);
   void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
-  void uploadDecal(Shown& shown);
+  void uploadDecal(Shown& layer);
   void uploadInk();
   void uploadPrints();
   void setPicture(const gl::Program& program, const CameraView& camera) const;

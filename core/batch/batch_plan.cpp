@@ -114,8 +114,8 @@ void BatchPlan::warnOfRemovedChoices() {
   }
 }
 
-Status BatchPlan::checkNames(const TextTemplate& wanted) const {
-  for (const std::string& name : wanted.names()) {
+Status BatchPlan::checkNames(const TextTemplate& pattern) const {
+  for (const std::string& name : pattern.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
     if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted<"name">(name)));
     std::string columns;
@@ -155,10 +155,10 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));
     if (cell.empty() || findRemovedChoice(setting->key, cell)) continue;
-    const auto given = valueFromText(*setting, std::span(&cell, 1));
-    if (!given) return tl::unexpected(given.error());
-    if (const Status good = checkValue(*setting, *given); !good) return tl::unexpected(good.error());
-    setting->write(row.request, *given);
+    const auto parsed = valueFromText(*setting, std::span(&cell, 1));
+    if (!parsed) return tl::unexpected(parsed.error());
+    if (const Status good = checkValue(*setting, *parsed); !good) return tl::unexpected(good.error());
+    setting->write(row.request, *parsed);
   }
   return row;
 }

@@ -71,7 +71,7 @@ class BatchPlan {
 
   Status prepare();
   void warnOfRemovedChoices();
-  Status checkNames(const TextTemplate& wanted) const;
+  Status checkNames(const TextTemplate& pattern) const;
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
   void checkRows();

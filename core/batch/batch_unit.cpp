@@ -37,10 +37,10 @@ std::vector<ManifestEntry> pendingEntries(const BatchUnit& unit, std::span<const
   return entries;
 }
 
-void EarlierRow::add(const ManifestEntry& listed, const ManifestEntry& wanted, const HashOf& hashOf) {
-  if (state == State::Done || listed.file != wanted.file || listed.plate != wanted.plate ||
-      (listed.second != wanted.second && listed.second != wanted.possibleSecond) ||
-      listed.sha256.input != wanted.sha256.input || listed.sha256.settings != wanted.sha256.settings)
+void EarlierRow::add(const ManifestEntry& listed, const ManifestEntry& planned, const HashOf& hashOf) {
+  if (state == State::Done || listed.file != planned.file || listed.plate != planned.plate ||
+      (listed.second != planned.second && listed.second != planned.possibleSecond) ||
+      listed.sha256.input != planned.sha256.input || listed.sha256.settings != planned.sha256.settings)
     return;
   if (listed.status != RowStatus::Done) {
     if (state == State::New) *this = {State::Failed, listed};

@@ -47,8 +47,8 @@ struct EarlierRow {
   ManifestEntry entry;  ///< the manifest's entry; set unless the state is New
 
   /// Takes a manifest's entry of the row into account. A later Failed does not replace Changed; Done is final.
-  /// @param wanted  the row's pending entry
-  void add(const ManifestEntry& listed, const ManifestEntry& wanted, const HashOf& hashOf);
+  /// @param planned  the row's pending entry
+  void add(const ManifestEntry& listed, const ManifestEntry& planned, const HashOf& hashOf);
 
   /// Returns true if the row is to be carved. @param retries  carve failed and changed rows again
   bool isOpen(bool retries) const { return state == State::New || (retries && state != State::Done); }

@@ -68,12 +68,12 @@ std::vector<float> PocketSky::onGrid(std::span<const double> values) const {
 /// Finds the depth at which a floor sees the wanted fraction. It takes Newton steps in log h and y = log((1 − V)/V), in
 /// which a pocket with walls of equal height is a line of slope 2. The steps stay between the depths known to be too
 /// bright and dark enough.
-double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const std::vector<float>& grid) const {
+double PocketSky::depthFor(std::size_t k, double fraction, double limitMm, const std::vector<float>& grid) const {
   double low = 0, high = limitMm;
   double depth = std::clamp(static_cast<double>(grid[cell_[k]]), std::min(kSettledMm, limitMm), limitMm);
   for (int i = 0; i < kSteps; ++i) {
     const SkySeen seen = skySeenFrom(&grid[cell_[k]], static_cast<float>(depth), steps_);
-    if (seen.fraction > wanted) {
+    if (seen.fraction > fraction) {
       if (depth >= limitMm) return limitMm;
       low = depth;
     } else {
@@ -81,7 +81,7 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const s
     }
     const double v = std::clamp(seen.fraction, 1e-9, 1 - 1e-9);
     const double perLogDepth = -seen.perMm * depth / (v * (1 - v));
-    const double wantedMore = std::log((1 - wanted) / wanted * v / (1 - v));
+    const double wantedMore = std::log((1 - fraction) / fraction * v / (1 - v));
     double next = perLogDepth > 0 ? depth * std::exp(wantedMore / perLogDepth) : high;
     if (next > high && high >= limitMm && low == depth) next = limitMm;
     const bool isStep = (next > low && next < high) || next == limitMm;

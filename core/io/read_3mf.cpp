@@ -144,7 +144,7 @@ class Package {
   }
 
   /// Turns every path into the name of a part; an empty path becomes the part's own name.
-  static Status resolvePaths(ThreeMfModel& model, const std::string& own, std::vector<std::string>& wanted) {
+  static Status resolvePaths(ThreeMfModel& model, const std::string& own, std::vector<std::string>& paths) {
     const auto resolve = [&](std::vector<ThreeMfInstance>& instances) -> Status {
       for (ThreeMfInstance& instance : instances) {
         if (instance.path.empty()) {
@@ -157,7 +157,7 @@ class Package {
                                   with::count<"object">(instance.object),
                                   with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
         instance.path = *name;
-        if (instance.path != own) wanted.push_back(*name);
+        if (instance.path != own) paths.push_back(*name);
       }
       return {};
     };

@@ -135,13 +135,13 @@ class AsciiReader {
     return message("stl-wants-keyword", with::quoted<"keyword">(keyword));
   }
 
-  tl::unexpected<Error> unexpected(std::string_view word, Message wanted) const {
+  tl::unexpected<Error> unexpected(std::string_view word, Message expected) const {
     if (word.empty())
       return badInput(message("stl-ascii-ends", with::count<"line">(scanner_.line()),
                               with::count<"facet">(soup_.triangles.size() + 1),
-                              with::cause<"wanted">(std::move(wanted))));
+                              with::cause<"wanted">(std::move(expected))));
     return badInput(message("stl-ascii-unexpected", with::count<"line">(scanner_.line()),
-                            with::quoted<"word">(excerpt(word)), with::cause<"wanted">(std::move(wanted))));
+                            with::quoted<"word">(excerpt(word)), with::cause<"wanted">(std::move(expected))));
   }
 
   Status expect(std::string_view keyword) {

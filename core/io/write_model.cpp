@@ -85,9 +85,9 @@ std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, st
   return triangles;
 }
 
-std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> wanted) {
+std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> subset) {
   std::vector<std::uint32_t> places;
-  for (const std::uint32_t t : wanted) {
+  for (const std::uint32_t t : subset) {
     const auto it = std::lower_bound(triangles.begin(), triangles.end(), t);
     if (it != triangles.end() && *it == t) places.push_back(static_cast<std::uint32_t>(it - triangles.begin()));
   }

@@ -72,9 +72,9 @@ std::vector<Colour> coloursOf(std::span<const ModelObject> objects);
 /// Returns the triangles of a part, ascending. @param partOf  the part of each triangle
 std::vector<std::uint32_t> trianglesOf(std::span<const std::uint32_t> partOf, std::uint32_t part);
 
-/// Returns the positions of `wanted` in the list `triangles`; triangles that are not in the list are left out.
-/// @param triangles, wanted  ascending
-std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> wanted);
+/// Returns the positions of `subset` in the list `triangles`; triangles that are not in the list are left out.
+/// @param triangles, subset  ascending
+std::vector<std::uint32_t> placesIn(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> subset);
 
 /// Returns some triangles as a mesh, with the positions that they use, in their order.
 /// @param triangles  ascending

@@ -133,9 +133,9 @@ struct RowSums {
 };
 
 /// Returns the wanted parts of a row, as [begin, end), in whole vectors.
-std::vector<std::array<int, 2>> wantedParts(std::span<const std::uint8_t> wanted, int row, int size) {
-  if (wanted.empty()) return {{0, size}};
-  const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * size;
+std::vector<std::array<int, 2>> wantedParts(std::span<const std::uint8_t> mask, int row, int size) {
+  if (mask.empty()) return {{0, size}};
+  const auto first = mask.begin() + static_cast<std::ptrdiff_t>(row) * size;
   std::vector<std::array<int, 2>> parts;
   for (int column = 0; column < size; column += kMostLanes) {
     const int end = std::min(column + kMostLanes, size);
@@ -194,7 +194,7 @@ void HeightLight::carve(std::span<const float> depthsMm) {
 /// Calls `visit(row, parts, points)` for every row with wanted patches, on all cores; `points(with)` calls
 /// `with(LightRow, inPatch)` for each receiving point of a patch.
 template <class Visit>
-void HeightLight::forEachRow(const LightOptions& options, std::span<const std::uint8_t> wanted,
+void HeightLight::forEachRow(const LightOptions& options, std::span<const std::uint8_t> mask,
                              const Visit& visit) const {
   const int points = options.sampling.points;
   assert(points >= 1 && options.sampling.directions >= kLeastDirections);
@@ -210,7 +210,7 @@ void HeightLight::forEachRow(const LightOptions& options, std::span<const std::u
 
   parallelFor(static_cast<std::size_t>(size_), [&](std::size_t number) {
     const int row = static_cast<int>(number);
-    const std::vector<std::array<int, 2>> parts = wantedParts(wanted, row, size_);
+    const std::vector<std::array<int, 2>> parts = wantedParts(mask, row, size_);
     if (parts.empty()) return;
     const auto first = static_cast<std::size_t>(row * stride_ + kPad);
     visit(row, parts, [&](const auto& with) {
@@ -244,15 +244,15 @@ void HeightLight::forEachRow(const LightOptions& options, std::span<const std::u
   });
 }
 
-void HeightLight::measure(const LightOptions& options, std::span<const std::uint8_t> wanted,
+void HeightLight::measure(const LightOptions& options, std::span<const std::uint8_t> mask,
                           std::vector<Received>& light) const {
   assert(options.lamps.size() <= kMaxLights);
   const auto count = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
-  assert(wanted.empty() || wanted.size() == count);
+  assert(mask.empty() || mask.size() == count);
   light.resize(count);
   const int points = options.sampling.points;
   const Reach reach{options.reachMm / patchMm_, options.everyPatchMm / patchMm_, patchMm_, stride_};
-  forEachRow(options, wanted, [&](int row, const auto& parts, const auto& forEachPoint) {
+  forEachRow(options, mask, [&](int row, const auto& parts, const auto& forEachPoint) {
     RowSums sums(size_);
     forEachPoint([&](const LightRow& in, Vec2 inPatch) {
       for (const auto& [begin, end] : parts) {
@@ -272,7 +272,7 @@ void HeightLight::measure(const LightOptions& options, std::span<const std::uint
       for (int column = begin; column < end; ++column) {
         const auto patch = static_cast<std::size_t>(row * size_ + column);
         const auto i = static_cast<std::size_t>(column);
-        if (!wanted.empty() && !wanted[patch]) continue;
+        if (!mask.empty() && !mask[patch]) continue;
         if (height_[static_cast<std::size_t>(row * stride_ + kPad) + i] <= HeightMap::kNothing) {
           light[patch] = {};
           continue;

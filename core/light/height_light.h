@@ -46,9 +46,9 @@ class HeightLight {
   void carve(std::span<const float> depthsMm);
 
   /// Measures the light that patches receive.
-  /// @param wanted  not 0 for patches to measure; empty: all
+  /// @param mask   not 0 for patches to measure; empty: all
   /// @param light   size² values, or empty; other patches keep their values
-  void measure(const LightOptions& options, std::span<const std::uint8_t> wanted, std::vector<Received>& light) const;
+  void measure(const LightOptions& options, std::span<const std::uint8_t> mask, std::vector<Received>& light) const;
 
   /// Returns the luminance of every patch under sky and lamps with reflected light, 1 = an unoccluded surface in the QR
   /// plane. Reflected light comes from the surface that hides the sky; `light` gives its brightness.
@@ -58,7 +58,7 @@ class HeightLight {
 
  private:
   template <class Visit>
-  void forEachRow(const LightOptions& options, std::span<const std::uint8_t> wanted, const Visit& visit) const;
+  void forEachRow(const LightOptions& options, std::span<const std::uint8_t> mask, const Visit& visit) const;
 
   int size_ = 0, stride_ = 0;  // of a padded row
   double patchMm_ = 0, eyeDistance_ = 250;

@@ -80,8 +80,8 @@ BoxTree::BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox>
   }
 }
 
-void BoxTree::findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const {
-  found.clear();
+void BoxTree::findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& leaves) const {
+  leaves.clear();
   if (leafCount() == 0 || !bounds().overlaps(box)) return;
   // The tree has at most 32 levels, and one node waits on each.
   std::array<std::pair<std::size_t, std::size_t>, 64> waiting;
@@ -90,7 +90,7 @@ void BoxTree::findLeaves(const FloatBox& box, std::size_t first, std::vector<std
   while (count > 0) {
     const auto [level, index] = waiting[--count];
     if (level == 0) {
-      found.push_back(static_cast<std::uint32_t>(index));
+      leaves.push_back(static_cast<std::uint32_t>(index));
       continue;
     }
     const std::size_t below = level - 1;

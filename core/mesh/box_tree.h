@@ -49,7 +49,7 @@ class BoxTree {
 
   /// Finds the leaves, from `first` on, whose boxes overlap or touch the box; ascending. Cost: usually O(log n +
   /// found).
-  void findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const;
+  void findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& leaves) const;
 
  private:
   template <class T>

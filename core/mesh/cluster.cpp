@@ -78,10 +78,10 @@ std::vector<Triangle> withoutFlaps(const std::vector<Triangle>& triangles) {
     }
     begin = end;
   }
-  std::vector<Triangle> kept;
+  std::vector<Triangle> remaining;
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (stays[t] != 0) kept.push_back(triangles[t]);
-  return kept;
+    if (stays[t] != 0) remaining.push_back(triangles[t]);
+  return remaining;
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ OpenBorder::Found OpenBorder::find(const Mesh& mesh) {
 
 OpenBorder::OpenBorder(const Mesh& mesh) : OpenBorder(mesh, find(mesh)) {}
 
-OpenBorder::OpenBorder(const Mesh& mesh, Found found)
-    : halfEdges_(std::move(found.halfEdges)),
-      vertices_(std::move(found.vertices)),
+OpenBorder::OpenBorder(const Mesh& mesh, Found parts)
+    : halfEdges_(std::move(parts.halfEdges)),
+      vertices_(std::move(parts.vertices)),
       isOpen_(mesh.positions.size(), 0),
-      tree_(halfEdges_, found.boxes) {
+      tree_(halfEdges_, parts.boxes) {
   for (const std::uint32_t v : vertices_) isOpen_[v] = 1;
 }
 

@@ -35,7 +35,7 @@ class OpenBorder {
     std::vector<std::uint32_t> halfEdges, vertices;
     std::vector<FloatBox> boxes;  ///< of the half-edges, in the same order
   };
-  OpenBorder(const Mesh& mesh, Found found);
+  OpenBorder(const Mesh& mesh, Found parts);
   static Found find(const Mesh& mesh);
 
   std::vector<std::uint32_t> halfEdges_, vertices_;

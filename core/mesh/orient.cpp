@@ -33,12 +33,13 @@ std::vector<std::uint32_t> floodShell(std::span<const Triangle> triangles, const
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t n = adjacency[t][k];
       if (n == kNoTriangle) continue;
-      const auto wanted = static_cast<char>(opposite[t] ^ static_cast<char>(runsAlong(triangles[t], k, triangles[n])));
+      const auto isOpposite =
+          static_cast<char>(opposite[t] ^ static_cast<char>(runsAlong(triangles[t], k, triangles[n])));
       if (result.shells.of[n] == kNoTriangle) {
         result.shells.of[n] = shell;
-        opposite[n] = wanted;
+        opposite[n] = isOpposite;
         members.push_back(n);
-      } else if (opposite[n] != wanted && !result.oneSided) {
+      } else if (opposite[n] != isOpposite && !result.oneSided) {
         result.oneSided = t;
       }
     }

@@ -16,8 +16,8 @@ Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult
   return setInlay(embedded->inlay, result);
 }
 
-Status setInlay(const Mesh& made, EngraveResult& result) {
-  const auto read = readModel(writeStl(made), "inlay.stl");
+Status setInlay(const Mesh& body, EngraveResult& result) {
+  const auto read = readModel(writeStl(body), "inlay.stl");
   if (!read) return tl::unexpected(read.error());
   Mesh inlay = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
   const auto solidity = checkSolidity(inlay);

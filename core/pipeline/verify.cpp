@@ -112,10 +112,10 @@ struct VerifyJob::State {
   std::optional<ReadingSweep> sweep;
   VerifyResult result;
 
-  State(Mesh model, VerifyRequest wanted, std::vector<Decoder> readBy)
+  State(Mesh model, VerifyRequest task, std::vector<Decoder> readBy)
       : mesh(std::move(model)),
-        marked(wanted.symbol),
-        request(std::move(wanted)),
+        marked(task.symbol),
+        request(std::move(task)),
         decoders(std::move(readBy)),
         tree(outerSurface()) {}
 

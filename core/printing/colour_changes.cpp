@@ -85,9 +85,9 @@ double printedAreaMm2(std::span<const Segment2> outline, const PrintProcess& pro
   const double step = process.finestMm / kNodesPerFinest, margin = 2 * process.cornerRadiusMm + 2 * step;
   const Vec2 nodes = glm::ceil((high - low + 2 * margin) / step);
   const LayerWindow window{low - margin, step, static_cast<int>(nodes.x) + 1, static_cast<int>(nodes.y) + 1};
-  const LayerGrid laid = layOutline(outline, window, window.origin - step, 0, process);
+  const LayerGrid extruded = layOutline(outline, window, window.origin - step, 0, process);
   const double inside = process.thinnestLineMm > 0 ? -kRoundSide * process.layerMm : 0;
-  const auto count = std::count_if(laid.distanceMm.begin(), laid.distanceMm.end(),
+  const auto count = std::count_if(extruded.distanceMm.begin(), extruded.distanceMm.end(),
                                    [&](float distance) { return static_cast<double>(distance) < inside; });
   return static_cast<double>(count) * step * step;
 }

@@ -73,10 +73,10 @@ int nextCrossedInRow(const float* lower, const float* upper, float value, int co
   return column;
 }
 
-bool anyThinInRow(const float* laid, const float* solid, float deepest, std::size_t count) {
+bool anyThinInRow(const float* extruded, const float* solid, float deepest, std::size_t count) {
   bool any = false;
   forVectors(count, [&](auto lanes, std::size_t i) {
-    const auto isOpen = hn::Gt(hn::LoadU(lanes, laid + i), hn::Zero(lanes));
+    const auto isOpen = hn::Gt(hn::LoadU(lanes, extruded + i), hn::Zero(lanes));
     const auto isDeep = hn::Le(hn::LoadU(lanes, solid + i), hn::Set(lanes, deepest));
     any = any || !hn::AllFalse(lanes, hn::And(isOpen, isDeep));
   });
@@ -105,8 +105,8 @@ int nextCrossed(const float* lower, const float* upper, float value, int column,
   return HWY_DYNAMIC_DISPATCH(nextCrossedInRow)(lower, upper, value, column, columns);
 }
 
-bool anyThin(const float* laid, const float* solid, float deepest, std::size_t count) {
-  return HWY_DYNAMIC_DISPATCH(anyThinInRow)(laid, solid, deepest, count);
+bool anyThin(const float* extruded, const float* solid, float deepest, std::size_t count) {
+  return HWY_DYNAMIC_DISPATCH(anyThinInRow)(extruded, solid, deepest, count);
 }
 
 }  // namespace qrelief

@@ -32,6 +32,6 @@ int nextCrossed(const float* lower, const float* upper, float value, int column,
 
 /// Returns true if any wall is too thin for an outer line: a node where `laid` is above 0 and `solid` at most
 /// `deepest`.
-bool anyThin(const float* laid, const float* solid, float deepest, std::size_t count);
+bool anyThin(const float* extruded, const float* solid, float deepest, std::size_t count);
 
 }  // namespace qrelief

@@ -54,14 +54,15 @@ struct Ridge {
   double lengthMm = 0;  ///< from end to end
 };
 
-std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, double thinnestMm) {
+std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& extruded, double thinnestMm) {
   const std::size_t nodes = solid.distanceMm.size();
-  if (!anyThin(laid.distanceMm.data(), solid.distanceMm.data(), static_cast<float>(-thinnestMm / 2), nodes)) return {};
+  if (!anyThin(extruded.distanceMm.data(), solid.distanceMm.data(), static_cast<float>(-thinnestMm / 2), nodes))
+    return {};
   std::vector<std::uint8_t> isRidge(nodes, 0);
   for (int row = 1; row + 1 < solid.rows; ++row)
     for (int column = 1; column + 1 < solid.columns; ++column) {
       const std::size_t i = solid.index(column, row);
-      if (laid.distanceMm[i] <= 0 || solid.distanceMm[i] > -thinnestMm / 2) continue;
+      if (extruded.distanceMm[i] <= 0 || solid.distanceMm[i] > -thinnestMm / 2) continue;
       const auto columns = static_cast<std::size_t>(solid.columns);
       const double x = static_cast<double>(solid.distanceMm[i + 1] - solid.distanceMm[i - 1]);
       const double y = static_cast<double>(solid.distanceMm[i + columns] - solid.distanceMm[i - columns]);
@@ -173,17 +174,17 @@ LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& windo
   setDistances(solid, outsideOnly(outline, solid, numbers), reach, outside, 0, 0);
 
   const double closingMm = process.pocketRadiusMm + kMoreSteps * window.stepMm;
-  LayerGrid laid = opened(solid, process.cornerRadiusMm, closingMm);
+  LayerGrid extruded = opened(solid, process.cornerRadiusMm, closingMm);
   if (process.thinnestLineMm > 0)
-    for (const Ridge& ridge : thinRidges(solid, laid, process.thinnestWallMm)) {
+    for (const Ridge& ridge : thinRidges(solid, extruded, process.thinnestWallMm)) {
       if (ridge.lengthMm < kShortestLine * process.thinnestLineMm) continue;
       for (const std::size_t i : ridge.nodes) {
         const auto columns = static_cast<std::size_t>(window.columns);
-        addDisc(laid, laid.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
+        addDisc(extruded, extruded.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
                 std::max(process.thinnestLineMm / 2, static_cast<double>(-solid.distanceMm[i])), closingMm);
       }
     }
-  return opened(laid, -process.pocketRadiusMm, kExtrudedReachMm);
+  return opened(extruded, -process.pocketRadiusMm, kExtrudedReachMm);
 }
 
 }  // namespace qrelief

@@ -47,7 +47,7 @@ struct Slope {
   }
 
   /// Returns the place up the slope whose material a strip shows.
-  double shown(double uphillMm, double layerMm) const {
+  double visiblePlace(double uphillMm, double layerMm) const {
     if (sine < 1e-9) return uphillMm;
     const double height = centreMm + uphillMm * sine, strip = layerMm / sine;
     const double bottomMm = (std::floor(height / layerMm) * layerMm - centreMm) / sine;
@@ -97,7 +97,7 @@ Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope, double pi
     const int row = static_cast<int>(y);
     for (int column = 0; column < nodes.edge; ++column) {
       const Vec2 at = nodes.at(column, row);
-      const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.shown(at.y, request.process.layerMm);
+      const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.visiblePlace(at.y, request.process.layerMm);
       nodes.dark[nodes.index(column, row)] =
           isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane);
     }

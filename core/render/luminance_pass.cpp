@@ -18,9 +18,9 @@ constexpr int kHorizonDirections = 16;  // as in horizon.frag
 Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width, int height, gl::Format format) {
   texture = gl::Texture(width, height, format);
   const gl::Texture* const colours[] = {&texture};
-  auto made = gl::Framebuffer::create(colours, false);
-  if (!made) return tl::unexpected(made.error());
-  framebuffer = std::move(*made);
+  auto created = gl::Framebuffer::create(colours, false);
+  if (!created) return tl::unexpected(created.error());
+  framebuffer = std::move(*created);
   framebuffer.bind();
   glClearColor(1, 1, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -28,9 +28,9 @@ Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width,
 }
 
 Status makeProgram(gl::Program& program, const char* name, const char* vertex, const char* fragment) {
-  auto made = gl::Program::create(name, vertex, fragment);
-  if (!made) return tl::unexpected(made.error());
-  program = std::move(*made);
+  auto created = gl::Program::create(name, vertex, fragment);
+  if (!created) return tl::unexpected(created.error());
+  program = std::move(*created);
   return {};
 }
 

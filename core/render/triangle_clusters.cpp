@@ -21,8 +21,8 @@ constexpr double kSlack = 1 + 1e-3;
 
 ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   const Box3 box = boundingBox(mesh);
-  const double wanted = std::sqrt(static_cast<double>(mesh.triangles.size()) / kTrianglesPerSquaredCell);
-  const int n = static_cast<int>(std::clamp(std::round(wanted), 1.0, double{kMaxCells}));
+  const double cellsAlongAnEdge = std::sqrt(static_cast<double>(mesh.triangles.size()) / kTrianglesPerSquaredCell);
+  const int n = static_cast<int>(std::clamp(std::round(cellsAlongAnEdge), 1.0, double{kMaxCells}));
   const Vec3 perMm = Vec3(n) / glm::max(box.size(), Vec3(1e-9));
   const auto cellOf = [&](const Triangle& t) {
     const Vec3 middle = (Vec3(mesh.positions[t[0]]) + Vec3(mesh.positions[t[1]]) + Vec3(mesh.positions[t[2]])) / 3.0;

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using Kind = Setting::Kind;
 
 /// Returns a value as text that is short enough for a message.
-std::string shown(const Json& value) {
+std::string excerpt(const Json& value) {
   constexpr std::size_t kMaxShown = 40;
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.size() <= kMaxShown ? text : text.substr(0, kMaxShown - 1) + "…";
@@ -88,19 +88,19 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   if (!parsed && parsed.error().message.code != "json-malformed")
     return fail(ErrorKind::BadUsage, parsed.error().message);
   if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
-  const Json& given = *parsed;
-  for (const auto& [key, value] : given.items())
+  const Json& entries = *parsed;
+  for (const auto& [key, value] : entries.items())
     if (!findSetting(key) && !findRemovedSetting(key))
       return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
-    const auto it = given.find(setting.key);
-    if (it == given.end() || it->is_null()) continue;
+    const auto it = entries.find(setting.key);
+    if (it == entries.end() || it->is_null()) continue;
     if (it->is_string() && findRemovedChoice(setting.key, it->get<std::string>())) continue;
     const auto value = valueFrom(setting, *it);
     // An unknown choice also counts as the wrong kind, because there is nothing to write.
     const bool isName = value && std::holds_alternative<std::string>(*value);
-    if (!value || (isName && !checkValue(setting, *value))) return tl::unexpected(wrongKind(setting, shown(*it)));
+    if (!value || (isName && !checkValue(setting, *value))) return tl::unexpected(wrongKind(setting, excerpt(*it)));
     setting.write(request, *value);
   }
   return request;

@@ -25,11 +25,11 @@ constexpr double kLeastPrintedFraction = 1.0 / 6;
 /// Returns the reasons why a code does not read; empty if it does.
 /// @param meanDepthMm  none: a code in colour
 /// @param grades       null: nothing could be measured
-std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& wanted,
+std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& expected,
                                      std::optional<double> meanDepthMm, const SymbolGrades* grades) {
   const ReadingCount& count = reading.count;
-  if (!reading.text.empty() && reading.text != wanted)
-    return {message("other-text", with::quoted<"found">(reading.text), with::quoted<"wanted">(wanted))};
+  if (!reading.text.empty() && reading.text != expected)
+    return {message("other-text", with::quoted<"found">(reading.text), with::quoted<"wanted">(expected))};
   if (count.enough()) return {};
   if (meanDepthMm && grades && grades->cellContrast.value < kGoodContrast)
     return {message("too-shallow", with::lengthMm<"depth">(*meanDepthMm),
@@ -68,21 +68,21 @@ Message oneLightNeeded(const DirectionalLight& lamp) {
   return message("needs-one-light", with::cause<"from">(from()), with::angleDeg<"elevation">(lamp.elevationDeg));
 }
 
-Message readingSummary(const ReadingEvidence& reading, const std::string& wanted, Level level) {
+Message readingSummary(const ReadingEvidence& reading, const std::string& expected, Level level) {
   if (reading.text.empty()) return message("reads-not");
-  if (reading.text != wanted) return message("reads-wrong", with::quoted<"text">(reading.text));
-  if (level == Level::Good) return message("reads-as", with::term<"text">(wanted));
-  return message("barely-reads-as", with::term<"text">(wanted));
+  if (reading.text != expected) return message("reads-wrong", with::quoted<"text">(reading.text));
+  if (level == Level::Good) return message("reads-as", with::term<"text">(expected));
+  return message("barely-reads-as", with::term<"text">(expected));
 }
 
 /// @param meanDepthMm  none: a code in colour, which is graded like ink on paper
-Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, std::optional<double> meanDepthMm,
+Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected, std::optional<double> meanDepthMm,
                     const SymbolGrades* grades) {
   Aspect aspect;
-  aspect.failed = readingFailures(reading, wanted, meanDepthMm, grades);
+  aspect.failed = readingFailures(reading, expected, meanDepthMm, grades);
   const bool weak = grades && (meanDepthMm ? grades->iso29158 : grades->iso15415) < kLeastGrade;
-  aspect.level = reading.text != wanted ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
-  aspect.summary = readingSummary(reading, wanted, aspect.level);
+  aspect.level = reading.text != expected ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
+  aspect.summary = readingSummary(reading, expected, aspect.level);
   if (reading.text.empty()) {
     aspect.reasons.push_back(message("no-reader-found-it"));
     return aspect;
@@ -128,8 +128,8 @@ Message printing(const Printer& printer) {
 /// @param because  reason for a print without warnings
 /// @param printed  null: judge by the warnings alone
 Aspect judgePrinting(std::vector<Message> advice, const Message& because, const Printer& printer,
-                     const PrintedEvidence* printed, const std::string& wanted) {
-  if (printed) return judgePrinted(*printed, printer, wanted, std::move(advice));
+                     const PrintedEvidence* printed, const std::string& expected) {
+  if (printed) return judgePrinted(*printed, printer, expected, std::move(advice));
   Aspect aspect;
   aspect.reasons = std::move(advice);
   if (aspect.reasons.empty()) {
@@ -143,19 +143,19 @@ Aspect judgePrinting(std::vector<Message> advice, const Message& because, const 
 }
 
 Aspect judgePocketPrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
-                           const PrintedEvidence* printed, const std::string& wanted) {
+                           const PrintedEvidence* printed, const std::string& expected) {
   const double layers = features.leastDepthMm / printer.layerMm;
   return judgePrinting(advisePrinting(features, printer, minWallMm),
                        message("prints-because", with::lengthMm<"pocket">(features.pocketMm),
                                with::count<"count">(std::floor(layers + 1e-9))),
-                       printer, printed, wanted);
+                       printer, printed, expected);
 }
 
-Aspect judgeInkPrinting(const InkedCode& code, const PrintedEvidence* printed, const std::string& wanted) {
+Aspect judgeInkPrinting(const InkedCode& code, const PrintedEvidence* printed, const std::string& expected) {
   return judgePrinting(adviseInkPrinting(code),
                        message("colour-prints-because", with::lengthMm<"module">(code.moduleMm),
                                with::lengthMm<"line">(lineWidthMm(code.printer))),
-                       code.printer, printed, wanted);
+                       code.printer, printed, expected);
 }
 
 /// @param inherited  pairs of crossing triangles that the model already had
@@ -213,10 +213,10 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
 
 }  // namespace
 
-Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
+Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& expected,
                     std::vector<Message> advice) {
   const ReadingCount& count = printed.reading.count;
-  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == wanted;
+  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == expected;
   Aspect aspect;
   const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
   aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
@@ -246,11 +246,11 @@ std::vector<Message> Verdict::failed() const {
   return all;
 }
 
-ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced) {
+ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& expected, bool traced) {
   ReadingEvidence evidence{{static_cast<int>(texts.size()), 0}, {}, traced};
   for (const std::string& text : texts) {
-    if (text == wanted) ++evidence.count.reads;
-    if (evidence.text.empty() || text == wanted) evidence.text = text.empty() ? evidence.text : text;
+    if (text == expected) ++evidence.count.reads;
+    if (evidence.text.empty() || text == expected) evidence.text = text.empty() ? evidence.text : text;
   }
   return evidence;
 }

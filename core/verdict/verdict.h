@@ -72,7 +72,7 @@ struct Verdict {
 
 /// Counts the tries.
 /// @param texts  text of each try, empty for none; a mirrored code counts as none
-ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced = false);
+ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& expected, bool traced = false);
 
 /// Grades the luminances at the end of the depth search, not a picture.
 SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result);
@@ -86,10 +86,10 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
 Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed = nullptr);
 
 /// Judges a print by itself, without remedies.
-/// @param printer  the printer that made it
-/// @param wanted   the wanted text
-/// @param advice   warnings from published prints
-Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
+/// @param printer   the printer that made it
+/// @param expected  the code's text
+/// @param advice    warnings from published prints
+Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& expected,
                     std::vector<Message> advice = {});
 
 /// Returns the change to try next, if the request allows one; none: nothing is left to try.

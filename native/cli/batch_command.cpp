@@ -105,25 +105,25 @@ void printProgress(const std::vector<ManifestEntry>& entries, const BatchProgres
                leftMs ? fmt::format("; {} left", durationInWords(*leftMs / 1000)) : "");
 }
 
-int runRows(const BatchOptions& options, const GivenShard& given, const BatchRequest& request, BatchList list) {
+int runRows(const BatchOptions& options, const GivenShard& share, const BatchRequest& request, BatchList list) {
   const BatchPlan plan = BatchPlan::make(std::move(list), request);
   if (!plan.problems().empty()) return printProblems(plan, options.list);
   for (const Message& warning : plan.warnings()) printWarning(warning, options.list);
   if (!plan.unusedColumns().empty())
     fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(plan.unusedColumns(), ", "));
   if (options.merge) return merge(options, plan);
-  auto folder = BatchFolder::open(options.folder, given.shard);
+  auto folder = BatchFolder::open(options.folder, share.shard);
   if (!folder) return printError(folder.error());
-  if (!given.shard.isWhole())
-    fmt::print(stderr, "share {} of {} ({})\n", given.shard.index, given.shard.count, given.from);
+  if (!share.shard.isWhole())
+    fmt::print(stderr, "share {} of {} ({})\n", share.shard.index, share.shard.count, share.from);
   BatchRun run(options, std::move(*folder));
   EngraveRequest first = plan.row(0).request;
   if (const Status prepared = run.prepare(first); !prepared) return printError(prepared.error(), options.model.path);
 
   const auto start = Clock::now();
   const BatchLayout layout = {plan.size(), options.perPlate, options.printEvery};
-  BatchProgress progress(layout, given.shard);
-  const std::size_t mine = layout.rowsOf(given.shard);
+  BatchProgress progress(layout, share.shard);
+  const std::size_t mine = layout.rowsOf(share.shard);
   std::size_t passed = 0;  // rows carved now that passed
   while (const auto unit = progress.take()) {
     std::vector<BatchRow> rows;
@@ -139,7 +139,7 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
     if (!options.quiet && (carved->isNew || done == 0))
       printProgress(carved->entries, progress, mine, millisecondsSince(start));
   }
-  if (given.shard.isWhole()) return finish(run.folder(), plan);
+  if (share.shard.isWhole()) return finish(run.folder(), plan);
   const BatchProgress::Counts& counts = progress.counts();
   fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), passed, counts.done - passed,
              counts.failed);
@@ -225,11 +225,11 @@ int runBatch(const BatchOptions& options) {
   if (!all) return printError(all.error());
   const BatchRequest request{*all, options.name};
   if (options.stream) return runStream(options, request);
-  const auto given = shardFrom(options.merge ? "0/1" : options.shardFlag, options.merge ? 0 : options.shards);
-  if (!given) return printError(given.error());
+  const auto share = shardFrom(options.merge ? "0/1" : options.shardFlag, options.merge ? 0 : options.shards);
+  if (!share) return printError(share.error());
   auto list = listOf(options);
   if (!list) return printError(list.error(), options.list);
-  return runRows(options, *given, request, std::move(*list));
+  return runRows(options, *share, request, std::move(*list));
 }
 
 }  // namespace

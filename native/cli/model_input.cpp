@@ -17,8 +17,8 @@ void addModelFlags(CLI::App& command, ModelFlags& flags) {
 
 Result<ModelInput> loadModel(const ModelFlags& flags) {
   const auto start = Clock::now();
-  const auto given = scaleFrom(flags.scale, flags.units);
-  if (!given) return tl::unexpected(given.error());
+  const auto scale = scaleFrom(flags.scale, flags.units);
+  if (!scale) return tl::unexpected(scale.error());
   const Result<RepairOptions> repair = repairOptionsFrom(flags.repair);
   if (!repair) return tl::unexpected(repair.error());
   const auto bytes = readFile(flags.path);
@@ -29,7 +29,7 @@ Result<ModelInput> loadModel(const ModelFlags& flags) {
   input.format = soup->format;
   input.warnings = soup->warnings;
   for (const ModelPart& part : soup->parts) input.partNames.push_back(part.name);
-  input.scaleToMm = given->value_or(soup->unitMm.value_or(1));
+  input.scaleToMm = scale->value_or(soup->unitMm.value_or(1));
   input.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();

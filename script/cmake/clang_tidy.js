@@ -102,10 +102,10 @@ let failed = 0;
 /** Checks files until none is left. */
 async function work() {
   for (let next = left.pop(); next; next = left.pop()) {
-    const found = await findings(next.compilation);
-    if (found) {
+    const report = await findings(next.compilation);
+    if (report) {
       failed += 1;
-      console.error(found);
+      console.error(report);
     } else {
       writeFileSync(next.stamp, '');
     }

@@ -116,14 +116,14 @@ Status make(const std::string& sample, const std::string& samples, const std::st
   usual->placement.maxSizeMm = kMaxSizeMm;
   const auto engraver = Engraver::create(*model);
   if (!engraver) return tl::unexpected(engraver.error());
-  Json shown = Json::array();
+  Json pictures = Json::array();
   int number = 0;
   for (const Exhibit& exhibit : exhibits(*usual, withPatterns)) {
     const auto one = show(*engraver, exhibit, folder, fmt::format("{}-{}", sample, number++));
     if (!one) return tl::unexpected(one.error());
-    shown.push_back(*one);
+    pictures.push_back(*one);
   }
-  const std::string json = Json{{"sample", sample}, {"exhibits", shown}}.dump(1) + "\n";
+  const std::string json = Json{{"sample", sample}, {"exhibits", pictures}}.dump(1) + "\n";
   return writeFileAtomically(folder + "/" + sample + ".json", json);
 }
 
@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
   app.add_option("--out", folder, "folder for the pictures, which is there")->required();
   app.add_flag("--patterns", withPatterns, "with every module pattern and finder pattern, too");
   CLI11_PARSE(app, argc, argv);
-  if (const auto made = qrelief::study::make(sample, samples, folder, withPatterns); !made) {
-    fmt::print(stderr, "{}: {}\n", sample, qrelief::sentenceAndHint(made.error().message));
+  if (const auto status = qrelief::study::make(sample, samples, folder, withPatterns); !status) {
+    fmt::print(stderr, "{}: {}\n", sample, qrelief::sentenceAndHint(status.error().message));
     return 1;
   }
   return 0;

@@ -13,8 +13,8 @@ namespace {
 /// would.
 int sparedPerBlock(const BlockStructure& structure, int version) {
   const BlockStructure least = blockStructure(version, ErrorCorrection::L);
-  const int kept = (least.correctable() * least.blocks + structure.blocks - 1) / structure.blocks;
-  return std::max(0, structure.correctable() - kept);
+  const int reserve = (least.correctable() * least.blocks + structure.blocks - 1) / structure.blocks;
+  return std::max(0, structure.correctable() - reserve);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
     return lampOf({options.azimuthDeg, elevationDeg, kLampToSky}, spot.placement.frame, 0).towards;
   };
   const Vec3 upper = lampFrom(options.upperElevationDeg), lower = lampFrom(options.lowerElevationDeg);
-  double wanted = 0;
+  double target = 0;
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
     if (!uncarved) return tl::unexpected(uncarved.error());
@@ -134,7 +134,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
       const double sky = at ? skySeen(*uncarved, *at, options.rays, seed).cosineWeighted : 1;
       greys[k] = oneLightGrey(sky, lampOn(*uncarved, light[k], upper));
     });
-    wanted = whiteReference(std::move(greys)) - kGreyScale * options.contrast;
+    target = whiteReference(std::move(greys)) - kGreyScale * options.contrast;
   }
   for (const std::uint32_t i : dark) code.depths.depthMm[i] = quantisedDepth(stepMm, limitMm[i]);
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
@@ -151,7 +151,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
     code.ownEstimate.clear();
     for (std::size_t k = 0; k < dark.size(); ++k) {
       code.ownEstimate.push_back((24 + 456 * lamp[k]) / (24 + 456 * glm::dot(upper, spot.placement.frame.normal)));
-      if (oneLightGrey(1, lamp[k]) <= wanted) continue;
+      if (oneLightGrey(1, lamp[k]) <= target) continue;
       double& depth = code.depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
       deepened = deepened || deeper > depth;

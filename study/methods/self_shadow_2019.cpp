@@ -40,7 +40,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
   code.depths.depthMm.assign(mask.carved.size(), 0);
   const std::vector<std::uint32_t> dark = carvedOf(mask);
   std::vector<std::uint32_t> light;
-  std::vector<double> wanted(dark.size());
+  std::vector<double> target(dark.size());
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
     const int row = static_cast<int>(i) / mask.size / kSubmodulesPerModule;
     if (!symbol.isDark(row, static_cast<int>(i) % mask.size / kSubmodulesPerModule)) light.push_back(i);
@@ -55,7 +55,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
       const int row = static_cast<int>(dark[k]) / mask.size / kSubmodulesPerModule,
                 column = static_cast<int>(dark[k]) % mask.size / kSubmodulesPerModule;
       const bool isData = symbol.role(row, column) == ModuleRole::Data;
-      wanted[k] = white - kGreyScale * (isData ? options.dataContrast : options.functionContrast);
+      target[k] = white - kGreyScale * (isData ? options.dataContrast : options.functionContrast);
     }
   }
   for (const std::uint32_t i : dark) code.depths.depthMm[i] = quantisedDepth(stepMm, limitMm[i]);
@@ -70,7 +70,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
     for (std::size_t k = 0; k < dark.size(); ++k) {
       const double visibility = sky[k].solidAngle / std::numbers::pi * sky[k].cosineWeighted;
       code.ownEstimate.push_back(std::min(1.0, visibility));
-      if (selfShadowGrey(visibility) <= wanted[k]) continue;
+      if (selfShadowGrey(visibility) <= target[k]) continue;
       double& depth = code.depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
       deepened = deepened || deeper > depth;

@@ -119,8 +119,8 @@ export const fillFigures = (html, markup) =>
  * @returns {import('vite').Plugin}
  */
 export function study({ tables }) {
-  /** @type {ReturnType<typeof makeStudy> | undefined} */ let made;
-  const make = () => (made ??= makeStudy(readTables(tables)));
+  /** @type {ReturnType<typeof makeStudy> | undefined} */ let pages;
+  const make = () => (pages ??= makeStudy(readTables(tables)));
   return {
     name: 'qrelief-study',
     transformIndexHtml: {

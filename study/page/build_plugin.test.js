@@ -95,13 +95,13 @@ test('every model, method and pattern of the tables has a name', () => {
   const source = (/** @type {string} */ path) => readFileSync(new URL(path, import.meta.url), 'utf8');
   const quoted = (/** @type {string | undefined} */ code) =>
     [...(code ?? '').matchAll(/"([\w-]+)"/g)].map(([, word]) => word);
-  const found = {
+  const names = {
     model: quoted(/kNames = \{([^}]*)\}/.exec(source('../study_context.cpp'))?.[1]),
     method: [...source('../methods/methods.cpp').matchAll(/^ {6}\{"([\w-]+)",/gm)].map(([, method]) => method),
     pattern: ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'],
   };
-  assert.ok(found.model.length >= 8 && found.method.length >= 9);
-  for (const [kind, values] of Object.entries(found)) {
+  assert.ok(names.model.length >= 8 && names.method.length >= 9);
+  for (const [kind, values] of Object.entries(names)) {
     for (const value of values) assert.notEqual(name(kind, value).say, 'asIs', `${kind} ${value}`);
   }
   assert.equal(sentence('en', name('method', 'new-one')), 'new-one');

@@ -2,8 +2,8 @@
 // Calls the module with JavaScript values, and turns its answers into such.
 import { EngineFailure } from './engine_error.js';
 
-/** Returns an argument as the module takes it. @param {unknown} given */
-const outbound = (given) => (typeof given === 'object' && !ArrayBuffer.isView(given) ? JSON.stringify(given) : given);
+/** Returns an argument as the module takes it. @param {unknown} value */
+const outbound = (value) => (typeof value === 'object' && !ArrayBuffer.isView(value) ? JSON.stringify(value) : value);
 
 /**
  * Parses an answer of the module.

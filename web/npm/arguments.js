@@ -15,22 +15,22 @@ export const kModelName = 'model';
 
 /**
  * Returns the bytes of a file without copying them.
- * @param {Bytes} given
+ * @param {Bytes} value
  * @returns {Uint8Array}
  * @throws {TypeError} if it has no bytes
  */
-export function bytesOf(given) {
-  if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
-  if (isArrayBuffer(given)) return new Uint8Array(given);
+export function bytesOf(value) {
+  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+  if (isArrayBuffer(value)) return new Uint8Array(value);
   throw new TypeError(
-    `The content of a file must be an ArrayBuffer, a typed array or a Buffer, not ${kindOf(given)}. Read the file first.`,
+    `The content of a file must be an ArrayBuffer, a typed array or a Buffer, not ${kindOf(value)}. Read the file first.`,
   );
 }
 
-/** Returns the name of a file. @param {string} given @throws {TypeError} if it is no string */
-export function fileNameOf(given) {
-  if (typeof given === 'string') return given;
-  throw new TypeError(`The name of a file must be a string, not ${kindOf(given)}`);
+/** Returns the name of a file. @param {string} value @throws {TypeError} if it is no string */
+export function fileNameOf(value) {
+  if (typeof value === 'string') return value;
+  throw new TypeError(`The name of a file must be a string, not ${kindOf(value)}`);
 }
 
 /** @param {unknown} formats @throws {TypeError | RangeError} if it is no list, or has an unknown format */
@@ -69,15 +69,15 @@ export function checkPoint(point) {
     throw new TypeError(`A point must be an array of three numbers, not ${writtenOf(point)}`);
 }
 
-/** Recognises buffers of other realms, too. @param {unknown} given @returns {given is ArrayBuffer} */
-const isArrayBuffer = (given) => Object.prototype.toString.call(given) === '[object ArrayBuffer]';
+/** Recognises buffers of other realms, too. @param {unknown} value @returns {value is ArrayBuffer} */
+const isArrayBuffer = (value) => Object.prototype.toString.call(value) === '[object ArrayBuffer]';
 
-/** @param {unknown} given */
-const writtenOf = (given) => (typeof given === 'number' ? String(given) : kindOf(given));
+/** @param {unknown} value */
+const writtenOf = (value) => (typeof value === 'number' ? String(value) : kindOf(value));
 
-/** Names the kind of a value: "undefined", "a string", "a Blob". @param {any} given */
-function kindOf(given) {
-  if (given === undefined || given === null) return String(given);
-  const kind = typeof given === 'object' ? (given.constructor?.name ?? 'Object') : typeof given;
+/** Names the kind of a value: "undefined", "a string", "a Blob". @param {any} value */
+function kindOf(value) {
+  if (value === undefined || value === null) return String(value);
+  const kind = typeof value === 'object' ? (value.constructor?.name ?? 'Object') : typeof value;
   return `${/^[aeiou]/i.test(kind) ? 'an' : 'a'} ${kind}`;
 }

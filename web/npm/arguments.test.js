@@ -27,19 +27,19 @@ test('Bytes come from buffers and from views of a part of a buffer', () => {
 });
 
 test('Bytes share the memory of what was given', () => {
-  const given = Uint8Array.of(1);
-  bytesOf(given.buffer)[0] = 2;
-  assert.equal(given[0], 2);
+  const value = Uint8Array.of(1);
+  bytesOf(value.buffer)[0] = 2;
+  assert.equal(value[0], 2);
 });
 
 test('Anything else is refused by its kind', () => {
-  for (const [given, kind] of [
+  for (const [value, kind] of [
     ['part.stl', 'a string'],
     [undefined, 'undefined'],
     [[1, 2], 'an Array'],
     [new Blob(), 'a Blob'],
   ])
-    assert.throws(() => bytesOf(/** @type {any} */ (given)), {
+    assert.throws(() => bytesOf(/** @type {any} */ (value)), {
       name: 'TypeError',
       message: `The content of a file must be an ArrayBuffer, a typed array or a Buffer, not ${kind}. Read the file first.`,
     });

@@ -147,8 +147,8 @@ export class SymbolPanel {
 
   /** @param {Form} form @param {SymbolFacts} symbol @returns {Line} */
   shorterLine_(form, symbol) {
-    const shown = /** @type {Shown} */ (this.shown_);
-    const percent = Math.round((shown.facts.size / symbol.size - 1) * 100);
+    const current = /** @type {Shown} */ (this.shown_);
+    const percent = Math.round((current.facts.size / symbol.size - 1) * 100);
     return {
       severity: 'note',
       words: text(form.key, { version: symbol.version, percent }),
