@@ -50,7 +50,28 @@ test('where a table is missing or empty the figure is left out, and the page say
   );
   for (const content of Object.values(figures)) assert.match(content, /has not been measured yet/);
   assert.match(decoderRates, /has not been measured yet/);
-  assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
+  assert.equal(statements.match(/<td>not measured<\/td><td>not measured<\/td>/g)?.length, kStatements.length);
+  assert.doesNotMatch(statements, /Holds\.|Does not hold/);
+});
+
+test('a statement is judged before and now; where a table is missing, that column says so', async () => {
+  const lamps = (/** @type {number[]} */ depths) =>
+    tableOf(`model,modules,lamps,depth_mm,failed\n${depths.map((mm, at) => `plate,none,${at},${mm},\n`).join('')}`);
+  const lineOf = async (/** @type {any} */ now, /** @type {any} */ before) => {
+    const { markup } = await makeStudy(now, before);
+    return /Lamps make codes with whole modules shallower\.<\/th>(.*)<\/tr>/.exec(markup.get('statements') ?? '')?.[1];
+  };
+  const [falls, rises] = [{ lamp_depths: lamps([0.9, 0.8, 0.7]) }, { lamp_depths: lamps([0.7, 0.8, 0.9]) }];
+  const link = '<a href="#lamps">Lamps</a>';
+  assert.equal(
+    await lineOf(falls, rises),
+    `<td>on none of the 1 models</td><td>on all 1 models</td><td>Holds. ${link}</td>`,
+  );
+  assert.equal(
+    await lineOf(rises, {}),
+    `<td>not measured</td><td>on none of the 1 models</td>` +
+      `<td>Does not hold. The paper does not give the strength of its lamps. ${link}</td>`,
+  );
 });
 
 test('sentences that lack a number are not said', () => {
