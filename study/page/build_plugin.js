@@ -73,7 +73,7 @@ function statementsMarkup(rowsBefore, rowsNow) {
 function decoderRatesMarkup(rows) {
   const { head, body, pictures, wrong } = decoderRates(rows);
   if (body.length === 0) return missingMarkup();
-  return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
+  return `${textMarkup([said('ratesShown', { pictures }), wrong === 0 ? said('ratesNoneWrong') : said('ratesWrong', { count: wrong })])}
 <div class="scroll" tabindex="0" role="region" aria-label="CarvedQR">${tableMarkup(
     head,
     body.map((line) => line.map((words) => ({ words: [words] }))),

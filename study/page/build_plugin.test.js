@@ -7,7 +7,7 @@ import { kFigures } from './figures.js';
 import { kWidths } from './figure.js';
 import { isKnown, models, name, said, sentence } from './say.js';
 import { kStatements } from './statements.js';
-import { parseTable } from './table.js';
+import { parseTable, readTables } from './table.js';
 import { kNeeded, kTries } from './tries.js';
 
 const kHead = 'model,search,flips,flipped_modules,depth_mm,removed_mm,designed,printed,failed\n';
@@ -38,6 +38,13 @@ test('a table becomes figures of both widths in both languages, sentences with i
   assert.match(content, /um 10 % und 20 % flacher/);
   assert.match(content, /1 of 13 cases could not be engraved and is left out/);
   assert.match(content, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
+});
+
+test('no label of the kept tables’ figures is cut off', async () => {
+  const { files } = await makeStudy(readTables(new URL('../results', import.meta.url).pathname));
+  const drawings = [...files].filter(([path]) => path.endsWith('.svg'));
+  assert.equal(drawings.length, 4 * kFigures.length);
+  for (const [path, svg] of drawings) assert.doesNotMatch(svg, /…/, path);
 });
 
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
