@@ -70,7 +70,7 @@ export default defineConfig({
     requireModule(),
     texts(),
     oneLanguage(),
-    study({ tables: `${root}study/results` }),
+    study({ tables: `${root}study/results`, before: `${root}study/results/before` }),
     gallery({ pictures: `${root}build/gallery` }),
     contentSecurityPolicy(),
     offline({ site: process.env.QRELIEF_SITE }),

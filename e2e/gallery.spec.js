@@ -10,6 +10,7 @@ test('The app carves a code of the gallery with its settings', async ({ page }) 
   expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(
     0,
   );
+  await page.getByRole('heading', { name: 'Every pattern of modules and finders' }).first().click();
   await expectNoViolations(page, 'gallery');
   await page.locator('.in-en .matrix .exhibit').filter({ hasText: 'Diamond / Thick plus, sharp' }).first().click();
   const app = new Engraver(page);

@@ -150,6 +150,7 @@ export const defaultChoice = {
     const byMean = [
       ...new Set(byWidth.flatMap(({ onMean = [] }) => onMean.map(({ modules, finders }) => `${modules} ${finders}`))),
     ];
+    const misleads = byMean.some((kind) => kind.startsWith(`${kMisleading} `));
     const widthsOf = (/** @type {string} */ kind) =>
       byWidth.filter(({ onMean = [] }) => onMean.some(({ modules, finders }) => `${modules} ${finders}` === kind));
     return [
@@ -163,6 +164,9 @@ export const defaultChoice = {
         ),
       }),
       said('choiceFrontier', { list: byWidth.map(({ width, tested: test }) => at(width, test)) }),
+      ...(misleads
+        ? [said('choiceOthers', { list: byWidth.map(({ width, testedOthers }) => at(width, testedOthers)) })]
+        : []),
       ...byMean.map((kind) => {
         const [modules, finders] = kind.split(' ');
         return said('choiceBetter', {
@@ -171,12 +175,7 @@ export const defaultChoice = {
           list: widthsOf(kind).map(({ width }) => said('millimetres', { width: { number: width, digits: 1 } })),
         });
       }),
-      ...(byMean.some((kind) => kind.startsWith(`${kMisleading} `))
-        ? [
-            said('choiceWhy'),
-            said('choiceOthers', { list: byWidth.map(({ width, testedOthers }) => at(width, testedOthers)) }),
-          ]
-        : []),
+      ...(misleads ? [said('choiceWhy')] : []),
     ];
   },
 };

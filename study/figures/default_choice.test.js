@@ -50,9 +50,9 @@ test('what reads more often than the default is named, and nothing is said witho
   assert.deepEqual(say([row({}), row({ model: 'plate' }), diamond]), [
     'choiceReads',
     'choiceFrontier',
+    'choiceOthers',
     'choiceBetter',
     'choiceWhy',
-    'choiceOthers',
   ]);
   assert.deepEqual(say([row({}), row({ model: 'plate' })]), ['choiceReads', 'choiceFrontier']);
   assert.deepEqual(say([diamond]), []);

@@ -51,9 +51,13 @@ function card(language, sample, exhibit, title) {
 <span>${words(language, said('galleryFacts', { depth: mm(depthMm), reads, printed: printedReads, tries }))}</span></a>`;
 }
 
+/** @param {Language} language @param {string} sample */
+const titleOf = (language, sample) =>
+  escaped(sampleNames[language][/** @type {keyof typeof sampleNames.en} */ (sample)] ?? sample);
+
 /** @param {Language} language @param {Room} room */
 function roomMarkup(language, { sample, exhibits }) {
-  const title = escaped(sampleNames[language][/** @type {keyof typeof sampleNames.en} */ (sample)] ?? sample);
+  const title = titleOf(language, sample);
   const titles = { default: said('galleryDefault'), lamp: said('galleryLamp') };
   const usual = exhibits
     .filter(({ kind }) => kind !== 'pattern')
@@ -79,16 +83,28 @@ function roomMarkup(language, { sample, exhibits }) {
     .join('\n');
   const table =
     patterned.length > 0
-      ? `<h3>${words(language, said('galleryPatterns'))}</h3>\n<div class="scroll" tabindex="0" role="region" aria-label="${title}: ${words(language, said('galleryPatterns'))}"><table class="matrix"><tbody>${rows}</tbody></table></div>`
+      ? `<details><summary><h3>${words(language, said('galleryPatterns'))}</h3></summary>
+<div class="scroll" tabindex="0" role="region" aria-label="${title}: ${words(language, said('galleryPatterns'))}"><table class="matrix"><tbody>${rows}</tbody></table></div></details>`
       : '';
   return `<h2>${title}</h2>\n<div class="exhibits">${usual}</div>\n${table}`;
 }
 
-/** @param {Room[]} rooms @returns {string} */
-export const galleryMarkup = (rooms) =>
-  rooms.length === 0
-    ? textMarkup([said('galleryMissing')])
-    : rooms.map((room) => inEach('section', (language) => roomMarkup(language, room))).join('\n');
+/**
+ * Returns links to all samples, then every sample with its codes. Closed details load no pictures.
+ * @param {Room[]} rooms
+ * @returns {string}
+ */
+export function galleryMarkup(rooms) {
+  if (rooms.length === 0) return textMarkup([said('galleryMissing')]);
+  const links = (/** @type {Language} */ language) => {
+    const items = rooms.map(({ sample }) => `<li><a href="#${sample}">${titleOf(language, sample)}</a></li>`);
+    return `<ul class="contents">${items.join('')}</ul>`;
+  };
+  const sections = rooms.map(
+    (room) => `<div id="${room.sample}">\n${inEach('section', (language) => roomMarkup(language, room))}\n</div>`,
+  );
+  return [inEach('div', links), ...sections].join('\n');
+}
 
 /**
  * @param {{ pictures: string }} options  folder filled by script/gallery; without it the page says so

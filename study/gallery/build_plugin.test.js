@@ -32,7 +32,15 @@ test('every code is a link that opens it in the app, with both pictures and what
   assert.doesNotMatch(html, /matrix/);
 });
 
-test('patterns make a table, a place for each', () => {
+test('a list leads to every sample, once each', () => {
+  const html = galleryMarkup(
+    /** @type {any} */ (['bunny', 'plate'].map((sample) => ({ sample, exhibits: [exhibit({})] }))),
+  );
+  assert.match(html, /<li><a href="#bunny">Stanford bunny<\/a><\/li><li><a href="#plate">Test plate<\/a><\/li>/);
+  for (const sample of ['bunny', 'plate']) assert.equal(html.match(new RegExp(`id="${sample}"`, 'g'))?.length, 1);
+});
+
+test('patterns make a table, a place for each, which opens below its heading', () => {
   const html = galleryMarkup(
     /** @type {any} */ ([
       {
@@ -40,6 +48,10 @@ test('patterns make a table, a place for each', () => {
         exhibits: [exhibit({ kind: 'pattern', settings: { pattern: 'square', finderPattern: 'none' } })],
       },
     ]),
+  );
+  assert.match(
+    html,
+    /<details><summary><h3>Every pattern of modules and finders<\/h3><\/summary>\n<div class="scroll"/,
   );
   assert.equal(html.match(/<td>/g)?.length, 2 * 25);
   assert.equal(html.match(/pattern=square&amp;finderPattern=none/g)?.length, 2);

@@ -12,6 +12,7 @@ import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
 
 /** @typedef {import('./table.js').Row} Row */
+/** @typedef {import('./say.js').Said} Said */
 /** @typedef {import('./table.js').Table} Table */
 
 const kFolder = 'study';
@@ -25,48 +26,72 @@ const kRatesFile = `${kFolder}/carved_qr_rates.csv`;
 const isShowable = ({ measures }, rows) =>
   measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
 
-/** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
-const statementsMarkup = (rowsOf) =>
-  tableMarkup(
-    [said('claimPaper'), said('claimHere'), said('claimFigure')],
-    kStatements.map(({ claim, section, table, over, judge }) => {
+/** @param {Record<string, Table>} tables @returns {Record<string, Row[]>}  by table */
+const measuredRows = (tables) =>
+  Object.fromEntries(Object.entries(tables).map(([table, { rows }]) => [table, measured(rows)]));
+
+/**
+ * Returns the verdict on a statement, and the reason where it does not hold.
+ * @param {import('./compare.js').Tally} tally
+ * @param {import('./say.js').Word | undefined} why
+ * @returns {Said[]}
+ */
+function verdictOn({ holds, of }, why) {
+  if (of === 0) return [];
+  if (holds === of) return [said('claimHolds')];
+  return [said(holds === 0 ? 'claimFails' : 'claimInPart'), ...(why ? [said(why)] : [])];
+}
+
+/**
+ * Returns the paper's statements, and how often each held before and holds now.
+ * @param {Record<string, Row[]>} rowsBefore  by table
+ * @param {Record<string, Row[]>} rowsNow     by table
+ */
+function statementsMarkup(rowsBefore, rowsNow) {
+  const lines = kStatements.map(({ claim, section, table, over, judge, why }) => {
+    const count = (/** @type {Record<string, Row[]>} */ rowsOf) => {
       const counted = judge(rowsOf[table] ?? []);
-      const { holds, of } = counted;
-      const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
-      const here =
-        of === 0
-          ? said('claimNotMeasured')
-          : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) });
-      return [
-        { words: said(claim) },
-        { words: here },
-        { words: said(/** @type {any} */ (`section-${section}`)), section },
-      ];
-    }),
-  );
+      if (counted.of === 0) return said('claimNotMeasured');
+      return over === 'models' ? models(counted) : cases(counted);
+    };
+    const link = { words: said(/** @type {any} */ (`section-${section}`)), section };
+    return [
+      { words: [said(claim)] },
+      { words: [count(rowsBefore)] },
+      { words: [count(rowsNow)] },
+      { words: verdictOn(judge(rowsNow[table] ?? []), why), link },
+    ];
+  });
+  return `${textMarkup([said('claimsShown')])}
+<div class="statements">${tableMarkup(
+    [said('claimPaper'), said('claimBefore'), said('claimNow'), said('claimVerdict')],
+    lines,
+  )}</div>`;
+}
 
 /** @param {Row[]} rows */
 function decoderRatesMarkup(rows) {
   const { head, body, pictures, wrong } = decoderRates(rows);
   if (body.length === 0) return missingMarkup();
-  return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
+  return `${textMarkup([said('ratesShown', { pictures }), wrong === 0 ? said('ratesNoneWrong') : said('ratesWrong', { count: wrong })])}
 <div class="scroll" tabindex="0" role="region" aria-label="CarvedQR">${tableMarkup(
     head,
-    body.map((line) => line.map((words) => ({ words }))),
+    body.map((line) => line.map((words) => ({ words: [words] }))),
   )}</div>
 ${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 }
 
 /**
  * Returns the page's content for these tables.
- * @param {Record<string, Table>} tables  by name
+ * @param {Record<string, Table>} tables    by name
+ * @param {Record<string, Table>} [before]  the same before the depth limit went
  * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of
  *   the tables `statements` and `decoderRates`
  */
-export async function makeStudy(tables) {
+export async function makeStudy(tables, before = {}) {
   /** @type {Map<string, string>} */ const files = new Map();
   /** @type {Map<string, string>} */ const markup = new Map();
-  const rowsOf = Object.fromEntries(Object.entries(tables).map(([table, { rows }]) => [table, measured(rows)]));
+  const rowsOf = measuredRows(tables);
   for (const figure of kFigures) {
     const rows = rowsOf[figure.table] ?? [];
     if (!isShowable(figure, rows)) {
@@ -95,7 +120,7 @@ export async function makeStudy(tables) {
       figureMarkup({ figure, drawn, found: values, table: { path, cases, failed: cases - rows.length } }),
     );
   }
-  markup.set('statements', statementsMarkup(rowsOf));
+  markup.set('statements', statementsMarkup(measuredRows(before), rowsOf));
   markup.set('decoderRates', decoderRatesMarkup(rowsOf.carved_qr_rates ?? []));
   if (tables.carved_qr_rates) files.set(kRatesFile, tables.carved_qr_rates.csv);
   return { files, markup };
@@ -115,12 +140,12 @@ export const fillFigures = (html, markup) =>
   });
 
 /**
- * @param {{ tables: string }} options  folder of the tables
+ * @param {{ tables: string, before: string }} options  folders of the tables
  * @returns {import('vite').Plugin}
  */
-export function study({ tables }) {
+export function study({ tables, before }) {
   /** @type {ReturnType<typeof makeStudy> | undefined} */ let pages;
-  const make = () => (pages ??= makeStudy(readTables(tables)));
+  const make = () => (pages ??= makeStudy(readTables(tables), readTables(before)));
   return {
     name: 'qrelief-study',
     transformIndexHtml: {

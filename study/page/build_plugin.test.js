@@ -7,7 +7,7 @@ import { kFigures } from './figures.js';
 import { kWidths } from './figure.js';
 import { isKnown, models, name, said, sentence } from './say.js';
 import { kStatements } from './statements.js';
-import { parseTable } from './table.js';
+import { parseTable, readTables } from './table.js';
 import { kNeeded, kTries } from './tries.js';
 
 const kHead = 'model,search,flips,flipped_modules,depth_mm,removed_mm,designed,printed,failed\n';
@@ -40,6 +40,13 @@ test('a table becomes figures of both widths in both languages, sentences with i
   assert.match(content, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
 });
 
+test('no label of the kept tables’ figures is cut off', async () => {
+  const { files } = await makeStudy(readTables(new URL('../results', import.meta.url).pathname));
+  const drawings = [...files].filter(([path]) => path.endsWith('.svg'));
+  assert.equal(drawings.length, 4 * kFigures.length);
+  for (const [path, svg] of drawings) assert.doesNotMatch(svg, /…/, path);
+});
+
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
   const { files, markup } = await makeStudy({ symbol_flips: tableOf(kHead + kFailed) });
   assert.equal(files.size, 0);
@@ -50,7 +57,28 @@ test('where a table is missing or empty the figure is left out, and the page say
   );
   for (const content of Object.values(figures)) assert.match(content, /has not been measured yet/);
   assert.match(decoderRates, /has not been measured yet/);
-  assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
+  assert.equal(statements.match(/<td>not measured<\/td><td>not measured<\/td>/g)?.length, kStatements.length);
+  assert.doesNotMatch(statements, /Holds\.|Does not hold/);
+});
+
+test('a statement is judged before and now; where a table is missing, that column says so', async () => {
+  const lamps = (/** @type {number[]} */ depths) =>
+    tableOf(`model,modules,lamps,depth_mm,failed\n${depths.map((mm, at) => `plate,none,${at},${mm},\n`).join('')}`);
+  const lineOf = async (/** @type {any} */ now, /** @type {any} */ before) => {
+    const { markup } = await makeStudy(now, before);
+    return /Lamps make codes with whole modules shallower\.<\/th>(.*)<\/tr>/.exec(markup.get('statements') ?? '')?.[1];
+  };
+  const [falls, rises] = [{ lamp_depths: lamps([0.9, 0.8, 0.7]) }, { lamp_depths: lamps([0.7, 0.8, 0.9]) }];
+  const link = '<a href="#lamps">Lamps</a>';
+  assert.equal(
+    await lineOf(falls, rises),
+    `<td>on none of the 1 models</td><td>on all 1 models</td><td>Holds. ${link}</td>`,
+  );
+  assert.equal(
+    await lineOf(rises, {}),
+    `<td>not measured</td><td>on none of the 1 models</td>` +
+      `<td>Does not hold. The paper does not give the strength of its lamps. ${link}</td>`,
+  );
 });
 
 test('sentences that lack a number are not said', () => {

@@ -114,7 +114,7 @@ export class Look {
         gridColor: kColours.line,
         domainColor: kColours.grey,
         tickColor: kColours.grey,
-        labelLimit: 160,
+        labelLimit: 200,
         tickCount: 4,
       },
       axisY: { domain: false, ticks: false },

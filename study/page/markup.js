@@ -57,20 +57,24 @@ ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}
 }
 
 /**
+ * Words, and a link to a section of the page after them.
+ * @typedef {{ words: Said[], link?: { words: Said, section: string } }} Cell
+ */
+
+/**
  * Returns a table in each language; the first cell of a row names it.
  * @param {Said[]} head
- * @param {{ words: Said, section?: string }[][]} body  `section`: id of the linked section
+ * @param {Cell[][]} body
  */
 export const tableMarkup = (head, body) =>
   inEach('table', (language) => {
-    const words = (/** @type {Said} */ one) => paragraph(language, [one]);
-    const cell = (/** @type {{ words: Said, section?: string }} */ { words: one, section }) =>
-      section ? `<a href="#${section}">${words(one)}</a>` : words(one);
+    const cell = (/** @type {Cell} */ { words, link }) =>
+      paragraph(language, words) + (link ? ` <a href="#${link.section}">${paragraph(language, [link.words])}</a>` : '');
     const rows = body.map(
       ([name, ...cells]) =>
         `<tr><th scope="row">${cell(name)}</th>${cells.map((one) => `<td>${cell(one)}</td>`).join('')}</tr>`,
     );
-    return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
+    return `<thead><tr>${head.map((one) => `<th scope="col">${paragraph(language, [one])}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
   });
 
 /** Returns a link to download a file. @param {string} path @param {Said} words */

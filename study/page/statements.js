@@ -25,6 +25,7 @@ import { kNeeded } from './tries.js';
  * @property {string} table
  * @property {'models' | 'cases'} over         what is counted
  * @property {(rows: Row[]) => Tally} judge    how often it holds
+ * @property {import('./say.js').Word} [why]   the likely reason where it does not hold
  */
 
 const kFlatModels = ['plate', 'pyramid']; // where depth makes no difference
@@ -45,6 +46,7 @@ export const kStatements = [
     table: 'least_module',
     over: 'cases',
     judge: (rows) => asSmall(rows, 'finders', 'none', 'as-modules'),
+    why: 'claimWhySteps',
   },
   {
     claim: 'claimSize',
@@ -56,6 +58,7 @@ export const kStatements = [
         rows.filter(({ model }) => !kFlatModels.includes(model)),
         kSizeFraction,
       ),
+    why: 'claimWhyPlaces',
   },
   {
     claim: 'claimLoose',
@@ -89,6 +92,7 @@ export const kStatements = [
         rows.filter(({ modules, finders }) => modules !== 'none' && finders === 'as-modules'),
         ({ designed }) => designed < kNeeded,
       ),
+    why: 'claimWhyThickRead',
   },
   {
     claim: 'claimOrder',
@@ -96,6 +100,7 @@ export const kStatements = [
     table: 'method_comparison',
     over: 'models',
     judge: (rows) => onModels(rows, isPaperOrder),
+    why: 'claimWhyDarkness',
   },
   {
     claim: 'claimWhole',
@@ -103,6 +108,7 @@ export const kStatements = [
     table: 'method_comparison',
     over: 'models',
     judge: (rows) => onModels(rows, wholeIsAsSelfShadows),
+    why: 'claimWhyDarkness',
   },
   {
     claim: 'claimTime',
@@ -121,6 +127,7 @@ export const kStatements = [
     table: 'lamp_depths',
     over: 'models',
     judge: (rows) => onModels(rows, (ofModel) => lampsDeepen(ofModel, 'square')),
+    why: 'claimWhyStrength',
   },
   {
     claim: 'claimLampWhole',
@@ -128,6 +135,7 @@ export const kStatements = [
     table: 'lamp_depths',
     over: 'models',
     judge: (rows) => onModels(rows, (ofModel) => lampsMakeShallower(ofModel, 'none')),
+    why: 'claimWhyStrength',
   },
   {
     claim: 'claimAngles',
@@ -139,6 +147,7 @@ export const kStatements = [
         const ofLamp = carving(rows, 'none', carvedAt);
         return ofLamp.length > 0 ? tolerates(ofLamp, carvedAt, higher) : undefined;
       }),
+    why: 'claimWhyStrength',
   },
   {
     claim: 'claimRobust',
@@ -147,5 +156,6 @@ export const kStatements = [
     over: 'cases',
     judge: (rows) =>
       groupBy(rows, 'modules').size > 1 ? moreCarvedSurvivesMore(byPattern(rows, 'blur_modules')) : { holds: 0, of: 0 },
+    why: 'claimWhySmallLosses',
   },
 ];

@@ -4,12 +4,23 @@
 export const claims = {
   en: {
     claimPaper: 'The paper says',
-    claimHere: 'Here',
-    claimFigure: 'Figure',
-    claimNotMeasured: 'Not measured yet.',
-    claimHolds: 'Yes, {cases}',
-    claimInPart: 'In part, {cases}',
-    claimFails: 'No, {cases}',
+    claimBefore: 'Before',
+    claimNow: 'Now',
+    claimVerdict: 'Holds, or why not',
+    claimsShown:
+      '“Now” counts in the tables of this page, “Before” in their versions of 24 November 2026 (commit 96364e2, folder “study/results/before”). At that time the program engraved no deeper than 1.2 modules with the paper’s method; this limit was ours, not the paper’s. The computation of light has changed since then, too.',
+    claimNotMeasured: 'not measured',
+    claimHolds: 'Holds.',
+    claimInPart: 'Holds in part.',
+    claimFails: 'Does not hold.',
+    claimWhySteps:
+      'The authors tried a few sizes; our sizes shrink in steps of a tenth, which shows small differences.',
+    claimWhyPlaces: 'The models and places differ from the paper’s.',
+    claimWhyThickRead: 'With thick pluses they read here.',
+    claimWhyDarkness: 'Each method stops at its own darkness.',
+    claimWhyStrength: 'The paper does not give the strength of its lamps.',
+    claimWhySmallLosses:
+      'Here a picture either reads or does not, so small losses count; in the paper reading only took longer.',
     claimThickModule: 'Thick pluses read at smaller modules than thin ones.',
     claimFinderModule: 'Whole finders allow smaller modules than finders in the pattern of the modules.',
     claimSize: 'On curved models depth makes the largest code larger than normals alone do (here: by 2 % or more).',
@@ -36,12 +47,23 @@ export const claims = {
   },
   de: {
     claimPaper: 'Der Artikel sagt',
-    claimHere: 'Hier',
-    claimFigure: 'Abbildung',
-    claimNotMeasured: 'Noch nicht gemessen.',
-    claimHolds: 'Ja, {cases}',
-    claimInPart: 'Teilweise, {cases}',
-    claimFails: 'Nein, {cases}',
+    claimBefore: 'Vorher',
+    claimNow: 'Jetzt',
+    claimVerdict: 'Gilt, oder warum nicht',
+    claimsShown:
+      '„Jetzt“ zählt in den Tabellen dieser Seite, „Vorher“ in ihren Fassungen vom 24. November 2026 (Commit 96364e2, Ordner „study/results/before“). Damals gravierte das Programm mit dem Verfahren des Artikels höchstens 1,2 Module tief; diese Grenze kam von uns, nicht aus dem Artikel. Auch die Berechnung des Lichts hat sich seitdem geändert.',
+    claimNotMeasured: 'nicht gemessen',
+    claimHolds: 'Gilt.',
+    claimInPart: 'Gilt teilweise.',
+    claimFails: 'Gilt nicht.',
+    claimWhySteps:
+      'Die Autoren probierten wenige Größen; unsere schrumpfen in Schritten von einem Zehntel, was kleine Unterschiede zeigt.',
+    claimWhyPlaces: 'Modelle und Stellen sind andere als im Artikel.',
+    claimWhyThickRead: 'Mit dicken Plus lassen sie sich hier lesen.',
+    claimWhyDarkness: 'Jedes Verfahren endet bei einer anderen Dunkelheit.',
+    claimWhyStrength: 'Der Artikel nennt die Stärke seiner Lampen nicht.',
+    claimWhySmallLosses:
+      'Hier lässt sich ein Bild lesen oder nicht, deshalb zählen kleine Verluste; im Artikel dauerte das Lesen nur länger.',
     claimThickModule: 'Dicke Plus lassen sich mit kleineren Modulen lesen als dünne.',
     claimFinderModule: 'Ganze Suchmuster erlauben kleinere Module als Suchmuster im Muster der Module.',
     claimSize:
