@@ -13,17 +13,21 @@ namespace {
 
 Vec3 vectorOf(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
+/// The numbers of a process, by their keys in an order.
+constexpr std::pair<const char*, double PrintProcess::*> kProcessParts[] = {
+    {"layerMm", &PrintProcess::layerMm},
+    {"cornerRadiusMm", &PrintProcess::cornerRadiusMm},
+    {"pocketRadiusMm", &PrintProcess::pocketRadiusMm},
+    {"thinnestWallMm", &PrintProcess::thinnestWallMm},
+    {"thinnestLineMm", &PrintProcess::thinnestLineMm},
+    {"grooveMm", &PrintProcess::grooveMm},
+    {"grainMm", &PrintProcess::grainMm},
+    {"finestMm", &PrintProcess::finestMm},
+};
+
 PrintedViewRequest requestOf(const Json& order) {
   PrintedViewRequest request;
-  const Json& process = order["process"];
-  request.process = {.layerMm = process["layerMm"],
-                     .cornerRadiusMm = process["cornerRadiusMm"],
-                     .pocketRadiusMm = process["pocketRadiusMm"],
-                     .thinnestWallMm = process["thinnestWallMm"],
-                     .thinnestLineMm = process["thinnestLineMm"],
-                     .grooveMm = process["grooveMm"],
-                     .grainMm = process["grainMm"],
-                     .finestMm = process["finestMm"]};
+  for (const auto& [key, part] : kProcessParts) request.process.*part = order["process"][key];
   const Json& frame = order["frame"];
   request.frame = {vectorOf(frame["centre"]), vectorOf(frame["right"]), vectorOf(frame["up"]),
                    vectorOf(frame["normal"]), frame["eyeDistanceMm"]};
@@ -45,20 +49,13 @@ PrintedViewRequest requestOf(const Json& order) {
 }  // namespace
 
 Json jsonOf(const PrintedViewRequest& request) {
-  const PrintProcess& process = request.process;
   const ProjectionFrame& frame = request.frame;
+  Json process;
+  for (const auto& [key, part] : kProcessParts) process[key] = request.process.*part;
   Json oneLight;
   if (const auto& lamp = request.oneLight)
     oneLight = {{"azimuthDeg", lamp->azimuthDeg}, {"elevationDeg", lamp->elevationDeg}, {"strength", lamp->strength}};
-  return {{"process",
-           {{"layerMm", process.layerMm},
-            {"cornerRadiusMm", process.cornerRadiusMm},
-            {"pocketRadiusMm", process.pocketRadiusMm},
-            {"thinnestWallMm", process.thinnestWallMm},
-            {"thinnestLineMm", process.thinnestLineMm},
-            {"grooveMm", process.grooveMm},
-            {"grainMm", process.grainMm},
-            {"finestMm", process.finestMm}}},
+  return {{"process", std::move(process)},
           {"frame",
            {{"centre", jsonOf(frame.centre)},
             {"right", jsonOf(frame.right)},

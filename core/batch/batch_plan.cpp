@@ -46,10 +46,7 @@ std::optional<Message> whyNoPlainName(std::string_view name) {
     return message("name-no-plain-name", with::quoted<"name">(name));
   if (name.size() > kMostNameBytes)
     return message("name-too-long", with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
-  const ModelFormat format = formatOfName(name);
-  if (format != ModelFormat::Stl && format != ModelFormat::Obj && format != ModelFormat::Ply &&
-      format != ModelFormat::ThreeMf)
-    return message("name-not-writable", with::quoted<"name">(name));
+  if (!isWritable(formatOfName(name))) return message("name-not-writable", with::quoted<"name">(name));
   return std::nullopt;
 }
 

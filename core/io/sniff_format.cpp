@@ -13,6 +13,22 @@
 namespace qrelief {
 namespace {
 
+struct FormatRow {
+  std::string_view name;
+  std::array<std::string_view, 2> extensions;  // in lower case
+  bool isWritable;
+};
+constexpr std::array<FormatRow, 7> kFormats = {{
+    // in the order of ModelFormat
+    {"unknown", {}, false},
+    {"STL", {"stl"}, true},
+    {"OBJ", {"obj"}, true},
+    {"PLY", {"ply"}, true},
+    {"OFF", {"off"}, false},
+    {"3MF", {"3mf"}, true},
+    {"glTF", {"glb", "gltf"}, false},
+}};
+
 constexpr int kLinesLookedAt = 100;
 constexpr std::size_t kBytesLookedAt = 16384;
 
@@ -53,10 +69,9 @@ bool looksLikeWideText(std::span<const std::uint8_t> bytes, bool bigEndian) {
 
 }  // namespace
 
-std::string_view nameOf(ModelFormat format) {
-  constexpr std::array<std::string_view, 7> kNames = {"unknown", "STL", "OBJ", "PLY", "OFF", "3MF", "glTF"};
-  return kNames[static_cast<std::size_t>(format)];
-}
+std::string_view nameOf(ModelFormat format) { return kFormats[static_cast<std::size_t>(format)].name; }
+
+bool isWritable(ModelFormat format) { return kFormats[static_cast<std::size_t>(format)].isWritable; }
 
 ModelFormat formatOfName(std::string_view fileName) {
   const std::size_t dot = fileName.rfind('.');
@@ -64,12 +79,9 @@ ModelFormat formatOfName(std::string_view fileName) {
   std::string extension(fileName.substr(dot + 1));
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == "stl") return ModelFormat::Stl;
-  if (extension == "obj") return ModelFormat::Obj;
-  if (extension == "ply") return ModelFormat::Ply;
-  if (extension == "off") return ModelFormat::Off;
-  if (extension == "3mf") return ModelFormat::ThreeMf;
-  if (extension == "glb" || extension == "gltf") return ModelFormat::Gltf;
+  for (std::size_t i = 0; i < kFormats.size(); ++i)
+    for (const std::string_view known : kFormats[i].extensions)
+      if (!known.empty() && extension == known) return static_cast<ModelFormat>(i);
   return ModelFormat::Unknown;
 }
 

@@ -12,6 +12,9 @@ enum class ModelFormat { Unknown, Stl, Obj, Ply, Off, ThreeMf, Gltf };
 /// Returns the name that users know: "STL", "3MF", …
 std::string_view nameOf(ModelFormat format);
 
+/// Returns true for the formats that writeModel() writes (io/write_model.h).
+bool isWritable(ModelFormat format);
+
 /// Returns the format that the name's extension implies, in upper or lower case.
 ModelFormat formatOfName(std::string_view fileName);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "printing/print_process.h"
 
-#include <array>
-
 namespace qrelief {
 namespace {
 
@@ -20,12 +18,11 @@ constexpr double kGrooveLayers = 0.25;
 constexpr double kResinRadiusMm = 0.1, kResinFinestMm = 0.3;
 constexpr double kPowderRadiusMm = 0.2, kPowderGrainMm = 0.02;
 
-constexpr std::array<NamedPrinter, 6> kPrinters = {{{"fdm-0.4/0.2", {0.4, 0.2, {}, Technique::Filament}},
-                                                    {"fdm-0.4/0.12", {0.4, 0.12, {}, Technique::Filament}},
-                                                    {"fdm-0.25/0.1", {0.25, 0.1, {}, Technique::Filament}},
-                                                    {"fdm-0.6/0.3", {0.6, 0.3, {}, Technique::Filament}},
-                                                    {"resin-0.05", {0.05, 0.05, {}, Technique::Resin}},
-                                                    {"powder", {0.1, 0.1, {}, Technique::Powder}}}};
+constexpr NamedPrinter kPrinters[] = {
+    {"fdm-0.4/0.2", {0.4, 0.2, {}, Technique::Filament}},   {"fdm-0.4/0.12", {0.4, 0.12, {}, Technique::Filament}},
+    {"fdm-0.25/0.1", {0.25, 0.1, {}, Technique::Filament}}, {"fdm-0.6/0.3", {0.6, 0.3, {}, Technique::Filament}},
+    {"resin-0.05", {0.05, 0.05, {}, Technique::Resin}},     {"powder", {0.1, 0.1, {}, Technique::Powder}},
+};
 
 Result<PrintProcess> filament(const Printer& printer) {
   const double nozzle = printer.nozzleMm, layer = printer.layerMm;

@@ -39,10 +39,8 @@ struct EngraveOptions {
 
 /// Checks the value of -o. Empty if such a file can be written.
 std::string whyNotWritable(const std::string& path) {
-  const ModelFormat format = formatOfName(path);
-  const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
-                        format == ModelFormat::ThreeMf;
-  return writable ? std::string() : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
+  return isWritable(formatOfName(path)) ? std::string()
+                                        : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
 }
 
 Status completeRequest(EngraveOptions& options) {

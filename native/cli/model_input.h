@@ -12,6 +12,9 @@
 
 namespace qrelief {
 
+/// The formats of models, for the help of MODEL.
+inline constexpr const char* kModelFormats = "OBJ, STL, PLY, OFF or 3MF file";
+
 /// Command-line options for the model: its file, units, scale and repairs.
 struct ModelFlags {
   std::string path, units;

@@ -9,6 +9,7 @@
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
+#include "generate/command_settings.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/graphics.h"
@@ -158,11 +159,8 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, kMaxSpots));
   c->add_option("--json", o->json, "write the spots and their measurements as JSON");
   o->flags.add(*c, "text", "gives the exact quiet zone, which is narrower for longer texts: ");
-  o->flags.addGroup(*c, "symbol");
-  o->flags.addGroup(*c, "placement");
-  for (const char* key : {"mark", "markDepthMm", "pattern", "finderPattern", "minWallMm", "label", "frame", "process",
-                          "nozzleMm", "layerMm", "buildUp"})
-    o->flags.add(*c, key);
+  for (const char* group : kPlaceGroups) o->flags.addGroup(*c, group);
+  for (const char* key : kPlaceKeys) o->flags.add(*c, key);
   c->add_option("--views", request.views, fmt::format("number of viewing directions tried [{}]", request.views))
       ->check(CLI::Range(200, 10000));
   c->add_flag("--quiet", o->quiet, "do not show progress");

@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
+#include "generate/command_settings.h"
 #include "io/read_model.h"
 #include "messages/sentences.h"
 #include "native/files.h"
@@ -171,7 +172,7 @@ int verifyModel(const VerifyOptions& options) {
 std::function<int()> addVerifyCommand(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
-  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; verify repairs nothing")->required();
+  c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
   c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
   c->add_option("--units", o->units, "unit of the file; replaces --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
@@ -181,13 +182,12 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the surface before engraving, mm")
       ->delimiter(',')
       ->expected(3);
-  for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
-  o->flags.addGroup(*c, "symbol");
-  for (const char* key : {"mark", "markDepthMm", "darkReflectance", "lightReflectance"})
-    o->flags.add(*c, key, kWithoutReport);
-  o->flags.addGroup(*c, "printing");
-  o->flags.add(*c, "minWallMm");
-  o->flags.add(*c, "light", "instead of the report's lamps, at most one: ");
+  for (const char* key : kVerifyPlaceKeys) o->flags.add(*c, key, kWithoutReport);
+  o->flags.addGroup(*c, kVerifyGroups[0]);
+  for (const char* key : kVerifyMarkKeys) o->flags.add(*c, key, kWithoutReport);
+  o->flags.addGroup(*c, kVerifyGroups[1]);
+  for (const std::string_view key : kVerifyKeys)
+    o->flags.add(*c, key, key == "light" ? "instead of the report's lamps, at most one: " : "");
   c->add_flag("--quick", o->quick, "skip the search for the limits of distance, tilt and blur");
   c->add_flag("--traced", o->traced, "trace light paths with all bounces; the reference, but many times slower");
   c->add_flag(

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "generate/command_settings.h"
 #include "generate/option_texts.h"
 #include "messages/setting_words.h"
 
@@ -15,15 +17,29 @@ constexpr const char* kPageHead = R"(# Options
 <!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
 
 Every setting of an engraving, with its flag for `qrelief engrave` and its key in reports, settings files and the page.
-`place` accepts the flags of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`.
-`verify` accepts the flags of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and
-`--min-wall`. The [command line](command-line.md) has the options for files, repairs and batches.
+The [command line](command-line.md) has the options for files, repairs and batches.
+
 )";
 
 /// Escapes bars, which would end a table cell.
 std::string inCell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
   return text;
+}
+
+std::string nameOfGroup(std::string_view group) {
+  return settingWords().at("groups").at(std::string(group)).at("en").get<std::string>();
+}
+
+/// Says which flags a command accepts.
+/// @param listsOfKeys  in addition to the groups
+std::string acceptedBy(const char* command, std::span<const char* const> groups,
+                       std::initializer_list<std::span<const char* const>> listsOfKeys) {
+  std::string names, flags;
+  for (const char* group : groups) names += (names.empty() ? "" : " and ") + nameOfGroup(group);
+  for (const auto& keys : listsOfKeys)
+    for (const char* key : keys) flags += fmt::format(", `{}`", optionTexts(*findSetting(key)).flag);
+  return fmt::format("- `{}` accepts `--text`, the flags of {}{}.\n", command, names, flags);
 }
 
 std::string rowOf(const Setting& setting) {
@@ -38,11 +54,13 @@ std::string rowOf(const Setting& setting) {
 
 std::string optionsPage() {
   std::string page = kPageHead, group;
+  page += acceptedBy("place", kPlaceGroups, {kPlaceKeys});
+  page += acceptedBy("verify", kVerifyGroups, {kVerifyPlaceKeys, kVerifyMarkKeys, kVerifyKeys});
   for (const Setting& setting : settings()) {
     if (setting.group != group) {
       group = setting.group;
       page += fmt::format("\n## {}\n\n| flag | key | meaning | default | since |\n|---|---|---|---|---|\n",
-                          settingWords().at("groups").at(group).at("en").get<std::string>());
+                          nameOfGroup(group));
     }
     page += rowOf(setting);
   }

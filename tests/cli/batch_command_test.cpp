@@ -198,8 +198,8 @@ TEST_F(BatchCommandTest, SimulatesThePrintOfEveryNthRow) {
   const std::vector<Json> entries = manifest();
   EXPECT_TRUE(entries[0].contains("printed"));
   EXPECT_FALSE(entries[1].contains("printed"));
-  EXPECT_EQ(entries[2]["printed"]["tries"], 72);
-  EXPECT_EQ(entries[1]["reading"]["tries"], 72);
+  EXPECT_EQ(entries[2]["printed"]["tries"], frontalTries());
+  EXPECT_EQ(entries[1]["reading"]["tries"], frontalTries());
 }
 
 TEST_F(BatchCommandTest, AFailedRowDoesNotStopTheRest) {

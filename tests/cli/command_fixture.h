@@ -14,8 +14,17 @@
 
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "native/zxing_decoder.h"
+#include "verification/frontal_reading.h"
+#include "verification/reading_variants.h"
 
 namespace qrelief {
+
+/// Returns the number of tries that a frontal reading test makes.
+inline std::size_t frontalTries() {
+  const std::size_t variants = readingVariants({64, 64, std::vector<std::uint8_t>(64 * 64)}, 8).size();
+  return kFrontalViews.size() * variants * zxingDecoders().size();
+}
 
 /// Exit status and output of one run of the command.
 struct Outcome {

@@ -101,8 +101,13 @@ TEST(WriteModel, DoesNotReadATitleAsContent) {
     }
 }
 
+TEST(WriteModel, WritesEveryWritableFormat) {
+  for (const Kind& kind : kKinds) EXPECT_TRUE(isWritable(kind.format)) << kind.name;
+}
+
 TEST(WriteModel, RefusesUnsupportedFormats) {
   for (const ModelFormat format : {ModelFormat::Off, ModelFormat::Gltf, ModelFormat::Unknown}) {
+    EXPECT_FALSE(isWritable(format)) << nameOf(format);
     const auto bytes = writeModel(shapes::box({1, 2, 3}), format);
     ASSERT_FALSE(bytes);
     EXPECT_EQ(bytes.error().kind, ErrorKind::BadUsage);

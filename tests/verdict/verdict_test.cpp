@@ -184,9 +184,9 @@ TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
   EXPECT_EQ(facing(bad), "facing-slanted");
   const auto made = [](const Aspect& aspect) { return aspect.summary.values.at(1).cause.front().code; };
   EXPECT_EQ(made(bad), "printed-by-nozzle");
-  request_.print.printer = namedPrinters()[4].printer;
+  request_.print.printer = {.technique = PrintTechnique::Resin};
   EXPECT_EQ(made(printed(72, 0)), "printed-in-resin");
-  request_.print.printer = namedPrinters()[5].printer;
+  request_.print.printer = {.technique = PrintTechnique::Powder};
   EXPECT_EQ(made(printed(72, 0)), "printed-in-powder");
   request_.print.printer = {};
   const Aspect down = printed(72, 170);  // the simulation does not show how it sags there

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace qrelief {
+
+// Settings that other commands than `engrave` and `batch` take: groups (without texts), and keys in addition to the
+// groups and the text. The commands add their flags, and docs/options.md lists them.
+
+inline constexpr std::array<const char*, 2> kPlaceGroups = {"symbol", "placement"};
+inline constexpr std::array<const char*, 11> kPlaceKeys = {"mark",      "markDepthMm", "pattern", "finderPattern",
+                                                           "minWallMm", "label",       "frame",   "process",
+                                                           "nozzleMm",  "layerMm",     "buildUp"};
+
+inline constexpr std::array<const char*, 2> kVerifyGroups = {"symbol", "printing"};
+// A report has these:
+inline constexpr std::array<const char*, 4> kVerifyPlaceKeys = {"direction", "up", "size", "eyeDistanceMm"};
+inline constexpr std::array<const char*, 4> kVerifyMarkKeys = {"mark", "markDepthMm", "darkReflectance",
+                                                               "lightReflectance"};
+inline constexpr std::array<const char*, 2> kVerifyKeys = {"minWallMm", "light"};
+
+}  // namespace qrelief
