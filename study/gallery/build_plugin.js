@@ -98,7 +98,7 @@ export function galleryMarkup(rooms) {
   if (rooms.length === 0) return textMarkup([said('galleryMissing')]);
   const links = (/** @type {Language} */ language) => {
     const items = rooms.map(({ sample }) => `<li><a href="#${sample}">${titleOf(language, sample)}</a></li>`);
-    return `<ul class="contents">${items.join('')}</ul>`;
+    return `<ul class="sample-links">${items.join('')}</ul>`;
   };
   const sections = rooms.map(
     (room) => `<div id="${room.sample}">\n${inEach('section', (language) => roomMarkup(language, room))}\n</div>`,
