@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds controls without a test in seconds; controls.spec.js finds also those that the page makes while it runs.
+// Fails for a control of index.html without a test. controls.spec.js also checks controls that the page makes later.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -25,7 +25,7 @@ struct DrawnGlyphs {
 
 /// A window over the canvas that shows how an engraving came about: every channel of the G-buffer, depth and luminance
 /// pass by pass, convergence, times, and the settings to tune. Lengths are CSS pixels. It is an interface because only
-/// the browser's build has its drawing.
+/// the browser's build can draw it.
 class InspectorWindow {
  public:
   virtual ~InspectorWindow() = default;

@@ -14,10 +14,10 @@ enum class Unit { None, Millimetre, Degree, Sky };
 /// How a unit is written. Its words in each language are in messages/settings/settings.json under its name.
 struct UnitTraits {
   Unit unit = Unit::None;
-  std::string_view name;         ///< for the page and the words: "mm"; empty: no unit
-  std::string_view symbol;       ///< where there are no words: "mm"
-  std::string_view keySuffix;    ///< at the end of each setting's key, and left out of its flag: "Mm"; may be empty
-  std::string_view placeholder;  ///< of a value in `--help`: "MM"; empty: as for a number without a unit
+  std::string_view name;       ///< key of the unit in the page and in settings.json: "mm"; empty: no unit
+  std::string_view symbol;     ///< English label: "mm"
+  std::string_view keySuffix;  ///< end of a setting's key, left out of its flag: "Mm"; may be empty
+  std::string_view valueName;  ///< name of a value in `--help`: "MM"; empty: N or NUMBER
   MessageValue::Kind kind = MessageValue::Kind::Number;  ///< of a value in a message
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tester's hands on the page: they press controls with a mouse on a desktop and with a finger on a phone.
+// Opens the page and presses controls as a user does: with a mouse on a desktop, with a finger on a phone.
 import { Engraver } from './engraver.js';
 import { holdWorkers } from './workers.js';
 

@@ -5,8 +5,8 @@
 
 namespace qrelief {
 
-// Settings that other commands than `engrave` and `batch` take: groups (without texts), and keys in addition to the
-// groups and the text. The commands add their flags, and docs/options.md lists them.
+// Settings of `place` and `verify`: `text`, whole groups, and single keys in addition. The commands add their flags,
+// and docs/options.md lists them.
 
 inline constexpr std::array<const char*, 2> kPlaceGroups = {"symbol", "placement"};
 inline constexpr std::array<const char*, 11> kPlaceKeys = {"mark",      "markDepthMm", "pattern", "finderPattern",
@@ -14,7 +14,7 @@ inline constexpr std::array<const char*, 11> kPlaceKeys = {"mark",      "markDep
                                                            "nozzleMm",  "layerMm",     "buildUp"};
 
 inline constexpr std::array<const char*, 2> kVerifyGroups = {"symbol", "printing"};
-// A report has these:
+// The report can supply these:
 inline constexpr std::array<const char*, 4> kVerifyPlaceKeys = {"direction", "up", "size", "eyeDistanceMm"};
 inline constexpr std::array<const char*, 4> kVerifyMarkKeys = {"mark", "markDepthMm", "darkReflectance",
                                                                "lightReflectance"};

@@ -36,8 +36,8 @@ std::string filled(const std::string& words) {
 }
 
 std::string numberName(const Setting& setting) {
-  const std::string_view placeholder = traitsOf(setting.unit).placeholder;
-  if (!placeholder.empty()) return std::string(placeholder);
+  const std::string_view name = traitsOf(setting.unit).valueName;
+  if (!name.empty()) return std::string(name);
   return setting.isWhole ? "N" : "NUMBER";
 }
 

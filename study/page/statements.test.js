@@ -18,7 +18,7 @@ test('every statement can be judged by the kept tables, before and now, over equ
   }
 });
 
-test('the tables before are those of the statements, without the version that rows have today', () => {
+test('the kept old tables are the tables that the statements use, and have no column with a version', () => {
   assert.deepEqual(Object.keys(before), [...new Set(kStatements.map(({ table }) => table))].sort());
   for (const [table, { csv }] of Object.entries(before)) {
     const head = (/** @type {string} */ text) => text.slice(0, text.indexOf('\n'));

@@ -41,7 +41,7 @@ void collect(const Json& json, const std::string& path, Keys& keys) {
       if (entry.is_object()) collect(entry, path + "[]", keys);
 }
 
-/// Returns all paths that a pattern with `{a,b}` stands for.
+/// Expands braces: "size.{a,b}" → "size.a", "size.b".
 std::vector<std::string> expanded(const std::string& pattern) {
   const std::size_t open = pattern.find('{'), close = pattern.find('}');
   if (open == std::string::npos) return {pattern};
@@ -81,7 +81,7 @@ void expectDocumented(const Keys& reported, const Keys& known) {
   for (const auto& [path, types] : reported) {
     const auto key = known.find(path);
     if (key == known.end()) {
-      // An object whose keys are documented needs no row of its own.
+      // An object needs no row if its keys have rows.
       const auto next = known.lower_bound(path + ".");
       EXPECT_TRUE(types == std::set<std::string>{"object"} && next != known.end() &&
                   next->first.starts_with(path + "."))

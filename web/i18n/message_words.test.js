@@ -12,7 +12,7 @@ import { asSentence } from './sentences.js';
 /** @typedef {import('./catalogue.js').Language} Language */
 
 const kTold = message('no-such-spot', { index: { count: 7 } });
-const kSentence = { en: 'There is no spot with index 7', de: 'Es gibt keine Stelle mit Index 7' };
+const kSentence = { en: 'The spot index 7 is out of range', de: 'Der Index 7 einer Stelle ist zu groß' };
 
 /** Fetches that end when and how the test decides. */
 class Fetches {

@@ -120,10 +120,10 @@ test('A model that cannot be engraved says why, in the chosen language', async (
   };
   await messageWords.come();
   await placing.begin();
-  assert.equal(problem().found(), 'There is no spot with index 7');
+  assert.equal(problem().found(), 'The spot index 7 is out of range');
   setLanguage('de');
   await messageWords.come();
-  assert.equal(problem().found(), 'Es gibt keine Stelle mit Index 7');
+  assert.equal(problem().found(), 'Der Index 7 einer Stelle ist zu groß');
 });
 
 test('Nothing moves during a job or beside the model', async () => {

@@ -8,7 +8,7 @@ export const claims = {
     claimNow: 'Now',
     claimVerdict: 'Holds, or why not',
     claimsShown:
-      '“Now” counts in the tables of this page, “Before” in their versions of 24 November 2026 (commit 96364e2, folder “study/results/before”). At that time the program engraved no deeper than 1.2 modules with the paper’s method; this limit was ours, not the paper’s. The computation of light has changed since then, too.',
+      '“Now” is judged on the tables of this page, “Before” on their versions of 24 November 2026 (commit 96364e2, folder “study/results/before”). At that time the program engraved no deeper than 1.2 modules with the paper’s method; this limit was ours, not the paper’s. The computation of light has changed since then, too.',
     claimNotMeasured: 'not measured',
     claimHolds: 'Holds.',
     claimInPart: 'Holds in part.',
@@ -51,7 +51,7 @@ export const claims = {
     claimNow: 'Jetzt',
     claimVerdict: 'Gilt, oder warum nicht',
     claimsShown:
-      '„Jetzt“ zählt in den Tabellen dieser Seite, „Vorher“ in ihren Fassungen vom 24. November 2026 (Commit 96364e2, Ordner „study/results/before“). Damals gravierte das Programm mit dem Verfahren des Artikels höchstens 1,2 Module tief; diese Grenze kam von uns, nicht aus dem Artikel. Auch die Berechnung des Lichts hat sich seitdem geändert.',
+      '„Jetzt“ beruht auf den Tabellen dieser Seite, „Vorher“ auf ihren Fassungen vom 24. November 2026 (Commit 96364e2, Ordner „study/results/before“). Damals gravierte das Programm mit dem Verfahren des Artikels höchstens 1,2 Module tief; diese Grenze kam von uns, nicht aus dem Artikel. Auch die Berechnung des Lichts hat sich seitdem geändert.',
     claimNotMeasured: 'nicht gemessen',
     claimHolds: 'Gilt.',
     claimInPart: 'Gilt teilweise.',
