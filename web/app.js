@@ -156,13 +156,13 @@ function connect(notices) {
   const storage = new BatchStore(new Folder('batch'));
   const batchCarving = new BatchCarving({ ...carved, editing, storage, panel: panels.partsPanel });
   const exporting = new Exporting({ ...carved, editing, panel: panels.exportPanel });
-  const kept = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
-  const undo = new Undo({ ...carved, spots, editing, kept });
+  const continuing = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
+  const undo = new Undo({ ...carved, spots, editing, continuing });
   new Viewing({ ...carved, ...panels, tools, inspecting, editing });
   const session = new Session({ ...carved, spots, undo, code, batchPanel, workPanel, tools });
   const opening = new Opening({ ...carved, editing, exporting, undo, code, panel: panels.modelPanel });
   const { view } = panels;
-  const parts = { view, theme, inspecting, batchCarving, exporting, kept, opening, session };
+  const parts = { view, theme, inspecting, batchCarving, exporting, continuing, opening, session };
   const starting = new Starting({ ...carved, ...parts });
   prepareCarvings(carved);
   byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opening.startOver()));

@@ -29,12 +29,12 @@ const skyDepths = ({ lamp_depths: depths = [] }) =>
  * @returns {{ shallower: number[], deeper: number[], either: number[] }}  in degrees; `either`: the effect depends on the strength
  */
 export function effects(rows, skyDepth) {
-  /** @type {ReturnType<typeof effects>} */ const found = { shallower: [], deeper: [], either: [] };
+  /** @type {ReturnType<typeof effects>} */ const elevations = { shallower: [], deeper: [], either: [] };
   for (const [elevation, ofLamp] of groupBy(rows, 'elevation')) {
     const deeper = ofLamp.filter(({ depth_mm: depth }) => depth > skyDepth).length;
-    found[deeper === 0 ? 'shallower' : deeper === ofLamp.length ? 'deeper' : 'either'].push(elevation);
+    elevations[deeper === 0 ? 'shallower' : deeper === ofLamp.length ? 'deeper' : 'either'].push(elevation);
   }
-  return found;
+  return elevations;
 }
 
 /** @type {import('../page/figure.js').Figure} */

@@ -41,9 +41,9 @@ function picture({ figure, drawn }, language) {
 </picture>`;
 }
 
-/** @param {Shown} shown @returns {string} */
-export function figureMarkup(shown) {
-  const { figure, found, table } = shown;
+/** @param {Shown} entry @returns {string} */
+export function figureMarkup(entry) {
+  const { figure, found, table } = entry;
   const what = said(/** @type {any} */ (`${figure.name}Shown`));
   const caption = (/** @type {Language} */ language) =>
     `${paragraph(language, [what])} ` +
@@ -53,7 +53,7 @@ export function figureMarkup(shown) {
     ...(table.failed > 0 ? [said('failed', { count: table.failed, of: table.cases })] : []),
   ];
   return `${inEach('p', (language) => paragraph(language, sentences))}
-${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}</div>\n<figcaption>${caption(language)}</figcaption>`)}`;
+${inEach('figure', (language) => `<div class="chart">${picture(entry, language)}</div>\n<figcaption>${caption(language)}</figcaption>`)}`;
 }
 
 /**

@@ -77,7 +77,7 @@ function wrongModules(/** @type {any} */ { mark, symbol, projection, size }, /**
 }
 
 const layers = layersOf(readFileSync(gcode, 'utf8'));
-const made = JSON.parse(readFileSync(report, 'utf8'));
+const engraving = JSON.parse(readFileSync(report, 'utf8'));
 const { heights, isPaint } = secondColour(unzip(readFileSync(file)));
 /** Returns the layers whose middles cut the second colour, with `margin` mm of it below and above. */
 const layersWith = (/** @type {number} */ margin) =>
@@ -88,8 +88,8 @@ const changed = layers.filter(({ beads }) => beads.some(({ tool }) => tool === 1
 const [sure, possible] = [layersWith(SLIVER_MM), layersWith(0)];
 const missing = sure.filter((layer) => !changed.includes(layer));
 const surplus = changed.filter((layer) => !possible.includes(layer));
-const modules = made.symbol.modules ** 2;
-const wrong = wrongModules(made, layers);
+const modules = engraving.symbol.modules ** 2;
+const wrong = wrongModules(engraving, layers);
 console.log(
   `${file}: ${modules - wrong} of ${modules} modules have the right tool; the second colour is in ${changed.length} layers of ${layers.length}, ` +
     `${sure.length} to ${possible.length} expected, ${missing.length} missing, ${surplus.length} too many`,

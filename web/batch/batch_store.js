@@ -15,7 +15,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @property {number} rows
  * @property {number} printEvery
  * @property {[number, number, number]} centreMm
- * @property {import('../engine/types.js').WantedBatch} wanted
+ * @property {import('../engine/types.js').BatchRequest} request
  * @property {string} input   SHA-256 of the model's file
  * @property {string} settingsOfFirst  hash of the first row's settings; differs if the program changed
  */
@@ -24,7 +24,7 @@ export const kManifest = 'manifest.jsonl';
 const kRecord = 'batch.json',
   kModel = 'model',
   kList = 'list';
-const kFormat = 1; // version of the stored data; other versions are ignored
+const kFormat = 2; // version of the stored data; versions other than this and 1 are ignored
 
 export class BatchStore {
   /** @param {Pick<Folder, 'write' | 'append' | 'copy' | 'read' | 'remove'>} folder */
@@ -48,6 +48,7 @@ export class BatchStore {
   /** Reads the record. @returns {Promise<BatchRecord | undefined>}  undefined: there is no batch */
   async recall() {
     const record = await parsed(await this.folder_.read(kRecord).catch(() => undefined));
+    if (record?.format === 1) return { ...record, request: record.wanted };
     return record?.format === kFormat ? record : undefined;
   }
 

@@ -10,7 +10,7 @@ const kRecord = /** @type {any} */ ({
   work: { fileName: 'cube.stl', values: {} },
   rows: 4,
   printEvery: 10,
-  wanted: { text: '' },
+  request: { text: '' },
 });
 const lineOf = (/** @type {any} */ entry) => JSON.stringify(entry);
 
@@ -61,6 +61,11 @@ test('Restores the start of a batch and forgets the earlier batch', async () => 
     ['a cube', 'text\nA\n'],
   );
   assert.equal(await store.file('1.stl'), undefined);
+});
+
+test('Restores a batch of version 1, which called the request `wanted`', async () => {
+  await folder.write('batch.json', bytesOf('{"format": 1, "rows": 4, "wanted": {"text": "A"}}'));
+  assert.deepEqual((await store.recall())?.request, { text: 'A' });
 });
 
 test('Ignores a batch of another version or a truncated one', async () => {

@@ -19,7 +19,7 @@ import { sha256 } from './hashes.js';
  * @property {string} input  SHA-256 of the model's file
  * @property {[number, number, number]} centreMm
  * @property {Uint8Array} list  empty if there is none
- * @property {import('../engine/types.js').WantedBatch} wanted
+ * @property {import('../engine/types.js').BatchRequest} request
  */
 
 /**
@@ -52,12 +52,12 @@ export class RowEngine {
 
   /** Starts the engine with the data that all rows share. */
   async start() {
-    const { model, centreMm, list, wanted } = this.job_;
+    const { model, centreMm, list, request } = this.job_;
     const { problems } = await this.client_.start();
     if (problems.length > 0) throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
     await this.client_.show({ upAxis: model.upAxis });
     await this.client_.loadModel(model.bytes, model.fileName, model.scaleToMm);
-    await this.client_.planBatch(list, wanted);
+    await this.client_.planBatch(list, request);
     await this.client_.setCentre({ mm: centreMm });
   }
 
@@ -73,7 +73,7 @@ export class RowEngine {
    * @returns {Promise<CarvedUnit>}
    */
   async carve(unit) {
-    const isPlate = this.job_.wanted.perPlate > 0;
+    const isPlate = this.job_.request.perPlate > 0;
     const pending = await this.pending(unit[0].index);
     /** @type {CarvedRow[]} */ const rows = [];
     /** @type {NamedFile[]} */ let files = [];
@@ -125,7 +125,7 @@ export class RowEngine {
   async carveRow_(index, entry, looksAtPrint) {
     const begun = performance.now();
     const { settings: own } = await this.client_.batchRow(index);
-    const settings = /** @type {Settings} */ ({ ...this.job_.wanted.settings, ...own });
+    const settings = /** @type {Settings} */ ({ ...this.job_.request.settings, ...own });
     try {
       await this.carver_.carve(settings, looksAtPrint, { signal: this.ended_.signal, onProgress: () => {} });
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);

@@ -11,7 +11,7 @@ const kJob = /** @type {any} */ ({
   input: 'aa',
   centreMm: [1, 2, 3],
   list: new Uint8Array(),
-  wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2, perPlate: 0 },
+  request: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2, perPlate: 0 },
 });
 
 /** @type {string[]} */ let calls;
@@ -173,7 +173,7 @@ test('A row whose file cannot be written fails', async () => {
 });
 
 test('Rows of a plate share its file, without those that failed', async () => {
-  const job = { ...kJob, wanted: { ...kJob.wanted, perPlate: 3 } };
+  const job = { ...kJob, request: { ...kJob.request, perPlate: 3 } };
   engine = new RowEngine(job, {
     client: /** @type {any} */ (engine).client_,
     read: async () => ['two'],

@@ -77,7 +77,7 @@ class ScanWorker {
     return new Promise((resolve, reject) => {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });
-      this.worker_.postMessage({ id, pictures, wanted: text });
+      this.worker_.postMessage({ id, pictures, expected: text });
     });
   }
 }

@@ -166,7 +166,7 @@
  * A batch request. `settings`: shared by all rows; `text`, `name`: templates of text and file name, '' where the list
  * has a column for them; `count`: number of rows without a list, else 0; `perPlate`: rows per plate, 0: one file per
  * row.
- * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} WantedBatch
+ * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} BatchRequest
  * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], warnings: Message[], version?: number, modules?: number }} BatchPlan
  *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: columns and cells with
  *   removed settings

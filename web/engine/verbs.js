@@ -159,7 +159,7 @@ export const kInnerVerbs = {
 export const kBatchVerbs = {
   /**
    * Reads a list, which remains usable, and checks it as a whole. The other batch verbs refer to its rows.
-   * @type {Verb<(list: Uint8Array, wanted: import('./types.js').WantedBatch) => import('./types.js').BatchPlan>}
+   * @type {Verb<(list: Uint8Array, request: import('./types.js').BatchRequest) => import('./types.js').BatchPlan>}
    */
   planBatch: {},
   /** @type {Verb<(index: number) => import('./types.js').BatchRow>} */

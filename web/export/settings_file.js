@@ -59,7 +59,7 @@ function refuseFile(why) {
 }
 
 /** Formats a value for a message, 40 characters at most. @param {unknown} value */
-function shown(value) {
+function excerpt(value) {
   const json = JSON.stringify(value) ?? 'undefined';
   return json.length > 40 ? `${json.slice(0, 39)}…` : json;
 }
@@ -83,7 +83,7 @@ function checkNumber(name, value, [from, to], refuse) {
         name: { term: name },
         from: { number: from },
         to: { number: to },
-        value: { term: shown(value) },
+        value: { term: excerpt(value) },
       }),
     );
 }
@@ -95,7 +95,7 @@ function checkChoice(name, value, choices, refuse) {
       message('settings-wrong-choice', {
         name: { term: name },
         choices: { term: choices.join(', ') },
-        value: { term: shown(value) },
+        value: { term: excerpt(value) },
       }),
     );
 }
@@ -110,13 +110,13 @@ export function checkSetting(name, value, refuse = refuseFile) {
   const { kind, choices = [], min = 0, max = 0 } = kSettings[name];
   if (kind === 'text') {
     if (typeof value !== 'string')
-      refuse(message('settings-wrong-text', { name: { term: name }, value: { term: shown(value) } }));
+      refuse(message('settings-wrong-text', { name: { term: name }, value: { term: excerpt(value) } }));
   } else if (kind === 'switch') {
     if (typeof value !== 'boolean')
-      refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));
+      refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: excerpt(value) } }));
   } else if (kind === 'lamps') {
     if (!areLamps(value))
-      refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: shown(value) } }));
+      refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: excerpt(value) } }));
   } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
     checkNumber(name, value, [min, max], refuse);
   } else {
@@ -127,7 +127,7 @@ export function checkSetting(name, value, refuse = refuseFile) {
 /** @param {Record<string, unknown>} settings @param {readonly SettingKey[]} keys  of a file */
 function checkSettings(settings, keys) {
   const unknown = Object.keys(settings).find((name) => !keys.includes(/** @type {SettingKey} */ (name)));
-  if (unknown !== undefined) refuseFile(message('settings-unknown', { name: { term: shown(unknown) } }));
+  if (unknown !== undefined) refuseFile(message('settings-unknown', { name: { term: excerpt(unknown) } }));
   const missing = keys.find((name) => settings[name] === undefined && !mayBeMissing(name));
   if (missing) refuseFile(message('settings-missing', { name: { term: missing } }));
   for (const name of keys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
@@ -135,14 +135,14 @@ function checkSettings(settings, keys) {
 
 /** @param {unknown} model @returns {ModelChoice} */
 function checkModel(model) {
-  if (!isObject(model)) refuseFile(message('settings-wrong-model', { value: { term: shown(model) } }));
+  if (!isObject(model)) refuseFile(message('settings-wrong-model', { value: { term: excerpt(model) } }));
   const { file, sample, scaleToMm, upAxis, centreMm } = model;
   if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string'))
-    refuseFile(message('settings-wrong-model', { value: { term: shown(file) } }));
+    refuseFile(message('settings-wrong-model', { value: { term: excerpt(file) } }));
   checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6], refuseFile);
   checkChoice('upAxis', upAxis, ['y', 'z'], refuseFile);
   if (centreMm !== undefined && !isPoint(centreMm))
-    refuseFile(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
+    refuseFile(message('settings-wrong-centre', { value: { term: excerpt(centreMm) } }));
   return /** @type {ModelChoice} */ ({
     file,
     scaleToMm,
@@ -180,13 +180,13 @@ export function readSettingsFile(json, name, controls) {
     refuseFile(
       message('settings-other-version', {
         file: { quoted: name },
-        version: { term: shown(content.version) },
+        version: { term: excerpt(content.version) },
         known: { count: kVersion },
       }),
     );
   if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));
-  const { settings: kept, warnings } = withoutRemoved(content.settings);
-  checkSettings(kept, fileKeys(controls));
-  const settings = /** @type {Settings} */ (/** @type {unknown} */ (kept));
+  const { settings: known, warnings } = withoutRemoved(content.settings);
+  checkSettings(known, fileKeys(controls));
+  const settings = /** @type {Settings} */ (/** @type {unknown} */ (known));
   return { settings, warnings, ...(content.model === undefined ? {} : { model: checkModel(content.model) }) };
 }

@@ -72,11 +72,11 @@ test('a written file can be read again, with and without a model', () => {
   }
 });
 
-/** @param {RegExp} found */
-const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
+/** @param {RegExp} sentence */
+const refusedWith = (sentence) => (/** @type {unknown} */ thrown) =>
   thrown instanceof EngineFailure &&
   thrown.kind === 'BadInput' &&
-  found.test(sentenceOf(thrown)) &&
+  sentence.test(sentenceOf(thrown)) &&
   hintOf(thrown) !== '';
 
 test('another kind of file is refused by name', () => {

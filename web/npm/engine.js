@@ -145,9 +145,9 @@ export class Engine {
    */
   async setCentre(centre) {
     checkPoint(centre);
-    const { centre: found } = await this.#client.setCentre({ mm: centre });
-    if (!found) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
-    return found;
+    const { centre: point } = await this.#client.setCentre({ mm: centre });
+    if (!point) throw new EngineFailure({ kind: 'BadUsage', ...message('no-centre') });
+    return point;
   }
 
   /**

@@ -14,7 +14,8 @@ export { hint, sentence } from './words.js';
 /** @typedef {import('./engine.js').JobOptions} JobOptions */
 /** @typedef {import('./engine.js').EngraveOptions} EngraveOptions */
 /** @typedef {import('./engine.js').Engraved} Engraved */
-/** @typedef {import('./planner.js').WantedBatch} WantedBatch */
+/** @typedef {import('./planner.js').BatchRequest} BatchRequest */
+/** @deprecated use BatchRequest @typedef {BatchRequest} WantedBatch */
 /** @typedef {import('./words.js').Language} Language */
 /** @typedef {import('../engine/types.js').Message} Message */
 /** @typedef {import('../engine/types.js').Finding} Finding */

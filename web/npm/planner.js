@@ -8,9 +8,9 @@ import { bytesOf, fileNameOf, kModelName } from './arguments.js';
 /** @typedef {import('./arguments.js').Bytes} Bytes */
 /** @typedef {import('./engine.js').Settings} Settings */
 /**
- * A wanted batch, see `planBatch`. `text`, `name`: templates, needed where the list has no such column; `count`: number
- * of rows without a list; `perPlate`: rows per plate; default: one file per row.
- * @typedef {{ settings?: Settings, text?: string, name?: string, count?: number, perPlate?: number }} WantedBatch
+ * Request for a batch, see `planBatch`. `text`, `name`: templates, needed where the list has no such column; `count`:
+ * number of rows without a list; `perPlate`: rows per plate; default: one file per row.
+ * @typedef {{ settings?: Settings, text?: string, name?: string, count?: number, perPlate?: number }} BatchRequest
  */
 
 /**
@@ -61,7 +61,7 @@ export class Planner {
   /**
    * Reads a list (CSV or JSON lines) and checks it as a whole. The other verbs refer to its rows.
    * @param {Bytes} [list]  ignored if there is a `count`
-   * @param {WantedBatch} [wanted]
+   * @param {BatchRequest} [request]
    * @returns {import('../engine/types.js').BatchPlan}
    */
   planBatch(list, { settings = {}, text = '', name = '', count = 0, perPlate = 0 } = {}) {

@@ -98,7 +98,7 @@ export class BatchCarving {
       const count = planned.plan.rows;
       await this.checkRoom_(count, planned.first);
       const settings = {
-        ...planned.wanted.settings,
+        ...planned.request.settings,
         ...(placing.placement?.direction && { direction: placing.placement.direction }),
       };
       /** @type {BatchJob} */
@@ -107,16 +107,16 @@ export class BatchCarving {
         input: await sha256(/** @type {Uint8Array<ArrayBuffer>} */ (source.bytes)),
         centreMm,
         list: planned.input.list,
-        wanted: { ...planned.wanted, settings: /** @type {any} */ (settings) },
+        request: { ...planned.request, settings: /** @type {any} */ (settings) },
       };
-      const { bytes: _, batch, ...kept } = work;
+      const { bytes: _, batch, ...rest } = work;
       /** @type {BatchRecord} */
       const record = {
-        work: { ...kept, ...(batch && { batch: { ...batch, list: new Uint8Array() } }) },
+        work: { ...rest, ...(batch && { batch: { ...batch, list: new Uint8Array() } }) },
         rows: count,
         printEvery,
         centreMm: job.centreMm,
-        wanted: job.wanted,
+        request: job.request,
         input: job.input,
         settingsOfFirst: await settingsOfFirst(job, client),
       };
@@ -319,13 +319,13 @@ export class BatchCarving {
       ...(work.batch && { batch: { ...work.batch, list } }),
     });
     await batching.ready();
-    const { centreMm, wanted, input } = record;
+    const { centreMm, request, input } = record;
     const job = {
       model: { bytes, fileName: work.fileName, scaleToMm: work.scaleToMm, upAxis: work.upAxis },
       input,
       centreMm,
       list,
-      wanted,
+      request,
     };
     const now = { ...record, settingsOfFirst: await settingsOfFirst(job, client) };
     if (now.settingsOfFirst !== record.settingsOfFirst) {
@@ -352,7 +352,7 @@ export class BatchCarving {
 }
 
 /** @param {BatchRecord} record */
-const layoutOf = ({ rows, wanted: { perPlate }, printEvery }) => ({ rows, perPlate, printEvery });
+const layoutOf = ({ rows, request: { perPlate }, printEvery }) => ({ rows, perPlate, printEvery });
 
 /** Returns a tracker of a batch whose rows all wait. @param {BatchRecord} record */
 async function trackerOf(record) {

@@ -10,10 +10,10 @@ import { Signal } from './signal.js';
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').BatchPlan} BatchPlan */
 /** @typedef {import('../engine/types.js').BatchRow} BatchRow */
-/** @typedef {import('../engine/types.js').WantedBatch} WantedBatch */
+/** @typedef {import('../engine/types.js').BatchRequest} BatchRequest */
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../storage/last_work.js').BatchInput} BatchInput */
-/** @typedef {{ input: BatchInput, wanted: WantedBatch, plan?: BatchPlan, problems: Message[], first?: BatchRow }} Planned
+/** @typedef {{ input: BatchInput, request: BatchRequest, plan?: BatchPlan, problems: Message[], first?: BatchRow }} Planned
  *   `first`: absent if there are problems */
 
 const kMostListBytes = 64 * 1024 * 1024;
@@ -103,35 +103,35 @@ export class Batching {
       if (this.planned) this.set_(undefined);
       return;
     }
-    /** @type {WantedBatch} */
-    const wanted = {
+    /** @type {BatchRequest} */
+    const request = {
       settings: this.settings_(''),
       text: input.text,
       name: input.name,
       count: input.from === 'count' ? input.count : 0,
       perPlate: input.perPlate,
     };
-    const isSame = this.planned?.input === input && JSON.stringify(this.planned.wanted) === JSON.stringify(wanted);
+    const isSame = this.planned?.input === input && JSON.stringify(this.planned.request) === JSON.stringify(request);
     if (isSame) return;
-    this.planning_ = this.plan_(input, wanted).finally(() => {
+    this.planning_ = this.plan_(input, request).finally(() => {
       this.planning_ = undefined;
     });
     await this.planning_;
   }
 
-  /** @param {BatchInput} input @param {WantedBatch} wanted */
-  async plan_(input, wanted) {
+  /** @param {BatchInput} input @param {BatchRequest} request */
+  async plan_(input, request) {
     if (isEmptyInput(input)) {
-      this.set_({ input, wanted, problems: [] });
+      this.set_({ input, request, problems: [] });
       return;
     }
     try {
-      const plan = await this.client_.planBatch(input.list, wanted);
+      const plan = await this.client_.planBatch(input.list, request);
       const first = plan.rows > 0 ? await this.client_.batchRow(0) : undefined;
-      this.set_({ input, wanted, plan, problems: plan.problems, first });
+      this.set_({ input, request, plan, problems: plan.problems, first });
     } catch (thrown) {
       if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
-      this.set_({ input, wanted, problems: [describeThrown(thrown)] });
+      this.set_({ input, request, problems: [describeThrown(thrown)] });
     }
   }
 

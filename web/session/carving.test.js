@@ -211,7 +211,7 @@ test('Cancelling a deeper carving keeps the requested one with its readings', as
 
 test('The print starts with the result and is added to it', async () => {
   /** @type {any} */ let tell;
-  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void (tell = listener);
   await carving.engrave();
   assert.ok(panel.calls.includes('reveal'));
   tell({ state: 'under-way', fraction: 0.5 });
@@ -291,7 +291,7 @@ test('Cancelling a deeper carving for the print restores the first result', asyn
 test('A code is not carved again for its print after a change by the user', async () => {
   setValues({ preset: 'balanced' });
   /** @type {any} */ let tell;
-  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void (tell = listener);
   await carving.engrave();
   setValues({ preset: 'shallow' });
   tell({ state: 'made', print: {} }, { passed: false, report: { text: kText } });
@@ -318,7 +318,7 @@ test('Dropping a carving stops its print', async () => {
 
 test('The print of a replaced carving is reported to that carving', async () => {
   /** @type {any[]} */ const tells = [];
-  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void tells.push(told);
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void tells.push(listener);
   await carving.engrave();
   const first = carving.carved;
   await carving.engrave();

@@ -18,7 +18,7 @@ const kAsked = ['sample', 'text', 'engrave']; // address parameters
  * @property {import('./batching.js').Batching} batching
  * @property {import('./batch_carving.js').BatchCarving} batchCarving
  * @property {import('./carving.js').Carving} carving
- * @property {import('./continuing.js').Continuing} kept
+ * @property {import('./continuing.js').Continuing} continuing
  * @property {import('./exporting.js').Exporting} exporting
  * @property {import('./inspecting.js').Inspecting} inspecting
  * @property {import('./opening.js').Opening} opening
@@ -34,13 +34,13 @@ export class Starting {
 
   /** @param {URLSearchParams} address */
   async start(address) {
-    const { opening, batchCarving, kept, guard } = this.options_;
+    const { opening, batchCarving, continuing, guard } = this.options_;
     opening.started = this.startModule_(address);
     if (!(await opening.started)) return;
     if (opening.fileChosen) {
       // the user opened a file before the module was ready
       await batchCarving.offer();
-      await kept.begin(false);
+      await continuing.begin(false);
       return;
     }
     await guard(() => this.open_(address));
@@ -48,12 +48,12 @@ export class Starting {
 
   /** Opens the page's first model, and does what the address asks for. @param {URLSearchParams} address */
   async open_(address) {
-    const { exporting, model, batchCarving, kept, carving, messages } = this.options_;
+    const { exporting, model, batchCarving, continuing, carving, messages } = this.options_;
     const { asksForSettings, warnings, refusal } = exporting.useAddress(address);
     await model.openSample(address.get('sample') ?? undefined);
     const isOffered = await batchCarving.offer();
     // An address that asks for something takes precedence over the last visit's work.
-    await kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
+    await continuing.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
     if (refusal) throw refusal;
     if (address.get('engrave') === '1') await carving.engrave();
     messages.warn(warnings);

@@ -13,7 +13,7 @@ import { sameCentre, sameModel, sameWork } from './work.js';
  * @typedef {object} UndoOptions
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('./editing.js').Editing, 'restore'>} editing
- * @property {Pick<import('./continuing.js').Continuing, 'note'>} kept
+ * @property {Pick<import('./continuing.js').Continuing, 'note'>} continuing
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
@@ -105,7 +105,7 @@ export class Undo {
         this.restoring_ = false;
         this.pauses_ -= 1;
         this.allow();
-        this.options_.kept.note();
+        this.options_.continuing.note();
       });
     void restored;
   }

@@ -76,7 +76,7 @@ beforeEach(() => {
     }),
     store,
     editing: { restore: ({ text, values }) => store.update({ text, values }) },
-    kept: fake(Continuing),
+    continuing: fake(Continuing),
     guard: (action) => action().then(() => {}),
   });
   undo.record();

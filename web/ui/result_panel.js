@@ -25,7 +25,7 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
  * @property {(file: import('./download_choice.js').Download) => void} onDownload
  * @property {() => void} onSaveReport
  * @property {(remedy: Remedy, label: string) => void} onRemedy
- * @property {(wanted: boolean) => void} onPrint  start or stop the simulation of the print
+ * @property {(starts: boolean) => void} onPrint  start or stop the simulation of the print
  * @property {() => void} onTryPrints  try other print settings
  * @property {ViewTrier} onTryViews
  */

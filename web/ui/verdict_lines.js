@@ -14,7 +14,7 @@ import { remedyButtons } from './messages.js';
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
 /** @typedef {import('../engine/types.js').Printed} Printed */
 /**
- * @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void, onTryPrints: () => void }} Listener  `onPrint`:
+ * @typedef {{ onRemedy: OnRemedy, onPrint: (starts: boolean) => void, onTryPrints: () => void }} Listener  `onPrint`:
  *   start or stop the simulation of the print; `onTryPrints`: try other print settings
  */
 
@@ -25,10 +25,10 @@ const kUnlinkedLength = 80;
  * @param {Printed | undefined} printed  undefined until something is known about the print
  * @param {Listener} listener
  */
-export function verdictLines({ text: wanted, verification: { verdict } }, printed, listener) {
+export function verdictLines({ text: content, verification: { verdict } }, printed, listener) {
   const { onRemedy, onPrint } = listener;
   return [
-    line(verdict.reads, readsHeading(wanted, verdict.reads), onRemedy),
+    line(verdict.reads, readsHeading(content, verdict.reads), onRemedy),
     isUnderWay(printed)
       ? printingLine(printed, onPrint)
       : line(

@@ -48,9 +48,9 @@ export class ViewToolbar {
   }
 
   followMenu_() {
-    const open = (/** @type {boolean} */ shown) => {
-      this.menu_.hidden = !shown;
-      this.views_.setAttribute('aria-expanded', String(shown));
+    const open = (/** @type {boolean} */ isOpen) => {
+      this.menu_.hidden = !isOpen;
+      this.views_.setAttribute('aria-expanded', String(isOpen));
     };
     this.views_.addEventListener('click', () => open(this.menu_.hidden === true));
     this.menu_.addEventListener('click', (event) => {
