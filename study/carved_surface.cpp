@@ -34,30 +34,23 @@ Vec3 CarvedSurface::normalAt(const SurfacePoint& at) const {
   return glm::dot(normal, frame_.eye() - at.position) < 0 ? -normal : normal;
 }
 
-void overHemisphere(const CarvedSurface& surface, const SurfacePoint& at, int rays, std::uint64_t seed,
-                    const std::function<void(double, const std::optional<double>&)>& tell) {
-  const Vec3 normal = surface.normalAt(at);
+Hemisphere::Hemisphere(Vec3 normal, std::uint64_t seed) : normal_(normal) {
   const Vec3 aside = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  const Vec3 right = glm::normalize(glm::cross(aside, normal)), up = glm::cross(normal, right);
+  right_ = glm::normalize(glm::cross(aside, normal));
+  up_ = glm::cross(normal, right_);
   Random random(seed);
-  const double shift[] = {random.uniform(), random.uniform()};
-  for (int i = 1; i <= rays; ++i) {
-    const auto point = halton23(static_cast<std::uint32_t>(i));
-    const double cosine = std::fmod(point[0] + shift[0], 1.0), sine = std::sqrt(1 - cosine * cosine);
-    const double azimuth = 2 * std::numbers::pi * (point[1] + shift[1]);
-    const Vec3 to = normal * cosine + right * (sine * std::cos(azimuth)) + up * (sine * std::sin(azimuth));
-    tell(cosine, surface.distanceMm(at, to));
-  }
+  shift_.x = random.uniform();
+  shift_.y = random.uniform();
 }
 
-SkySeen skySeen(const CarvedSurface& surface, const SurfacePoint& at, int rays, std::uint64_t seed) {
-  SkySeen seen;
-  overHemisphere(surface, at, rays, seed, [&](double cosine, const std::optional<double>& metMm) {
-    if (metMm) return;
-    seen.cosineWeighted += 2 * cosine / rays;
-    seen.solidAngle += 2 * std::numbers::pi / rays;
-  });
-  return seen;
+double Hemisphere::cosine(std::size_t i) const {
+  return std::fmod(halton23(static_cast<std::uint32_t>(i + 1))[0] + shift_.x, 1.0);
+}
+
+Vec3 Hemisphere::direction(std::size_t i) const {
+  const double cosine = this->cosine(i), sine = std::sqrt(1 - cosine * cosine);
+  const double azimuth = 2 * std::numbers::pi * (halton23(static_cast<std::uint32_t>(i + 1))[1] + shift_.y);
+  return normal_ * cosine + right_ * (sine * std::cos(azimuth)) + up_ * (sine * std::sin(azimuth));
 }
 
 }  // namespace qrelief::study

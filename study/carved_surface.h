@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -26,12 +26,10 @@ class CarvedSurface {
   std::optional<SurfacePoint> pointOf(std::uint32_t submodule, Vec2 place) const;
   std::optional<SurfacePoint> middleOf(std::uint32_t submodule) const { return pointOf(submodule, {0.5, 0.5}); }
 
-  /// Returns the distance at which a ray meets the model, mm; none if it meets nothing. @param direction  unit
-  std::optional<double> distanceMm(const SurfacePoint& at, Vec3 direction) const {
-    const auto hit = tree_->firstHit(at.position, direction, kOffMm);
-    return hit ? std::optional(glm::length(hit->position - at.position)) : std::nullopt;
+  /// Returns the point at which a ray meets the model; none if it meets nothing. @param direction  unit
+  std::optional<SurfacePoint> hitFrom(const SurfacePoint& at, Vec3 direction) const {
+    return tree_->firstHit(at.position, direction, kOffMm);
   }
-  bool isOpen(const SurfacePoint& at, Vec3 direction) const { return !distanceMm(at, direction); }
 
   /// Returns the normal of the facet, towards the eye.
   Vec3 normalAt(const SurfacePoint& at) const;
@@ -46,19 +44,18 @@ class CarvedSurface {
   DepthField depths_;
 };
 
-/// The sky as seen from a point of the surface.
-struct SkySeen {
-  double cosineWeighted = 0;  ///< ∫ cos ω over the open directions, divided by π: 1 = all
-  double solidAngle = 0;      ///< of the open directions, sr, 0 … 2π
+/// Directions spread evenly over the hemisphere above a surface: Halton points, shifted at random by a seed.
+class Hemisphere {
+ public:
+  Hemisphere(Vec3 normal, std::uint64_t seed);
+
+  /// Returns the cosine between a direction and the normal. @param i  of the direction, counted from 0
+  double cosine(std::size_t i) const;
+  Vec3 direction(std::size_t i) const;
+
+ private:
+  Vec3 normal_, right_, up_;
+  Vec2 shift_;
 };
-
-/// Casts rays evenly over the hemisphere.
-/// @param rays  ≥ 1; Halton points, turned at random by the seed
-/// @param tell  called with the cosine of each ray and the distance of the hit, if any
-void overHemisphere(const CarvedSurface& surface, const SurfacePoint& at, int rays, std::uint64_t seed,
-                    const std::function<void(double, const std::optional<double>&)>& tell);
-
-/// Measures the sky with these rays.
-SkySeen skySeen(const CarvedSurface& surface, const SurfacePoint& at, int rays, std::uint64_t seed);
 
 }  // namespace qrelief::study

@@ -40,12 +40,24 @@ Row measured(const Experiment& experiment, const Row& key, StudyContext& context
   return none;
 }
 
-/// Cases for a run to measure.
+/// Cases for a run to measure. Cases with the same first key, mostly a model, share their place and what is measured
+/// there, so one process measures them all.
 struct Chosen {
   Shard shard;
   std::string only;  ///< a value that one of the keys must have; empty: no restriction
 
-  bool has(const Row& key) const { return only.empty() || std::find(key.begin(), key.end(), only) != key.end(); }
+  std::vector<const Row*> of(const std::vector<Row>& cases) const {
+    std::vector<const Row*> chosen;
+    std::vector<std::string> firstKeys;
+    for (const Row& key : cases) {
+      const auto known = std::find(firstKeys.begin(), firstKeys.end(), key.front());
+      const auto group = static_cast<std::size_t>(known - firstKeys.begin());
+      if (known == firstKeys.end()) firstKeys.push_back(key.front());
+      if (shard.has(group) && (only.empty() || std::find(key.begin(), key.end(), only) != key.end()))
+        chosen.push_back(&key);
+    }
+    return chosen;
+  }
 };
 
 /// Measures the chosen cases that the table lacks. Takes over the rows in other shares' files, and removes these files
@@ -67,9 +79,8 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
     if (!other) return tl::unexpected(other.error());
     table->take(*other);
   }
-  std::vector<const Row*> missing;
-  for (std::size_t i = shard.index; i < experiment.cases.size(); i += shard.count)
-    if (chosen.has(experiment.cases[i]) && !table->find(experiment.cases[i])) missing.push_back(&experiment.cases[i]);
+  std::vector<const Row*> missing = chosen.of(experiment.cases);
+  std::erase_if(missing, [&](const Row* key) { return table->find(*key) != nullptr; });
   const bool isTerminal = ::isatty(STDERR_FILENO);
   const auto start = Clock::now();
   for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -146,7 +157,8 @@ int run(int argc, char** argv) {
   app.add_option("NAME", names, "experiments; all if none is named");
   app.add_option("--results", folder, "folder of the tables")->required();
   app.add_option("--samples", samples, "folder of the page's sample models")->required();
-  app.add_option("--shard", shardText, "I/N: every N-th case from the I-th on, 0 … N-1, into a file of its own");
+  app.add_option("--shard", shardText,
+                 "I/N: every N-th model (or other first key) from the I-th on, 0 … N-1, into a file of its own");
   app.add_option("--only", only, "measure only the cases that have this value among their keys");
   app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
   CLI11_PARSE(app, argc, argv);

@@ -6,6 +6,7 @@
 #include "study/experiments/experiments.h"
 #include "study/methods/break_up.h"
 #include "study/methods/by_engine.h"
+#include "study/methods/methods.h"
 #include "study/methods/self_shadow_2019.h"
 #include "study/methods/symbol_flips_2019.h"
 
@@ -43,9 +44,10 @@ Result<Row> measure(const Row& key, StudyContext& context) {
 Experiment symbolFlips() {
   Row measures = readingColumns();
   measures.insert(measures.begin(), "flipped_modules");
-  Experiment experiment{"symbol_flips", {"model", "search", "flips"},
-                        measures,       {},
-                        measure,        dependingOn({kSearch, {"self-shadow-2019", 1}, kLight, kPrint, kDecoding})};
+  Experiment experiment{
+      "symbol_flips", {"model", "search", "flips"},
+      measures,       {},
+      measure,        dependingOn({kSearch, findMethod("self-shadow-2019")->search, kLight, kPrint, kDecoding})};
   for (const char* model : {"plate", "cylinder", "bumpy-sphere"})
     for (const char* search : {"self-shadow-2019", "ours"})
       for (const char* flips : {"none", "peng-2019", "ours"}) experiment.cases.push_back({model, search, flips});

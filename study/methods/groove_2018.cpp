@@ -6,20 +6,22 @@
 
 #include "base/clock.h"
 #include "base/parallel.h"
-#include "study/carved_surface.h"
+#include "study/pass_rays.h"
 
 namespace qrelief::study {
 namespace {
 
-/// Returns the obscurance at a point; 1 = nothing near.
-double obscurance(const CarvedSurface& surface, const SurfacePoint& at, double falloffMm, int rays,
+constexpr double kMargin = 0.15;  // an eighth of the rays errs by less
+
+/// Returns the obscurance at the middle of a submodule; 1 = nothing near.
+double obscurance(PassRays& rays, const CarvedSurface& surface, std::size_t k, std::size_t count, double falloffMm,
                   std::uint64_t seed) {
   double sum = 0;
-  const auto add = [&](double cosine, const std::optional<double>& metMm) {
-    sum += 2 * cosine / rays * (metMm ? 1 - std::exp(-*metMm / falloffMm) : 1);
+  const auto all = static_cast<double>(count);
+  const auto add = [&](double cosine, const std::optional<double>& distanceMm) {
+    sum += 2 * cosine / all * (distanceMm ? 1 - std::exp(-*distanceMm / falloffMm) : 1);
   };
-  overHemisphere(surface, at, rays, seed, add);
-  return sum;
+  return overHemisphere(rays, surface, k, count, seed, add) ? sum : 1;
 }
 
 }  // namespace
@@ -58,12 +60,17 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (!grooved.carved[i]) light.push_back(i);
 
-  const auto measured = [&](const CarvedSurface& surface, const std::vector<std::uint32_t>& submodules) {
-    std::vector<double> values(submodules.size(), 1);
-    parallelFor(submodules.size(), [&](std::size_t k) {
-      const std::uint64_t seed = options.seed * 1000003 + submodules[k];
-      if (const auto at = surface.middleOf(submodules[k]))
-        values[k] = obscurance(surface, *at, options.falloffModules * moduleMm, options.rays, seed);
+  const auto measured = [&](const CarvedSurface& surface, PassRays& rays, double target) {
+    rays.begin(spot.placement.frame, code.depths);
+    std::vector<double> values(rays.submodules().size());
+    parallelFor(values.size(), [&](std::size_t k) {
+      const std::uint32_t submodule = rays.submodules()[k];
+      const auto by = [&](std::size_t count) {
+        const std::uint64_t seed = options.seed * 1000003 + submodule;
+        return obscurance(rays, surface, k, count, options.falloffModules * moduleMm, seed);
+      };
+      const bool isAtLimit = code.depths.depthMm[submodule] >= limitMm[submodule];
+      values[k] = isAtLimit ? by(options.rays) : measureUntilClear(options.rays, target, kMargin, by);
     });
     return values;
   };
@@ -71,8 +78,10 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
     if (!uncarved) return tl::unexpected(uncarved.error());
-    for (const double value : measured(*uncarved, light)) open += value / static_cast<double>(light.size());
+    PassRays rays(light, options.rays);
+    for (const double value : measured(*uncarved, rays, INFINITY)) open += value / static_cast<double>(light.size());
   }
+  PassRays rays(dark, options.rays);
   std::vector<double> control(mask.carved.size(), 0);
   const double stepMm = options.stepModules * moduleMm;
   for (const std::uint32_t i : dark) control[i] = stepMm;
@@ -83,7 +92,7 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
       code.depths.depthMm[i] = wantedMm[i] > 0 ? quantisedDepth(wantedMm[i], limitMm[i]) : 0;
     const auto carved = CarvedSurface::make(spot, code.depths);
     if (!carved) return tl::unexpected(carved.error());
-    code.ownEstimate = measured(*carved, dark);
+    code.ownEstimate = measured(*carved, rays, open * (1 - options.contrast));
     deepened = false;
     code.limited = 0;
     for (std::size_t k = 0; k < dark.size(); ++k) {

@@ -26,7 +26,7 @@ struct GrooveOptions {
   double falloffModules = 1;  ///< d₀
   double stepModules = 0.1;
   double maxDepthModules = kPublishedMaxDepthModules;
-  int rays = 256;
+  std::size_t rays = 256;
   int maxPasses = 80;
   std::uint64_t seed = 1;
 };

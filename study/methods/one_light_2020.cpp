@@ -9,9 +9,9 @@
 #include "base/halton.h"
 #include "base/parallel.h"
 #include "qr/codewords.h"
-#include "study/carved_surface.h"
 #include "study/methods/symbol_flips_2019.h"
 #include "study/methods/white_reference.h"
+#include "study/pass_rays.h"
 #include "verification/light_path.h"
 
 namespace qrelief::study {
@@ -20,16 +20,29 @@ namespace {
 constexpr double kGreyScale = 255;
 constexpr double kLampToSky = 456.0 / 24;  // as in the grey model
 
-/// Returns L·n where the lamp is visible, else 0: mean over a submodule.
-double lampOn(const CarvedSurface& surface, std::uint32_t submodule, Vec3 towardsLamp) {
+constexpr double kUnseen = -1;
+
+/// Returns L·n where the lamp is visible, else 0; kUnseen if the eye sees nothing there.
+PassRays::Cast lampAt(const CarvedSurface& surface, std::uint32_t submodule, Vec2 place, Vec3 towardsLamp) {
+  const auto at = surface.pointOf(submodule, place);
+  if (!at) return {kUnseen, std::nullopt};
+  const double cosine = glm::dot(surface.normalAt(*at), towardsLamp);
+  if (cosine <= 0) return {0, std::nullopt};
+  const auto hit = surface.hitFrom(*at, towardsLamp);
+  if (!hit) return {cosine, std::nullopt};
+  return {0, hit->position};
+}
+
+/// Returns the mean of lampAt() over a submodule. @param k  of the submodule in `rays`
+double lampOn(PassRays& rays, const CarvedSurface& surface, std::size_t k, Vec3 towardsLamp) {
   double sum = 0;
   int hits = 0;
-  for (std::uint32_t i = 1; i <= kLampPoints; ++i) {
-    const auto place = halton23(i);
-    const auto at = surface.pointOf(submodule, {place[0], place[1]});
-    if (!at) continue;
-    const double cosine = glm::dot(surface.normalAt(*at), towardsLamp);
-    if (cosine > 0 && surface.isOpen(*at, towardsLamp)) sum += cosine;
+  for (std::uint32_t i = 0; i < kLampPoints; ++i) {
+    const auto place = halton23(i + 1);
+    const double lamp =
+        rays.value(k, i, [&] { return lampAt(surface, rays.submodules()[k], Vec2(place[0], place[1]), towardsLamp); });
+    if (lamp == kUnseen) continue;
+    sum += lamp;
     ++hits;
   }
   return hits > 0 ? sum / hits : 1;
@@ -128,23 +141,27 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
     const auto uncarved = CarvedSurface::make(spot, code.depths);
     if (!uncarved) return tl::unexpected(uncarved.error());
     std::vector<double> greys(light.size());
+    PassRays skyRays(light, options.rays), lampRays(light, kLampPoints);
+    skyRays.begin(spot.placement.frame, code.depths);
+    lampRays.begin(spot.placement.frame, code.depths);
     parallelFor(light.size(), [&](std::size_t k) {
-      const auto at = uncarved->middleOf(light[k]);
       const std::uint64_t seed = options.seed * 1000003 + light[k];
-      const double sky = at ? skySeen(*uncarved, *at, options.rays, seed).cosineWeighted : 1;
-      greys[k] = oneLightGrey(sky, lampOn(*uncarved, light[k], upper));
+      const double sky = skySeen(skyRays, *uncarved, k, options.rays, seed).value_or(SkySeen{1, 0}).cosineWeighted;
+      greys[k] = oneLightGrey(sky, lampOn(lampRays, *uncarved, k, upper));
     });
     target = whiteReference(std::move(greys)) - kGreyScale * options.contrast;
   }
   for (const std::uint32_t i : dark) code.depths.depthMm[i] = quantisedDepth(stepMm, limitMm[i]);
+  PassRays rays(dark, kLampPoints);
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
     ++code.passes;
     const auto carved = CarvedSurface::make(spot, code.depths);
     if (!carved) return tl::unexpected(carved.error());
     std::vector<double> lamp(dark.size());
+    rays.begin(spot.placement.frame, code.depths);
     parallelFor(dark.size(), [&](std::size_t k) {
       const bool isLocked = !locked.empty() && locked[moduleOf(dark[k])];
-      lamp[k] = lampOn(*carved, dark[k], isLocked ? lower : upper);
+      lamp[k] = lampOn(rays, *carved, k, isLocked ? lower : upper);
     });
     deepened = false;
     code.limited = 0;

@@ -27,7 +27,7 @@ struct OneLightOptions {
   bool lock = false;        ///< add modules that are dark under the lower lamp alone (lockedModules2020)
   double stepSubmodules = 0.2;
   double maxDepthModules = kPublishedMaxDepthModules;
-  int rays = 500;
+  std::size_t rays = 500;
   int maxPasses = 300;
   std::uint64_t seed = 1;
 };

@@ -7,25 +7,24 @@
 
 #include "base/clock.h"
 #include "base/parallel.h"
-#include "study/carved_surface.h"
 #include "study/methods/white_reference.h"
+#include "study/pass_rays.h"
 
 namespace qrelief::study {
 namespace {
 
 constexpr double kGreyScale = 255;
+constexpr double kMargin = 20;  // grey levels; an eighth of the rays errs by less
 
-std::vector<SkySeen> skyOf(const CarvedSurface& surface, const std::vector<std::uint32_t>& submodules,
-                           const SelfShadowOptions& options) {
-  std::vector<SkySeen> seen(submodules.size());
-  parallelFor(submodules.size(), [&](std::size_t k) {
-    const auto at = surface.middleOf(submodules[k]);
-    // Use the same rays in every pass: new noise in each pass would eventually make every submodule deeper once more.
-    const std::uint64_t seed = options.seed * 1000003 + submodules[k];
-    seen[k] = at ? skySeen(surface, *at, options.rays, seed) : SkySeen{1, 2 * std::numbers::pi};
-  });
-  return seen;
+/// Measures the sky at the middle of a submodule.
+SkySeen skyOf(PassRays& rays, const CarvedSurface& surface, std::size_t k, std::size_t count, std::uint64_t seed) {
+  // Use the same rays in every pass: new noise in each pass would eventually make every submodule deeper once more.
+  return skySeen(rays, surface, k, count, seed * 1000003 + rays.submodules()[k])
+      .value_or(SkySeen{1, 2 * std::numbers::pi});
 }
+
+/// Returns the visibility of a dark sample.
+double visibilityOf(const SkySeen& sky) { return sky.solidAngle / std::numbers::pi * sky.cosineWeighted; }
 
 }  // namespace
 
@@ -48,8 +47,12 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
     if (!uncarved) return tl::unexpected(uncarved.error());
-    std::vector<double> greys;
-    for (const SkySeen& seen : skyOf(*uncarved, light, options)) greys.push_back(selfShadowGrey(seen.cosineWeighted));
+    std::vector<double> greys(light.size());
+    PassRays rays(light, options.rays);
+    rays.begin(spot.placement.frame, code.depths);
+    parallelFor(light.size(), [&](std::size_t k) {
+      greys[k] = selfShadowGrey(skyOf(rays, *uncarved, k, options.rays, options.seed).cosineWeighted);
+    });
     const double white = whiteReference(std::move(greys));
     for (std::size_t k = 0; k < dark.size(); ++k) {
       const int row = static_cast<int>(dark[k]) / mask.size / kSubmodulesPerModule,
@@ -59,18 +62,27 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
     }
   }
   for (const std::uint32_t i : dark) code.depths.depthMm[i] = quantisedDepth(stepMm, limitMm[i]);
+  PassRays rays(dark, options.rays);
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
     ++code.passes;
     const auto carved = CarvedSurface::make(spot, code.depths);
     if (!carved) return tl::unexpected(carved.error());
-    const std::vector<SkySeen> sky = skyOf(*carved, dark, options);
+    rays.begin(spot.placement.frame, code.depths);
+    std::vector<double> visibility(dark.size());
+    parallelFor(dark.size(), [&](std::size_t k) {
+      const bool isAtLimit = code.depths.depthMm[dark[k]] >= limitMm[dark[k]];
+      const auto by = [&](std::size_t count) {
+        visibility[k] = visibilityOf(skyOf(rays, *carved, k, count, options.seed));
+        return selfShadowGrey(visibility[k]);
+      };
+      isAtLimit ? by(options.rays) : measureUntilClear(options.rays, target[k], kMargin, by);
+    });
     deepened = false;
     code.limited = 0;
     code.ownEstimate.clear();
     for (std::size_t k = 0; k < dark.size(); ++k) {
-      const double visibility = sky[k].solidAngle / std::numbers::pi * sky[k].cosineWeighted;
-      code.ownEstimate.push_back(std::min(1.0, visibility));
-      if (selfShadowGrey(visibility) <= target[k]) continue;
+      code.ownEstimate.push_back(std::min(1.0, visibility[k]));
+      if (selfShadowGrey(visibility[k]) <= target[k]) continue;
       double& depth = code.depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
       deepened = deepened || deeper > depth;

@@ -35,7 +35,7 @@ struct SelfShadowOptions {
   double dataContrast = 0.20;      ///< for data modules; 0.12 in the later version
   double stepModules = 0.42;       ///< matches its log
   double maxDepthModules = kPublishedMaxDepthModules;
-  int rays = 512;
+  std::size_t rays = 512;
   int maxPasses = 60;
   std::uint64_t seed = 1;
 };
