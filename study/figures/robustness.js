@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Limits of blur, distance and tilt, by pattern [Papp 2022, section 8].
 import { groupBy, median, tally } from '../page/compare.js';
-import { inOrder, kColours, series } from '../page/figure.js';
+import { inOrder, seriesOfModels } from '../page/figure.js';
 import { mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -79,12 +79,7 @@ export const robustness = {
             axis: { grid: true, labels: look.narrow || at === 0 },
           },
           x: { field: measure, type: 'quantitative', title: look.word(title) },
-          ...series(
-            'model',
-            order('model'),
-            [kColours.grey, kColours.blue, kColours.orange],
-            ['circle', 'square', 'triangle-up'],
-          ),
+          ...seriesOfModels(order('model')),
         },
       })),
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dark areas broken up within the error correction: saved depth and lost tries.
 import { groupBy, median, valuesBy } from '../page/compare.js';
-import { kColours, series } from '../page/figure.js';
+import { seriesOfModels } from '../page/figure.js';
 import { said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -64,12 +64,7 @@ export const symbolFlips = {
         encoding: {
           y: { field: 'flips', type: 'nominal', sort: order('flips'), title: null, axis: { grid: true } },
           x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
-          ...series(
-            'model',
-            order('model'),
-            [kColours.grey, kColours.blue, kColours.orange],
-            ['circle', 'square', 'triangle-up'],
-          ),
+          ...seriesOfModels(order('model')),
         },
       },
     };

@@ -153,3 +153,7 @@ export const series = (field, names, colours, shapes, title = null) => {
     shape: { ...of, scale: { domain: names, range: shapes } },
   };
 };
+
+/** Encodes up to three models as a series. @param {string[]} models */
+export const seriesOfModels = (models) =>
+  series('model', models, [kColours.grey, kColours.blue, kColours.orange], ['circle', 'square', 'triangle-up']);

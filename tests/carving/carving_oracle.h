@@ -15,6 +15,10 @@ namespace qrelief::oracle {
 std::vector<std::uint32_t> frontPatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
                                       double reachMm);
 
+/// Returns the front patch in 10 mm reach without one facet near the centre, so small that no outline comes near it.
+/// @param mesh  with facets about 0.5 mm wide at the origin
+std::vector<std::uint32_t> frontPatchWithHole(const Mesh& mesh, const ProjectionFrame& frame);
+
 /// Calls frontPatch, then embedDepthField.
 Result<EmbedResult> carve(const Mesh& mesh, const ProjectionFrame& frame, const DepthField& field,
                           const EmbedOptions& options = {});

@@ -2,6 +2,7 @@
 #include "carving/outline.h"
 
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
@@ -108,16 +109,23 @@ TEST(Outline, RunsBetweenTheNodesOfASaddleWhoseShallowSidesDiffer) {
   expectAtMostTwoWallsAnywhere(graph);
 }
 
-/// Tries all ways in which four depths can meet, to prove the header's claim by exhaustion.
-TEST(Outline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
+/// Calls a check for all ways in which four depths can meet.
+void forAllFourDepths(const std::function<void(const std::vector<std::string>&)>& check) {
   for (int code = 0; code < 256; ++code) {
     std::vector<std::string> rows{"00", "00"};
     for (int k = 0; k < 4; ++k)
       rows[static_cast<std::size_t>(k / 2)][static_cast<std::size_t>(k % 2)] =
           static_cast<char>('0' + (code >> 2 * k) % 4);
     SCOPED_TRACE(rows[0] + "/" + rows[1]);
-    expectAtMostTwoWallsAnywhere(buildOutlines(levelsOf(rows), 0.1, kAnyLength));
+    check(rows);
   }
+}
+
+/// Proves the header's claim by exhaustion.
+TEST(Outline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
+  forAllFourDepths([](const std::vector<std::string>& rows) {
+    expectAtMostTwoWallsAnywhere(buildOutlines(levelsOf(rows), 0.1, kAnyLength));
+  });
 }
 
 TEST(GridOutline, HasANodeAtEveryCornerAndAClosedBorder) {
@@ -152,14 +160,9 @@ TEST(GridOutline, MovesOnlyNodesOfTheBorder) {
 }
 
 TEST(GridOutline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
-  for (int code = 0; code < 256; ++code) {
-    std::vector<std::string> rows{"00", "00"};
-    for (int k = 0; k < 4; ++k)
-      rows[static_cast<std::size_t>(k / 2)][static_cast<std::size_t>(k % 2)] =
-          static_cast<char>('0' + (code >> 2 * k) % 4);
-    SCOPED_TRACE(rows[0] + "/" + rows[1]);
+  forAllFourDepths([](const std::vector<std::string>& rows) {
     expectAtMostTwoWallsAnywhere(buildGridOutlines(levelsOf(rows), 0.1));
-  }
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "depth/depth_search.h"
 #include "depth/submodule_luminances.h"
+#include "support/pocket_light.h"
 
 namespace qrelief {
 namespace {
@@ -29,17 +30,8 @@ class FastSearchTest : public testing::Test {
   }
 
   std::vector<double> luminances(const DepthField& field) const {
-    const int edge = 5 * (symbol_.size + 8);
-    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0), depths;
-    for (const std::uint32_t i : sky_.carved()) depths.push_back(field.depthMm[i]);
-    const PocketSky::Depths onPlane(sky_, depths);
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-      const int row = static_cast<int>(sky_.carved()[k]) / mask_.size;
-      const int column = static_cast<int>(sky_.carved()[k]) % mask_.size;
-      const double sky = onPlane.fraction(k, depths[k]), uneven = 1 + 0.05 * std::sin(7.0 * row + 3.0 * column);
-      all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = uneven * sky / (1 - 0.7 * (1 - sky));
-    }
-    return all;
+    return pocketLuminances(sky_, field,
+                            [](int row, int column) { return 1 + 0.05 * std::sin(7.0 * row + 3.0 * column); });
   }
 
   /// @returns the total number of submodule measurements

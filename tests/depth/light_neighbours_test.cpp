@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/symbols.h"
+
 namespace qrelief {
 namespace {
 
@@ -11,17 +13,12 @@ constexpr int kWithQuiet = kSize + 2 * kQuietZoneModules;
 
 class LightNeighboursTest : public testing::Test {
  protected:
-  LightNeighboursTest() {
-    symbol_.size = kSize;
-    symbol_.dark.assign(kSize * kSize, 0);
-    symbol_.roles.assign(kSize * kSize, ModuleRole::Data);
-    luminance_.assign(kWithQuiet * kWithQuiet, 1);
-  }
+  LightNeighboursTest() { luminance_.assign(kWithQuiet * kWithQuiet, 1); }
   static std::size_t moduleAt(int row, int column) { return static_cast<std::size_t>(row * kSize + column); }
   double& luminanceAt(int row, int column) {
     return luminance_[static_cast<std::size_t>((row + kQuietZoneModules) * kWithQuiet + column + kQuietZoneModules)];
   }
-  Symbol symbol_;
+  Symbol symbol_ = lightSymbol(kSize);
   std::vector<double> luminance_;
 };
 

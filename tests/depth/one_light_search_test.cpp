@@ -7,6 +7,7 @@
 #include "depth/submodule_luminances.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
+#include "support/symbols.h"
 
 namespace qrelief {
 namespace {
@@ -20,11 +21,7 @@ constexpr double kContrast = 0.3;
 /// Fixture with a symbol on a plane in which only the given modules are dark; brute force finds the light.
 class OneLightSearchTest : public testing::Test {
  protected:
-  OneLightSearchTest() {
-    symbol_.size = kModules;
-    symbol_.dark.assign(kModules * kModules, 0);
-    symbol_.roles.assign(kModules * kModules, ModuleRole::Data);
-  }
+  OneLightSearchTest() {}
   void darken(int row, int column) { symbol_.dark[static_cast<std::size_t>(row * kModules + column)] = 1; }
 
   OneLightSearch start(ModulePattern pattern, double limitMm = 5) {
@@ -89,7 +86,7 @@ class OneLightSearchTest : public testing::Test {
   DirectionalLight lamp_{.azimuthDeg = 90, .elevationDeg = 30, .strength = 19};
   double surfaceElevationDeg_ = 30;
   double reflected_ = 0;
-  Symbol symbol_;
+  Symbol symbol_ = lightSymbol(kModules);
   SubmoduleMask mask_;
 };
 

@@ -6,18 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "mesh/collinear.h"
-#include "mesh/topology.h"
 #include "support/shapes.h"
 
 namespace qrelief {
 namespace {
-
-bool isClosed(const Mesh& mesh) {
-  const EdgeTable edges = buildEdgeTable(mesh.triangles);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges.at(e).size() != 2) return false;
-  return true;
-}
 
 TEST(CleanTriangles, KeepsACleanMeshUnchanged) {
   Mesh mesh = shapes::icosphere(5, 2);
@@ -50,11 +42,11 @@ Mesh boxWithSliver() {
 
 TEST(CleanTriangles, RepairsACollinearTriangleThatAClosedSurfaceNeeds) {
   Mesh mesh = boxWithSliver();
-  ASSERT_TRUE(isClosed(mesh));
+  ASSERT_TRUE(shapes::isClosed(mesh));
   const Cleaning report = cleanTriangles(mesh);
   EXPECT_EQ(report.degenerate, 1u);
   EXPECT_EQ(report.mended, 1u);
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
   EXPECT_EQ(mesh.triangles.size(), 14u);
   EXPECT_NEAR(signedVolume(mesh), 8, 1e-12);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) EXPECT_NE(triangleNormal(mesh, t), Vec3(0));
@@ -74,10 +66,10 @@ TEST(CleanTriangles, RepairsAChainOfCollinearTriangles) {
   }
   mesh.triangles.push_back({previous, 5, 7});
   mesh.triangles.push_back({previous, 4, 5});
-  ASSERT_TRUE(isClosed(mesh));
+  ASSERT_TRUE(shapes::isClosed(mesh));
   const Cleaning report = cleanTriangles(mesh);
   EXPECT_EQ(report.degenerate, 7u);
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
   EXPECT_NEAR(signedVolume(mesh), 64, 1e-12);
 }
 

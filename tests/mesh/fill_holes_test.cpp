@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "mesh/self_intersection.h"
-#include "mesh/topology.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -16,13 +15,6 @@ HoleFilling fill(Mesh& mesh, double maxDiameterMm) {
   auto filling = fillHoles(mesh, maxDiameterMm);
   EXPECT_TRUE(filling);
   return filling.value_or(HoleFilling{});
-}
-
-bool isClosed(const Mesh& mesh) {
-  const EdgeTable edges = buildEdgeTable(mesh.triangles);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges.at(e).size() != 2) return false;
-  return true;
 }
 
 /// Removes the triangles whose corners all lie above a height.
@@ -43,7 +35,7 @@ TEST(FillHoles, ClosesAFlatHoleWithoutChangingTheVolume) {
   EXPECT_EQ(filling.filled, 1u);
   EXPECT_NEAR(filling.largestFilledMm, 20 * std::sqrt(2.0), 1e-5);
   EXPECT_EQ(filling.beside.size(), 22u);
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
   EXPECT_NEAR(signedVolume(mesh), 2000, 1e-3);
 }
 
@@ -60,9 +52,9 @@ TEST(FillHoles, LeavesALargeOpeningAndMeasuresIt) {
 
 TEST(FillHoles, ClosesACurvedHoleWithoutCrossingAnything) {
   Mesh mesh = cutAbove(shapes::bumpySphere(20, 1, 3, 4), 18);
-  ASSERT_FALSE(isClosed(mesh));
+  ASSERT_FALSE(shapes::isClosed(mesh));
   EXPECT_EQ(fill(mesh, 40).filled, 1u);
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
   EXPECT_TRUE(findSelfIntersections(mesh)->empty());
 }
 
@@ -83,7 +75,7 @@ TEST(FillHoles, ClosesTwoHolesThatShareAVertex) {
   mesh.triangles.erase(mesh.triangles.begin() + *apart);
   mesh.triangles.erase(mesh.triangles.begin() + around[0]);
   EXPECT_EQ(fill(mesh, 10).filled, 2u);
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
   EXPECT_NEAR(signedVolume(mesh), signedVolume(shapes::icosphere(10, 2)), 1e-9);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "mesh/topology.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -19,17 +18,11 @@ double longestEdge(const Mesh& mesh) {
   return longest;
 }
 
-bool isClosed(const Mesh& mesh) {
-  for (const auto& neighbours : buildAdjacency(mesh.triangles))
-    if (std::count(neighbours.begin(), neighbours.end(), kNoTriangle) > 0) return false;
-  return true;
-}
-
 TEST(RefineEdges, SplitsABoxIntoShortEdgesWithoutTJunctionsAndKeepsItsVolume) {
   const Mesh box = shapes::box({40, 20, 10});
   const Mesh fine = refineEdges(box, 3, 100000);
   EXPECT_LE(longestEdge(fine), 3);
-  EXPECT_TRUE(isClosed(fine));
+  EXPECT_TRUE(shapes::isClosed(fine));
   EXPECT_NEAR(signedVolume(fine), 40 * 20 * 10, 1e-6 * 8000);
   EXPECT_TRUE(std::equal(box.positions.begin(), box.positions.end(), fine.positions.begin()));
 }
@@ -38,7 +31,7 @@ TEST(RefineEdges, SplitsSliversAlongTheirLengthOnly) {
   const Mesh cylinder = shapes::cylinder(30, 120, 96);  // strips of 2 × 120 mm
   const Mesh fine = refineEdges(cylinder, 8, 100000);
   EXPECT_LE(longestEdge(fine), 8);
-  EXPECT_TRUE(isClosed(fine));
+  EXPECT_TRUE(shapes::isClosed(fine));
   EXPECT_NEAR(signedVolume(fine), signedVolume(cylinder), 1e-6 * signedVolume(cylinder));
   const auto onRim = [](const Vec3f& p) { return std::abs(p.z) == 60 && std::hypot(p.x, p.y) > 29.9; };
   EXPECT_EQ(std::count_if(fine.positions.begin(), fine.positions.end(), onRim), 2 * 96);
@@ -54,7 +47,7 @@ TEST(RefineEdges, StopsBeforeTheMaximumNumberOfTriangles) {
   const Mesh some = refineEdges(shapes::box({40, 20, 10}), 0.01, 1000);
   EXPECT_LE(some.triangles.size(), 1000u);
   EXPECT_GT(some.triangles.size(), 12u);
-  EXPECT_TRUE(isClosed(some));
+  EXPECT_TRUE(shapes::isClosed(some));
 }
 
 }  // namespace

@@ -4,19 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "mesh/topology.h"
 #include "mesh/weld.h"
 #include "support/shapes.h"
 
 namespace qrelief {
 namespace {
-
-bool isClosed(const Mesh& mesh) {
-  const EdgeTable edges = buildEdgeTable(mesh.triangles);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges.at(e).size() != 2) return false;
-  return true;
-}
 
 /// Gives every triangle its own corners, each up to `jitter` off along every axis.
 Mesh looseAndShaken(const Mesh& mesh, double jitter) {
@@ -42,7 +34,7 @@ TEST(WeldNear, ClosesLooseTrianglesWithinTheTolerance) {
   EXPECT_GT(welding.largestMoveMm, 0.001);
   dropUnused(mesh);
   EXPECT_EQ(mesh.positions.size(), sphere.positions.size());
-  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_TRUE(shapes::isClosed(mesh));
 }
 
 TEST(WeldNear, KeepsVerticesThatAreFartherApart) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/methods/break_up.h"
 
-#include <ZXing/ReadBarcode.h>
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "qr/codewords.h"
 #include "qr/sky_fraction.h"
+#include "support/symbols.h"
 
 namespace qrelief::study {
 namespace {
@@ -26,22 +26,6 @@ Symbol brokenUp(Symbol symbol) {
 
 int darkModules(const Symbol& symbol) {
   return static_cast<int>(std::count(symbol.dark.begin(), symbol.dark.end(), 1));
-}
-
-/// Decodes a clean picture of the symbol with ZXing-C++.
-std::string decodedText(const Symbol& symbol) {
-  constexpr int kPixels = 3;
-  const int edge = kPixels * (symbol.size + 2 * kQuietZoneModules);
-  std::vector<std::uint8_t> picture(static_cast<std::size_t>(edge * edge), 255);
-  for (int y = 0; y < edge; ++y) {
-    for (int x = 0; x < edge; ++x) {
-      const int row = y / kPixels - kQuietZoneModules, column = x / kPixels - kQuietZoneModules;
-      const bool isInside = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
-      if (isInside && symbol.isDark(row, column)) picture[static_cast<std::size_t>(y * edge + x)] = 0;
-    }
-  }
-  const ZXing::ImageView view(picture.data(), edge, edge, ZXing::ImageFormat::Lum);
-  return ZXing::ReadBarcode(view, ZXing::DecodeHints().setFormats(ZXing::BarcodeFormat::QRCode).setIsPure(true)).text();
 }
 
 TEST(BreakUpDarkAreas, LeavesEachBlockAsMuchCorrectionAsLevelL) {
@@ -93,7 +77,7 @@ TEST(BreakUpDarkAreas, ADecoderRestoresTheFlippedModules) {
     for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
       const Result<Symbol> plain = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
       ASSERT_TRUE(plain);
-      EXPECT_EQ(decodedText(brokenUp(*plain)), "QRELIEF") << version << errorCorrectionName(level);
+      EXPECT_EQ(decodeSymbol(brokenUp(*plain)).text(), "QRELIEF") << version << errorCorrectionName(level);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "math/tolerance.h"
+#include "support/symbols.h"
 
 namespace qrelief::study {
 namespace {
@@ -17,9 +18,6 @@ constexpr int kMapEdge = kEdge + 2 * 5 * kQuietZoneModules;
 class ReadingSearchTest : public testing::Test {
  protected:
   ReadingSearchTest() {
-    symbol_.size = kModules;
-    symbol_.dark.assign(kModules * kModules, 0);
-    symbol_.roles.assign(kModules * kModules, ModuleRole::Data);
     mask_.size = kEdge;
     mask_.carved.assign(kEdge * kEdge, 0);
   }
@@ -49,7 +47,7 @@ class ReadingSearchTest : public testing::Test {
   double contrast(const ReadingSearch& search, int row, int column) {
     return search.contrasts()[static_cast<std::size_t>(row * kModules + column)];
   }
-  Symbol symbol_;
+  Symbol symbol_ = lightSymbol(kModules);
   SubmoduleMask mask_;
 };
 

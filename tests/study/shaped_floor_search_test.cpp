@@ -7,6 +7,7 @@
 #include "depth/pocket_sky.h"
 #include "depth/submodule_luminances.h"
 #include "math/tolerance.h"
+#include "support/pocket_light.h"
 
 namespace qrelief::study {
 namespace {
@@ -29,19 +30,7 @@ class ShapedFloorSearchTest : public testing::Test {
     return search;
   }
 
-  std::vector<double> luminances(const DepthField& field) const {
-    const int edge = 5 * (symbol_.size + 8);
-    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0), depths;
-    for (const std::uint32_t i : sky_.carved()) depths.push_back(field.depthMm[i]);
-    const PocketSky::Depths onPlane(sky_, depths);
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-      const int row = static_cast<int>(sky_.carved()[k]) / mask_.size;
-      const int column = static_cast<int>(sky_.carved()[k]) % mask_.size;
-      const double sky = onPlane.fraction(k, depths[k]);
-      all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = sky / (1 - 0.7 * (1 - sky));
-    }
-    return all;
-  }
+  std::vector<double> luminances(const DepthField& field) const { return pocketLuminances(sky_, field); }
 
   /// Returns the contrast of the carved part of every dark module, row-major.
   std::vector<double> contrasts(const DepthField& field) const {

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/topology.h"
+
 namespace qrelief::shapes {
 namespace {
 
@@ -197,6 +199,13 @@ Mesh tangledSphere() {
   Vec3f& pulled = mesh.positions[vertex];
   pulled = middle + (middle - pulled) * 0.1f;
   return mesh;
+}
+
+bool isClosed(const Mesh& mesh) {
+  const EdgeTable edges = buildEdgeTable(mesh.triangles);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.at(e).size() != 2) return false;
+  return true;
 }
 
 PolygonSoup soupOf(const Mesh& mesh) {

@@ -44,6 +44,9 @@ Mesh together(const Mesh& a, const Mesh& b);
 /// that 5 pairs of triangles cross.
 Mesh tangledSphere();
 
+/// Returns true if every edge belongs to two triangles.
+bool isClosed(const Mesh& mesh);
+
 /// Returns the soup that a reader would return.
 PolygonSoup soupOf(const Mesh& mesh);
 

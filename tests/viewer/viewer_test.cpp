@@ -47,6 +47,18 @@ class ViewerTest : public GlTest {
     camera_.setScene(boundingBox(mesh));
     camera_.fitFromDefaultSide();
   }
+  /// Shows a box whose upper side has the value 1, the others 0.
+  void showBoxWithValuesOnTop() {
+    const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
+    auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
+    std::vector<float> values(display.normals.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (display.normals[i].z > 0.5f) values[i] = 1;
+    mesh->setValues(values);
+    viewer_->setMesh(mesh);
+    camera_.setScene(mesh->box());
+    camera_.fitFromDefaultSide();
+  }
   bool draw(double nowMs) {
     const auto more = viewer_->draw(camera_.view(), nowMs, &target_);
     EXPECT_TRUE(more.has_value());
@@ -273,15 +285,7 @@ TEST_F(ViewerTest, ACutShowsASolidSectionInItsColour) {
 }
 
 TEST_F(ViewerTest, ColoursOnlyValuesAboveZeroOnRequest) {
-  const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
-  auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
-  std::vector<float> values(display.normals.size(), 0);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (display.normals[i].z > 0.5f) values[i] = 1;
-  mesh->setValues(values);
-  viewer_->setMesh(mesh);
-  camera_.setScene(mesh->box());
-  camera_.fitFromDefaultSide();
+  showBoxWithValuesOnTop();
   const Picture plain = refined();
   viewer_->showHeat(HeatShown::AboveZero);
   const Picture heat = refined();
@@ -292,15 +296,7 @@ TEST_F(ViewerTest, ColoursOnlyValuesAboveZeroOnRequest) {
 }
 
 TEST_F(ViewerTest, InkAndBodyHaveTheirColours) {
-  const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
-  auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
-  std::vector<float> values(display.normals.size(), 0);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (display.normals[i].z > 0.5f) values[i] = 1;
-  mesh->setValues(values);
-  viewer_->setMesh(mesh);
-  camera_.setScene(mesh->box());
-  camera_.fitFromDefaultSide();
+  showBoxWithValuesOnTop();
   viewer_->showHeat(HeatShown::Ink);
   viewer_->setColours({Vec3f(0.56f), Vec3f(0.03f)});
   const Vec2 top = camera_.toScreen({0, 0, 20}), front = camera_.toScreen({0, -20, 0});
