@@ -62,8 +62,6 @@ int measure(const Case& subject) {
   const auto gl = gl::queryCapabilities();
   if (!gl) return failed(gl.error());
 
-  const std::vector<std::string> order = {"load",        "prepare", "direction", "size", "surface",
-                                          "depthSearch", "embed",   "verify",    "total"};
   std::map<std::string, std::vector<double>> times;
   EngraveResult last;
   std::size_t triangles = 0;
@@ -89,13 +87,8 @@ int measure(const Case& subject) {
     if (!result) return failed(result.error());
     const auto reading = Clock::now();
     (void)readWithZxing(result->readerView);
-    const StageTimings& t = result->timingsMs;
-    times["direction"].push_back(t.direction);
-    times["size"].push_back(t.size);
-    times["surface"].push_back(t.surface);
-    times["depthSearch"].push_back(t.depthSearch);
-    times["embed"].push_back(t.embed);
-    times["verify"].push_back(t.verify + millisecondsSince(reading));
+    times["decode"].push_back(millisecondsSince(reading));
+    for (const auto& [stage, ms] : result->timingsMs.all()) times[stage].push_back(ms);
     times["total"].push_back(millisecondsSince(start));
     last = std::move(*result);
   }
@@ -108,6 +101,9 @@ int measure(const Case& subject) {
   fmt::print("{}: {} triangles, {:.4g} mm, version {}, {} iterations, {} triangles out\n", subject.name, triangles,
              last.placement.symbolMm, last.symbol.version, last.searchIterations, last.solidity.triangles);
   fmt::print("{}, {}; median of {} runs\n", gl->renderer, gl->version, subject.runs);
+  std::vector<std::string> order = {"load", "prepare"};
+  for (const auto& [stage, ms] : last.timingsMs.all()) order.emplace_back(stage);
+  order.insert(order.end(), {"decode", "total"});
   for (const std::string& stage : order)
     fmt::print("{:>12} {:9.1f} ms  {:5.1f} %\n", stage, median(stage), 100 * median(stage) / median("total"));
   rusage usage{};

@@ -113,18 +113,14 @@ void Inspector::drawTimings(const Engine& engine) {
     return;
   }
   ImGui::Separator();
-  const StageTimings& t = result->timingsMs;
-  const std::array<std::pair<const char*, double>, 5> stages = {{{"direction", t.direction},
-                                                                 {"size", t.size},
-                                                                 {"depth search", t.depthSearch},
-                                                                 {"embedding", t.embed},
-                                                                 {"checks", t.verify}}};
+  const auto stages = result->timingsMs.all();
   double longest = 1;
-  for (const auto& stage : stages) longest = std::max(longest, stage.second);
-  ImGui::TextUnformatted(translated("Stages, wall-clock time"));
+  for (const auto& [name, ms] : stages) longest = std::max(longest, ms);
+  ImGui::TextUnformatted(translated("Stages, named as in the report"));
   for (const auto& [name, ms] : stages)
-    ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
-                       fmt::format("{} {:.1f} ms", translated(name), ms).c_str());
+    if (ms > 0)
+      ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
+                         fmt::format("{} {:.1f} ms", name, ms).c_str());
   ImGui::Separator();
   const gl::PassTimings* timings = engine.carvings().passTimings();
   if (!timings || timings->times().empty()) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
@@ -31,6 +33,18 @@ struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
   double forPrint = 0;  ///< rough print of the first search's depths
   double print = 0;     ///< simulation of the final print; 0: not simulated
+
+  /// Returns all stages in order, with their names in reports.
+  std::array<std::pair<const char*, double>, 8> all() const {
+    return {{{"direction", direction},
+             {"size", size},
+             {"surface", surface},
+             {"depthSearch", depthSearch},
+             {"forPrint", forPrint},
+             {"embed", embed},
+             {"verify", verify},
+             {"print", print}}};
+  }
 };
 
 /// The carved solid, and everything found out about it.

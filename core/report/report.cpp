@@ -191,13 +191,10 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   addGrades(report["verification"], request, result);
   report["verification"]["printability"] =
       describeMessages(printingWarnings(request, result, context), context.wording);
-  const StageTimings& t = result.timingsMs;
-  report["timingsMs"] = {{"load", context.loadMs},   {"prepare", context.prepareMs},
-                         {"direction", t.direction}, {"size", t.size},
-                         {"surface", t.surface},     {"depthSearch", t.depthSearch},
-                         {"forPrint", t.forPrint},   {"embed", t.embed},
-                         {"verify", t.verify},       {"print", t.print},
-                         {"write", context.writeMs}, {"total", context.totalMs}};
+  report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}};
+  for (const auto& [stage, ms] : result.timingsMs.all()) report["timingsMs"][stage] = ms;
+  report["timingsMs"]["write"] = context.writeMs;
+  report["timingsMs"]["total"] = context.totalMs;
   if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
   // Text that is not UTF-8 (a file name, say) must not make the report fail.

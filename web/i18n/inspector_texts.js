@@ -93,11 +93,7 @@ const kGerman = {
     'Code: {:.2f} mm, Module {:.3f} mm, {} Richtungen versucht',
   'The times of stages and passes appear here after an engraving.':
     'Die Zeiten der Schritte und Durchgänge erscheinen hier nach einer Gravur.',
-  size: 'Größe',
-  'depth search': 'Tiefensuche',
-  embedding: 'Einbetten',
-  checks: 'Prüfen',
-  'Stages, wall-clock time': 'Schritte, verstrichene Zeit',
+  'Stages, named as in the report': 'Schritte, benannt wie im Bericht',
   'Passes are timed from the next engraving on, because the inspector was closed during the last one.':
     'Durchgänge werden ab der nächsten Gravur gemessen, weil der Inspektor bei der letzten geschlossen war.',
   'Passes, GPU time by timer queries': 'Durchgänge, GPU-Zeit durch Timer-Abfragen',
@@ -119,7 +115,6 @@ const kGerman = {
     'Ein Wert ist hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite beachtet ihn nicht.',
   "{} settings are changed here, only for Engrave again: the page's Engrave ignores them.":
     '{} Werte sind hier geändert, nur für „Neu gravieren“: „Gravieren“ auf der Seite beachtet sie nicht.',
-  direction: 'Richtung',
   fast: 'schnell',
   "paper's steps": 'Schritte der Arbeit',
 };
