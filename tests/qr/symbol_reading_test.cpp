@@ -6,7 +6,7 @@
 
 #include "messages/sentences.h"
 #include "qr/symbol.h"
-#include "support/symbols.h"
+#include "support/decode_symbol.h"
 
 namespace qrelief {
 namespace {

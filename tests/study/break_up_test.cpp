@@ -8,7 +8,7 @@
 
 #include "qr/codewords.h"
 #include "qr/sky_fraction.h"
-#include "support/symbols.h"
+#include "support/decode_symbol.h"
 
 namespace qrelief::study {
 namespace {

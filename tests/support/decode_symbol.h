@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/symbols.h"
+#pragma once
 
+#include <ZXing/ReadBarcode.h>
 #include <vector>
+
+#include "qr/symbol.h"
 
 namespace qrelief {
 
-Symbol lightSymbol(int size) {
-  Symbol symbol;
-  symbol.size = size;
-  symbol.dark.assign(static_cast<std::size_t>(size * size), 0);
-  symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
-  return symbol;
-}
-
-ZXing::Result decodeSymbol(const Symbol& symbol) {
+/// Decodes a clean picture of the symbol with ZXing-C++.
+inline ZXing::Result decodeSymbol(const Symbol& symbol) {
   constexpr int kPixels = 3;
   const int edge = kPixels * (symbol.size + 2 * kQuietZoneModules);
   std::vector<std::uint8_t> picture(static_cast<std::size_t>(edge * edge), 255);
