@@ -7,6 +7,9 @@ import { Inspector } from './support/inspector.js';
 /** @typedef {NonNullable<State['selected']>} Selected */
 /** @typedef {{ x: number, y: number, width: number, height: number }} Clip */
 
+// The inspector's window needs the room.
+test.use({ viewport: { width: 1280, height: 800 } });
+
 const kBalancedContrast = 0.3;
 
 /** Counts the pixels far from grey, which belong to a map and not to the model. @param {number[]} rgba */

@@ -9,7 +9,7 @@ import { saddleMesh, truncatedFile } from './support/models.js';
  * @param {import('@playwright/test').Page} page
  */
 async function cornerBrightness(page) {
-  const picture = await page.screenshot({ clip: { x: 4, y: 700, width: 40, height: 40 } });
+  const picture = await page.screenshot({ clip: { x: 4, y: 540, width: 40, height: 40 } });
   return page.evaluate(async (base64) => {
     const image = new Image();
     image.src = `data:image/png;base64,${base64}`;

@@ -43,7 +43,8 @@ export default defineConfig({
     },
   },
   projects: [
-    { name: 'desktop', testIgnore: 'phone.spec.js', use: { viewport: { width: 1280, height: 800 } } },
+    // A small window: the software renderer takes time by the pixel.
+    { name: 'desktop', testIgnore: 'phone.spec.js', use: { viewport: { width: 1024, height: 640 } } },
     {
       name: 'phone',
       // specs that depend on the layout
