@@ -134,19 +134,19 @@ const std::vector<Method>& methods() {
   static const double usual = EngraveRequest{}.depth.contrastAsked();
   static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).depth.contrastAsked();
   static const std::vector<Method> kAll = {
-      {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018, {"groove-2018", 2}},
+      {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018, {"groove-2018", 1}},
       {"self-shadow-2019",
        {0.05, 0.08, 0.12, 0.16, 0.2},
        0.2,
        DirectionMethod::MeanNormal,
        selfShadow2019,
-       {"self-shadow-2019", 2}},
+       {"self-shadow-2019", 1}},
       {"one-light-2020",
        {0.05, 0.08, 0.12, 0.16, 0.2},
        0.2,
        DirectionMethod::MeanNormal,
        oneLight2020,
-       {"one-light-2020", 2}},
+       {"one-light-2020", 1}},
       {"tilted-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Tilted)},
       {"wavy-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Wavy)},
       {"papp-2022", kContrasts, usual, DirectionMethod::DepthBalanced,
