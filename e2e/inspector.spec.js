@@ -7,7 +7,7 @@ import { Inspector } from './support/inspector.js';
 /** @typedef {NonNullable<State['selected']>} Selected */
 /** @typedef {{ x: number, y: number, width: number, height: number }} Clip */
 
-// The inspector's window needs the room.
+// In a smaller view the inspector covers what the tests click.
 test.use({ viewport: { width: 1280, height: 800 } });
 
 const kBalancedContrast = 0.3;

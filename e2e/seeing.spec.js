@@ -3,7 +3,7 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { isOrange, isTeal, shareOf } from './support/pixels.js';
 
-test.use({ viewport: { width: 1280, height: 800 } }); // its shares of colours hold beside the buttons of this size
+test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours assume this size
 
 test('The view shows every side, a section, the carving, and the phone’s view', async ({ page }) => {
   const app = new Engraver(page);

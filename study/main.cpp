@@ -40,8 +40,8 @@ Row measured(const Experiment& experiment, const Row& key, StudyContext& context
   return none;
 }
 
-/// Cases for a run to measure. Cases with the same first key, mostly a model, share their place and what is measured
-/// there, so one process measures them all.
+/// Cases for a run to measure. A shard gets all cases with the same first key, which is usually the model: they share
+/// the code's place and its measurements.
 struct Chosen {
   Shard shard;
   std::string only;  ///< a value that one of the keys must have; empty: no restriction
@@ -157,8 +157,9 @@ int run(int argc, char** argv) {
   app.add_option("NAME", names, "experiments; all if none is named");
   app.add_option("--results", folder, "folder of the tables")->required();
   app.add_option("--samples", samples, "folder of the page's sample models")->required();
-  app.add_option("--shard", shardText,
-                 "I/N: every N-th model (or other first key) from the I-th on, 0 … N-1, into a file of its own");
+  app.add_option(
+      "--shard", shardText,
+      "I/N: split the models into N groups and measure group I (0 to N - 1). Results go into separate files");
   app.add_option("--only", only, "measure only the cases that have this value among their keys");
   app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
   CLI11_PARSE(app, argc, argv);

@@ -54,7 +54,7 @@ bool overHemisphere(PassRays& rays, const CarvedSurface& surface, std::size_t k,
 
 double measureUntilClear(std::size_t rays, double target, double margin,
                          const std::function<double(std::size_t)>& measure) {
-  for (std::size_t count = rays / 8; count < rays; count *= 2, margin /= 2)
+  for (std::size_t count = std::max<std::size_t>(1, rays / 8); count < rays; count *= 2, margin /= 2)
     if (const double value = measure(count); value > target + margin) return value;
   return measure(rays);
 }

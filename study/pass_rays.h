@@ -13,8 +13,9 @@ namespace qrelief::study {
 /// Measures rays from the floors of submodules, pass after pass of a search that only deepens submodules, and casts
 /// again only rays whose result may have changed.
 ///
-/// Deepening a submodule only removes material. So an open ray stays open, and a blocked ray is cast again only if its
-/// own floor moved, or a submodule moved at its hit or next to it (a hit on a wall belongs to two submodules).
+/// Deepening a submodule only removes material, so an open ray stays open until the floor it starts from moves. A
+/// blocked ray is cast again if that floor or a submodule at its hit moved, or one next to the hit: two submodules
+/// share a wall.
 class PassRays {
  public:
   /// A ray's result.

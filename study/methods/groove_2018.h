@@ -19,6 +19,7 @@ namespace qrelief::study {
 ///     meets the surface, ρ(d) = 1 − exp(−d/d₀), 1 where it meets nothing; d₀ = one module. Evaluated for the dark
 ///     submodules;
 ///   - wanted: obscurance ≤ (1 − contrast) of the mean over the light submodules;
+///   - rays: submodules that are far too light get fewer, down to an eighth (measureUntilClear());
 ///   - step: a tenth of a module; limits as for the other methods.
 /// Its direction of projection, by principal components, is DirectionMethod::Pca.
 struct GrooveOptions {
