@@ -26,8 +26,7 @@ namespace qrelief::study {
 ///     share alone does not: an isolated module at 1.38 modules' depth has 0.025 in the log, 0.143 by the share, 0.021
 ///     by this product. White samples use the share.
 ///   - rays are Halton points over the whole hemisphere; so few are lost that `rays` = 512 replace their 50,000.
-///   Samples
-///     that are far too light get fewer, down to an eighth (measureUntilClear()).
+///     Samples that are far too light get fewer, down to an eighth (measureUntilClear()).
 ///   - step: the nominal one, 0.28 module, gives a mean of 34 % more steps than the log has. With 0.42 module the mean
 ///     is the log's (7.0), but a finder pattern's ring takes 6.2 steps where the log has 7 to 10. The log does not say
 ///     by how much the mesh under a submodule grows in a step, so no single step fits both.
