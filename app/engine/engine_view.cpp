@@ -3,6 +3,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "message_codes/engine.h"
 #include "viewer/depth_colours.h"
 
 namespace qrelief {
@@ -133,7 +134,7 @@ std::string Engine::viewState() const {
 Result<BackDistanceMap> Engine::backDistances() const {
   const EngraveResult* result = carvings_.result();
   const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->surfaceMaps() : nullptr;
-  if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
+  if (!result || !maps) return fail(ErrorKind::BadUsage, message<"nothing-engraved">());
   return model_->engravable->gpu->backMap(result->placement.frame, maps->window);
 }
 

@@ -6,12 +6,13 @@
 
 #include "base/clock.h"
 #include "io/read_model.h"
+#include "message_codes/engine.h"
 
 namespace qrelief {
 
 Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return fail(ErrorKind::BadUsage, message("scale-unusable", with::number<"scale">(scaleToMm)));
+    return fail(ErrorKind::BadUsage, message<"scale-unusable">(with::number<"scale">(scaleToMm)));
   const auto start = Clock::now();
   auto soup = readModel(bytes, fileName);
   if (!soup) return tl::unexpected(soup.error());

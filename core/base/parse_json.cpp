@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "message_codes/files.h"
+
 namespace qrelief {
 namespace {
 
@@ -32,7 +34,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool key(string_t& name) override {
     if (!open_.back().keys.insert(name).second) {
-      problem_ = message("json-key-twice", with::quoted<"key">(name));
+      problem_ = message<"json-key-twice">(with::quoted<"key">(name));
       return false;
     }
     key_ = std::move(name);
@@ -40,7 +42,7 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) override {
-    problem_ = message("json-malformed", with::count<"byte">(byte));
+    problem_ = message<"json-malformed">(with::count<"byte">(byte));
     return false;
   }
 
@@ -66,7 +68,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool open(Json value) {
     if (open_.size() == kMaxJsonDepth) {
-      problem_ = message("json-too-deep", with::count<"limit">(kMaxJsonDepth));
+      problem_ = message<"json-too-deep">(with::count<"limit">(kMaxJsonDepth));
       return false;
     }
     open_.push_back({&place(std::move(value)), {}});

@@ -11,6 +11,7 @@
 #include "base/parse_json.h"
 #include "base/utf8.h"
 #include "io/sniff_format.h"
+#include "message_codes/batch.h"
 
 namespace qrelief {
 namespace {
@@ -21,22 +22,22 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Refuses bytes that are not plain text, such as UTF-16 or a spreadsheet.
 Status checkIsText(std::span<const std::uint8_t> bytes, std::string_view text) {
-  if (text.empty()) return badInput(message("list-empty"));
+  if (text.empty()) return badInput(message<"list-empty">());
   if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty())
-    return badInput(message("list-encoding", with::term<"encoding">(wide)));
+    return badInput(message<"list-encoding">(with::term<"encoding">(wide)));
   if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0"))
-    return badInput(message("list-spreadsheet"));
+    return badInput(message<"list-spreadsheet">());
   return {};
 }
 
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
-    return badInput(message("list-line-too-long", with::count<"line">(number), with::count<"limit">(kMostLineBytes)));
+    return badInput(message<"list-line-too-long">(with::count<"line">(number), with::count<"limit">(kMostLineBytes)));
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
-    return badInput(message("list-holds-nul", with::count<"line">(number), with::count<"byte">(nul + 1)));
+    return badInput(message<"list-holds-nul">(with::count<"line">(number), with::count<"byte">(nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
-    return badInput(message("list-no-utf8", with::count<"line">(number), with::count<"byte">(broken + 1)));
+    return badInput(message<"list-no-utf8">(with::count<"line">(number), with::count<"byte">(broken + 1)));
   return {};
 }
 
@@ -52,15 +53,15 @@ std::string_view withoutEnd(std::string_view line) {
   return line;
 }
 
-Message tooManyColumns() { return message("list-too-many-columns", with::count<"limit">(kMostColumns)); }
+Message tooManyColumns() { return message<"list-too-many-columns">(with::count<"limit">(kMostColumns)); }
 
 Status checkColumns(std::span<const std::string> columns) {
   if (columns.size() > kMostColumns) return badInput(tooManyColumns());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].empty()) return badInput(message("list-column-unnamed", with::count<"column">(i + 1)));
+    if (columns[i].empty()) return badInput(message<"list-column-unnamed">(with::count<"column">(i + 1)));
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i))
-      return badInput(message("list-column-twice", with::quoted<"name">(columns[i])));
+      return badInput(message<"list-column-twice">(with::quoted<"name">(columns[i])));
   }
   return {};
 }
@@ -93,14 +94,14 @@ class CsvReader {
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
       if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
-        return badInput(message("list-quote", with::count<"line">(line), with::count<"byte">(taken + 1)));
+        return badInput(message<"list-quote">(with::count<"line">(line), with::count<"byte">(taken + 1)));
       if (parser_.entry_pos > kMostCellBytes)
         return badInput(cellTooLong(parser_.entry_pos));  // a quotation that does
                                                           // not end
       text.remove_prefix(whole.size());
     }
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
-      return badInput(message("list-quote-open", with::count<"line">(rowLine_)));
+      return badInput(message<"list-quote-open">(with::count<"line">(rowLine_)));
     if (problem_) return badInput(std::move(*problem_));
     return std::move(list_);
   }
@@ -118,13 +119,13 @@ class CsvReader {
     if (cell.size() > kMostCellBytes)
       problem_ = cellTooLong(cell.size());
     else if (cell.starts_with('='))
-      problem_ = message("list-cell-formula", with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1));
+      problem_ = message<"list-cell-formula">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1));
     cells_.emplace_back(problem_ ? std::string_view() : cell);
   }
 
   Message cellTooLong(std::size_t bytes) const {
-    return message("list-cell-too-long", with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1),
-                   with::count<"count">(bytes), with::count<"limit">(kMostCellBytes));
+    return message<"list-cell-too-long">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1),
+                                         with::count<"count">(bytes), with::count<"limit">(kMostCellBytes));
   }
 
   void endRow() {
@@ -140,8 +141,8 @@ class CsvReader {
       return;
     }
     if (cells_.size() != list_.columns().size())
-      problem_ = message("list-row-length", with::count<"line">(rowLine_), with::count<"count">(cells_.size()),
-                         with::count<"columns">(list_.columns().size()));
+      problem_ = message<"list-row-length">(with::count<"line">(rowLine_), with::count<"count">(cells_.size()),
+                                            with::count<"columns">(list_.columns().size()));
     else
       list_.addRow(rowLine_, cells_);
   }
@@ -179,18 +180,19 @@ Result<BatchList> readJsonLines(std::string_view text) {
     const Result<Json> parsed = parseJson(line);
     if (!parsed && parsed.error().message.code != "json-malformed")
       return badInput(
-          message("list-line", with::count<"line">(number), with::cause<"problem">(parsed.error().message)));
-    if (!parsed || !parsed->is_object()) return badInput(message("list-no-object", with::count<"line">(number)));
+          message<"list-line">(with::count<"line">(number), with::cause<"problem">(parsed.error().message)));
+    if (!parsed || !parsed->is_object()) return badInput(message<"list-no-object">(with::count<"line">(number)));
     auto& cells = rows.emplace_back(number, std::vector<std::string>(columns.size())).second;
     for (const auto& [key, value] : parsed->items()) {
       const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), key) - columns.begin());
       if (at == kMostColumns) return badInput(tooManyColumns());
       if (at == columns.size()) columns.push_back(key), cells.emplace_back();
       const auto cell = cellOf(value);
-      if (!cell) return badInput(message("list-value-kind", with::count<"line">(number), with::quoted<"name">(key)));
+      if (!cell) return badInput(message<"list-value-kind">(with::count<"line">(number), with::quoted<"name">(key)));
       if (cell->size() > kMostCellBytes)
-        return badInput(message("list-cell-too-long", with::count<"line">(number), with::count<"column">(at + 1),
-                                with::count<"count">(cell->size()), with::count<"limit">(kMostCellBytes)));
+        return badInput(message<"list-cell-too-long">(with::count<"line">(number), with::count<"column">(at + 1),
+                                                      with::count<"count">(cell->size()),
+                                                      with::count<"limit">(kMostCellBytes)));
       cells[at] = *cell;
     }
   }
@@ -232,7 +234,7 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   auto list = first != text.npos && text[first] == '{' ? readJsonLines(text) : CsvReader().read(text);
-  if (list && list->size() == 0) return badInput(message("list-no-rows"));
+  if (list && list->size() == 0) return badInput(message<"list-no-rows">());
   return list;
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/sniff_format.h"
 #include "io/write_files.h"
+#include "message_codes/batch.h"
 #include "pipeline/carved_objects.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_text.h"
@@ -40,13 +41,13 @@ std::vector<std::string> BatchRow::files() const {
 }
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
-  if (name.empty()) return message("name-empty");
+  if (name.empty()) return message<"name-empty">();
   const bool hasControls = std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; });
   if (hasControls || name.find_first_of("/\\<>:\"|?*\x7f") != name.npos || name.starts_with('.') || isDeviceName(name))
-    return message("name-no-plain-name", with::quoted<"name">(name));
+    return message<"name-no-plain-name">(with::quoted<"name">(name));
   if (name.size() > kMostNameBytes)
-    return message("name-too-long", with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
-  if (!isWritable(formatOfName(name))) return message("name-not-writable", with::quoted<"name">(name));
+    return message<"name-too-long">(with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
+  if (!isWritable(formatOfName(name))) return message<"name-not-writable">(with::quoted<"name">(name));
   return std::nullopt;
 }
 
@@ -114,11 +115,11 @@ void BatchPlan::warnOfRemovedChoices() {
 Status BatchPlan::checkNames(const TextTemplate& pattern) const {
   for (const std::string& name : pattern.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
-    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted<"name">(name)));
+    if (list_.columns().empty()) return badInput(message<"template-without-list">(with::quoted<"name">(name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    if (name == kText) return badInput(message("list-without-text", with::quoted<"columns">(columns)));
-    return badInput(message("list-without-column", with::quoted<"name">(name), with::quoted<"columns">(columns)));
+    if (name == kText) return badInput(message<"list-without-text">(with::quoted<"columns">(columns)));
+    return badInput(message<"list-without-column">(with::quoted<"name">(name), with::quoted<"columns">(columns)));
   }
   return {};
 }
@@ -136,11 +137,11 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
                .id = valueOf(index, kId),
                .file = {},
                .request = all_};
-  if (row.id.empty()) return badInput(message("row-without-id"));
+  if (row.id.empty()) return badInput(message<"row-without-id">());
   const auto value = [&](std::string_view name) { return valueOf(index, name); };
   auto text = text_.filled(value);
   if (!text) return tl::unexpected(text.error());
-  if (text->empty()) return badInput(message("row-without-text"));
+  if (text->empty()) return badInput(message<"row-without-text">());
   row.request.code.text = std::move(*text);
   auto label = label_.filled(value);
   if (!label) return tl::unexpected(label.error());
@@ -162,7 +163,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
 
 void BatchPlan::add(std::uint32_t line, Message problem) {
   if (problems_.size() < kMostProblems)
-    problems_.push_back(message("list-line", with::count<"line">(line), with::cause<"problem">(std::move(problem))));
+    problems_.push_back(message<"list-line">(with::count<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
 void BatchPlan::checkRows() {
@@ -184,7 +185,7 @@ void BatchPlan::checkRows() {
       largest = std::max(largest, needed);
     }
     if (row->request.marking.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
-      add(row->line, message("colour-has-no-file", with::quoted<"name">(row->file)));
+      add(row->line, message<"colour-has-no-file">(with::quoted<"name">(row->file)));
     if (!row->request.code.label.text.empty())
       if (const auto label = layOutLabel(row->request.code.label, 21); !label) add(row->line, label.error().message);
     if (!settings_.empty() || i == 0)
@@ -194,16 +195,16 @@ void BatchPlan::checkRows() {
   if (!all_.code.symbol.version) all_.code.symbol.version = largest;
   checkTwice([](const BatchRow& row) { return row.request.code.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("text-twice", with::quoted<"text">(row.request.code.text), with::count<"other">(other));
+               return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return lowered(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("name-twice", with::quoted<"name">(row.file), with::count<"other">(other));
+               return message<"name-twice">(with::quoted<"name">(row.file), with::count<"other">(other));
              });
   checkSecondFiles();
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("id-twice", with::quoted<"id">(row.id), with::count<"other">(other));
+               return message<"id-twice">(with::quoted<"id">(row.id), with::count<"other">(other));
              });
 }
 
@@ -239,7 +240,7 @@ void BatchPlan::checkSecondFiles() {
     const std::size_t row = names[i].second, before = names[i - 1].second;
     if (names[i].first != names[i - 1].first || row == before) continue;
     add(list_.line(row),
-        message("name-twice", with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
+        message<"name-twice">(with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "carving/lift.h"
 #include "carving/needle.h"
 #include "mesh/collinear.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -152,7 +153,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are only a risk, which the final check judges. Collinear ones always do harm.
       if (low.collinear == 0) return carving;
-      return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count<"count">(low.collinear)));
+      return fail(ErrorKind::NoSolution, message<"facets-too-fine">(with::count<"count">(low.collinear)));
     }
     clearance.placeAgain(low.nodes);
   }
@@ -230,7 +231,7 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   const Result<Footprint> footprint =
       findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4, options.label);
   if (!footprint) return tl::unexpected(footprint.error());
-  if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message("nothing-under-code"));
+  if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message<"nothing-under-code">());
   const int longest = longestOutline(*footprint, levels.submoduleMm(), snapMm);
   OutlineGraph graph = options.surface == SurfaceMode::Resampled ? buildGridOutlines(levels, chamferMm)
                                                                  : buildOutlines(levels, chamferMm, longest);

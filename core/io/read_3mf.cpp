@@ -11,6 +11,7 @@
 #include "io/three_mf_volumes.h"
 #include "io/xml_reader.h"
 #include "io/zip_archive.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -82,21 +83,21 @@ class Package {
   /// @returns its name
   Result<std::string> readStart() {
     const ZipEntry* entry = archive_.find(kRelationships);
-    if (!entry) return badInput(message("3mf-no-relationships"));
+    if (!entry) return badInput(message<"3mf-no-relationships">());
     RelationshipHandler handler;
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     if (const Status read = readXml(*stream, std::string(kRelationships), handler); !read)
       return tl::unexpected(read.error());
-    if (handler.targets.empty()) return badInput(message("3mf-no-start"));
+    if (handler.targets.empty()) return badInput(message<"3mf-no-start">());
     if (handler.targets.size() > 1)
-      return badInput(message("3mf-several-starts", with::count<"count">(handler.targets.size())));
+      return badInput(message<"3mf-several-starts">(with::count<"count">(handler.targets.size())));
     const std::string& target = handler.targets.front();
-    if (target.empty()) return badInput(message("3mf-no-target"));
+    if (target.empty()) return badInput(message<"3mf-no-target">());
     const auto name = partName(target);
     if (handler.external || target.find(':') != std::string::npos)
-      return badInput(message("3mf-external", with::quoted<"target">(excerpt(target, kLongestTarget))));
-    if (!name) return badInput(message("3mf-leaves-package", with::quoted<"target">(excerpt(target, kLongestTarget))));
+      return badInput(message<"3mf-external">(with::quoted<"target">(excerpt(target, kLongestTarget))));
+    if (!name) return badInput(message<"3mf-leaves-package">(with::quoted<"target">(excerpt(target, kLongestTarget))));
     if (const Status read = readModels(*name); !read) return tl::unexpected(read.error());
     return *name;
   }
@@ -108,7 +109,7 @@ class Package {
       const std::string name = std::move(paths.back());
       paths.pop_back();
       if (models_.count(name)) continue;
-      if (models_.size() == kMaxParts) return badInput(message("3mf-too-many-parts", with::count<"limit">(kMaxParts)));
+      if (models_.size() == kMaxParts) return badInput(message<"3mf-too-many-parts">(with::count<"limit">(kMaxParts)));
       Result<ThreeMfModel> model = readPart(name);
       if (!model) return tl::unexpected(model.error());
       if (const Status resolved = resolvePaths(*model, name, paths); !resolved) return resolved;
@@ -132,7 +133,7 @@ class Package {
 
   Result<ThreeMfModel> readPart(const std::string& name) {
     const ZipEntry* entry = archive_.find(name);
-    if (!entry) return badInput(message("3mf-part-missing", with::quoted<"part">(excerpt(name, kLongestTarget))));
+    if (!entry) return badInput(message<"3mf-part-missing">(with::quoted<"part">(excerpt(name, kLongestTarget))));
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     ReadLimits left = limits_;
@@ -153,9 +154,9 @@ class Package {
         }
         const auto name = partName(instance.path);
         if (!name)
-          return badInput(message("3mf-path-outside", with::quoted<"part">(excerpt(own)),
-                                  with::count<"object">(instance.object),
-                                  with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
+          return badInput(message<"3mf-path-outside">(with::quoted<"part">(excerpt(own)),
+                                                      with::count<"object">(instance.object),
+                                                      with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
         instance.path = *name;
         if (instance.path != own) paths.push_back(*name);
       }
@@ -214,13 +215,13 @@ class Builder {
     if (total.triangles > limits_.maxTriangles || total.vertices > 3 * limits_.maxTriangles)
       return tooManyTriangles(limits_.maxTriangles);
     if (total.instances > kMaxInstances)
-      return badInput(message("3mf-too-many-instances", with::count<"limit">(kMaxInstances)));
+      return badInput(message<"3mf-too-many-instances">(with::count<"limit">(kMaxInstances)));
     if (total.nesting > kMaxNesting + 1) return nestedTooDeep();
     return {};
   }
 
   static tl::unexpected<Error> nestedTooDeep() {
-    return badInput(message("3mf-nested-too-deep", with::count<"limit">(kMaxNesting)));
+    return badInput(message<"3mf-nested-too-deep">(with::count<"limit">(kMaxNesting)));
   }
 
   /// Measures an object before anything is multiplied, and checks the limits.
@@ -230,17 +231,18 @@ class Builder {
     if (const auto known = extents_.find(key); known != extents_.end()) {
       if (known->second) return *known->second;
       return badInput(
-          message("3mf-circle", with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-circle">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     }
     const ThreeMfObject* object = find(instance);
     if (!object)
-      return badInput(message("3mf-object-missing", with::quoted<"asking">(excerpt(asking)),
-                              with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+      return badInput(message<"3mf-object-missing">(with::quoted<"asking">(excerpt(asking)),
+                                                    with::count<"object">(instance.object),
+                                                    with::quoted<"part">(excerpt(instance.path))));
     if (object->isInSlices)
       return badInput(
-          message("3mf-slices", with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-slices">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     if (extents_.size() > kMaxInstances)
-      return badInput(message("3mf-too-many-objects", with::count<"limit">(kMaxInstances)));
+      return badInput(message<"3mf-too-many-objects">(with::count<"limit">(kMaxInstances)));
     extents_.emplace(key, std::nullopt);  // while it is open, to find circular references
     if (++depth_ > kMaxNesting) return nestedTooDeep();
     Extent total{object->triangles.size(), object->positions.size(), 1, 1};
@@ -360,14 +362,14 @@ class Builder {
   Result<PolygonSoup> finish(const ThreeMfModel& model) {
     if (notModels_ > 0)
       soup_.warnings.push_back(
-          message("3mf-items-not-models", with::count<"count">(notModels_), with::count<"items">(model.items.size())));
-    if (modifiers_ > 0) soup_.warnings.push_back(message("3mf-modifiers", with::count<"count">(modifiers_)));
-    if (empty_ > 0) soup_.warnings.push_back(message("3mf-items-empty", with::count<"count">(empty_)));
-    if (!model.hasBuild) return badInput(message("3mf-build-missing", with::count<"count">(model.objects.size())));
-    if (model.items.empty()) return badInput(message("3mf-build-empty", with::count<"count">(model.objects.size())));
-    if (soup_.triangles.empty()) return badInput(message("3mf-no-triangle", with::count<"count">(model.items.size())));
+          message<"3mf-items-not-models">(with::count<"count">(notModels_), with::count<"items">(model.items.size())));
+    if (modifiers_ > 0) soup_.warnings.push_back(message<"3mf-modifiers">(with::count<"count">(modifiers_)));
+    if (empty_ > 0) soup_.warnings.push_back(message<"3mf-items-empty">(with::count<"count">(empty_)));
+    if (!model.hasBuild) return badInput(message<"3mf-build-missing">(with::count<"count">(model.objects.size())));
+    if (model.items.empty()) return badInput(message<"3mf-build-empty">(with::count<"count">(model.objects.size())));
+    if (soup_.triangles.empty()) return badInput(message<"3mf-no-triangle">(with::count<"count">(model.items.size())));
     for (const Vec3& p : soup_.positions)
-      if (!(glm::length(p) < 1e300)) return badInput(message("3mf-out-of-bounds"));
+      if (!(glm::length(p) < 1e300)) return badInput(message<"3mf-out-of-bounds">());
     return std::move(soup_);
   }
 

@@ -7,6 +7,7 @@
 #include "io/read_ply.h"
 #include "io/read_stl.h"
 #include "io/sniff_format.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -24,31 +25,31 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::ThreeMf:
       return read3mf(bytes, limits);
     case ModelFormat::Gltf:
-      return badInput(message("format-unreadable", with::term<"format">(nameOf(format))));
+      return badInput(message<"format-unreadable">(with::term<"format">(nameOf(format))));
     case ModelFormat::Unknown:
       break;
   }
-  return badInput(message("format-unknown"));
+  return badInput(message<"format-unknown">());
 }
 
 }  // namespace
 
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits) {
-  if (bytes.empty()) return badInput(message("file-empty"));
+  if (bytes.empty()) return badInput(message<"file-empty">());
   if (bytes.size() > limits.maxBytes)
     return badInput(
-        message("file-too-large", with::count<"bytes">(bytes.size()), with::count<"limit">(limits.maxBytes)));
+        message<"file-too-large">(with::count<"bytes">(bytes.size()), with::count<"limit">(limits.maxBytes)));
   const ModelFormat named = formatOfName(fileName);
   const ModelFormat format = formatOfContent(bytes);
   if (format == ModelFormat::Unknown)
     if (const std::string_view encoding = wideEncodingOf(bytes); !encoding.empty())
-      return badInput(message("text-encoding", with::term<"encoding">(encoding)));
+      return badInput(message<"text-encoding">(with::term<"encoding">(encoding)));
   if (format == ModelFormat::Unknown || format == named) return readAs(named, bytes, limits);
   Result<PolygonSoup> soup = readAs(format, bytes, limits);
   if (soup && named != ModelFormat::Unknown)
-    soup->warnings.insert(soup->warnings.begin(), message("format-misnamed", with::term<"named">(nameOf(named)),
-                                                          with::term<"found">(nameOf(format))));
+    soup->warnings.insert(soup->warnings.begin(), message<"format-misnamed">(with::term<"named">(nameOf(named)),
+                                                                             with::term<"found">(nameOf(format))));
   return soup;
 }
 

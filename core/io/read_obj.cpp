@@ -13,6 +13,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -70,12 +71,12 @@ class VettedStatements : public std::streambuf {
   }
 
   Status failHere(Message what) const {
-    return badInput(message("obj-line", with::count<"line">(line_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"obj-line">(with::count<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status failAtVertex(Message what) const {
     return failHere(
-        message("vertex", with::count<"vertex">(verticesSoFar_ + 1), with::cause<"cause">(std::move(what))));
+        message<"vertex">(with::count<"vertex">(verticesSoFar_ + 1), with::cause<"cause">(std::move(what))));
   }
 
   Status vetVertex() {
@@ -99,14 +100,14 @@ class VettedStatements : public std::streambuf {
     for (std::string_view word = words.wordOnLine(); !word.empty(); word = words.wordOnLine()) {
       const bool malformed = word.find_first_not_of("+-0123456789/") != std::string_view::npos;
       const std::optional<std::int64_t> index = malformed ? std::nullopt : parseInteger(word.substr(0, word.find('/')));
-      if (!index) return failHere(message("obj-corner", with::quoted<"word">(excerpt(word))));
+      if (!index) return failHere(message<"obj-corner">(with::quoted<"word">(excerpt(word))));
       if (*index > 0 && static_cast<std::uint64_t>(*index) <= vertices_) continue;
       if (*index < 0 && *index >= -static_cast<std::int64_t>(verticesSoFar_)) continue;
-      if (*index == 0) return failHere(message("obj-vertex-zero"));
+      if (*index == 0) return failHere(message<"obj-vertex-zero">());
       if (*index > 0)
-        return failHere(message("obj-vertex-missing", with::count<"vertex">(*index), with::count<"count">(vertices_)));
+        return failHere(message<"obj-vertex-missing">(with::count<"vertex">(*index), with::count<"count">(vertices_)));
       return failHere(
-          message("obj-vertex-not-yet", with::count<"vertex">(*index), with::count<"count">(verticesSoFar_)));
+          message<"obj-vertex-not-yet">(with::count<"vertex">(*index), with::count<"count">(verticesSoFar_)));
     }
     return {};
   }
@@ -145,7 +146,7 @@ void takeFace(void* user, tinyobj::index_t* indices, int count) {
 
 Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   VettedStatements statements(textOf(bytes));
-  if (statements.vertices() == 0) return badInput(message("obj-no-vertex"));
+  if (statements.vertices() == 0) return badInput(message<"obj-no-vertex">());
   Collector collector{statements, {}, {}};
   collector.list.maxTriangles = limits.maxTriangles;
   if (Status s = collector.list.reserve(statements.vertices(), 0); !s) return tl::unexpected(s.error());
@@ -156,7 +157,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   std::istream stream(&statements);
   const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
   if (!statements.status()) return tl::unexpected(statements.status().error());
-  if (!parsed || collector.list.positions.size() != statements.vertices()) return badInput(message("obj-not-parsed"));
+  if (!parsed || collector.list.positions.size() != statements.vertices()) return badInput(message<"obj-not-parsed">());
   return triangulated(std::move(collector.list), "OBJ");
 }
 

@@ -4,6 +4,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -19,13 +20,13 @@ class OffReader {
     const std::string_view verticesWord = scanner_.word();
     const std::optional<std::uint64_t> vertices = countFrom(verticesWord);
     if (!vertices)
-      return verticesWord.empty() ? failHere(message("off-vertex-count-missing"))
-                                  : failHere(message("off-vertex-count", with::quoted<"word">(excerpt(verticesWord))));
+      return verticesWord.empty() ? failHere(message<"off-vertex-count-missing">())
+                                  : failHere(message<"off-vertex-count">(with::quoted<"word">(excerpt(verticesWord))));
     const std::string_view facesWord = scanner_.word();
     const std::optional<std::uint64_t> faces = countFrom(facesWord);
     if (!faces)
-      return facesWord.empty() ? failHere(message("off-face-count-missing"))
-                               : failHere(message("off-face-count", with::quoted<"word">(excerpt(facesWord))));
+      return facesWord.empty() ? failHere(message<"off-face-count-missing">())
+                               : failHere(message<"off-face-count">(with::quoted<"word">(excerpt(facesWord))));
     scanner_.restOfLine();  // the number of edges: often wrong, never needed
     if (Status s = checkSizeBound(*vertices, *faces); !s) return tl::unexpected(s.error());
     if (Status s = list_.reserve(*vertices, *faces); !s) return tl::unexpected(s.error());
@@ -41,17 +42,17 @@ class OffReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message("off-line", with::count<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
+    return badInput(message<"off-line">(with::count<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
   }
 
   Status readKeyword() {
     const std::string_view keyword = scanner_.word();
-    if (keyword.empty()) return failHere(message("off-keyword-missing"));
-    if (!isOffKeyword(keyword)) return failHere(message("off-keyword", with::quoted<"word">(excerpt(keyword))));
+    if (keyword.empty()) return failHere(message<"off-keyword-missing">());
+    if (!isOffKeyword(keyword)) return failHere(message<"off-keyword">(with::quoted<"word">(excerpt(keyword))));
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return badInput(message("off-dimension", with::term<"keyword">(keyword)));
+      return badInput(message<"off-dimension">(with::term<"keyword">(keyword)));
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "BINARY") return badInput(message("off-binary"));
+    if (scanner_.wordOnLine() == "BINARY") return badInput(message<"off-binary">());
     scanner_ = before;
     return {};
   }
@@ -65,8 +66,8 @@ class OffReader {
   /// shortest face two ("0").
   Status checkSizeBound(std::uint64_t vertices, std::uint64_t faces) const {
     if (vertices <= (left() + 1) / 6 && faces <= (left() + 1) / 2) return {};
-    return badInput(message("off-announces", with::count<"vertices">(vertices), with::count<"faces">(faces),
-                            with::count<"bytes">(left())));
+    return badInput(message<"off-announces">(with::count<"vertices">(vertices), with::count<"faces">(faces),
+                                             with::count<"bytes">(left())));
   }
 
   std::size_t left() const { return text_.size() - scanner_.position(); }  ///< bytes not yet read
@@ -77,8 +78,8 @@ class OffReader {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
       if (!value)
-        return failHere(message("vertex-of", with::count<"vertex">(number), with::count<"vertices">(count),
-                                with::cause<"cause">(notANumber(word))));
+        return failHere(message<"vertex-of">(with::count<"vertex">(number), with::count<"vertices">(count),
+                                             with::cause<"cause">(notANumber(word))));
       p[axis] = *value;
     }
     scanner_.restOfLine();
@@ -89,15 +90,15 @@ class OffReader {
   Status readFace(std::size_t number, std::size_t count) {
     const std::string_view sizeWord = scanner_.word();
     const auto failAtFace = [&](Message what) {
-      return failHere(message("face-of", with::count<"face">(number), with::count<"faces">(count),
-                              with::cause<"cause">(std::move(what))));
+      return failHere(message<"face-of">(with::count<"face">(number), with::count<"faces">(count),
+                                         with::cause<"cause">(std::move(what))));
     };
     const std::optional<std::uint64_t> size = countFrom(sizeWord);
     if (!size)
-      return sizeWord.empty() ? failAtFace(message("corner-count-missing"))
-                              : failAtFace(message("corner-count", with::quoted<"word">(excerpt(sizeWord))));
+      return sizeWord.empty() ? failAtFace(message<"corner-count-missing">())
+                              : failAtFace(message<"corner-count">(with::quoted<"word">(excerpt(sizeWord))));
     if (*size > left())
-      return failAtFace(message("corners-missing", with::count<"corners">(*size), with::count<"count">(left())));
+      return failAtFace(message<"corners-missing">(with::count<"corners">(*size), with::count<"count">(left())));
     polygon_.clear();
     for (std::uint64_t k = 0; k < *size; ++k) {
       const std::string_view word = scanner_.word();

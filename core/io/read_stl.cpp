@@ -8,6 +8,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -60,20 +61,20 @@ bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limi
 
 Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (bytes.size() < kHeaderBytes)
-    return badInput(message("stl-too-short", with::count<"count">(bytes.size()), with::count<"header">(kHeaderBytes)));
+    return badInput(message<"stl-too-short">(with::count<"count">(bytes.size()), with::count<"header">(kHeaderBytes)));
   const std::uint64_t announced = announcedFacets(bytes);
   const std::uint64_t expected = kHeaderBytes + kFacetBytes * announced;
   const std::size_t rest = bytes.size() - kHeaderBytes;
-  if (announced == 0 && rest == 0) return badInput(message("stl-no-facet"));
+  if (announced == 0 && rest == 0) return badInput(message<"stl-no-facet">());
   if (announced == 0)
     return badInput(
-        message("stl-announces-none", with::count<"bytes">(rest), with::count<"count">(rest / kFacetBytes)));
+        message<"stl-announces-none">(with::count<"bytes">(rest), with::count<"count">(rest / kFacetBytes)));
   if (bytes.size() >= expected) return {};
   if (!looksLikeFacets(bytes, limits))
-    return badInput(message("stl-neither", with::count<"announced">(announced), with::count<"expected">(expected),
-                            with::count<"bytes">(bytes.size())));
-  return badInput(message("stl-cut-off", with::count<"announced">(announced), with::count<"expected">(expected),
-                          with::count<"bytes">(bytes.size()), with::count<"count">(rest / kFacetBytes)));
+    return badInput(message<"stl-neither">(with::count<"announced">(announced), with::count<"expected">(expected),
+                                           with::count<"bytes">(bytes.size())));
+  return badInput(message<"stl-cut-off">(with::count<"announced">(announced), with::count<"expected">(expected),
+                                         with::count<"bytes">(bytes.size()), with::count<"count">(rest / kFacetBytes)));
 }
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
@@ -93,12 +94,12 @@ Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLi
         corners[k][axis] = loadBytes<float>(facet + 12 + 12 * k + 4 * static_cast<std::size_t>(axis));
     for (const Vec3& p : corners)
       if (!isFinite(p))
-        return badInput(message("stl-not-finite", with::count<"facet">(f + 1), with::count<"facets">(count),
-                                with::term<"at">(coordinates(p))));
+        return badInput(message<"stl-not-finite">(with::count<"facet">(f + 1), with::count<"facets">(count),
+                                                  with::term<"at">(coordinates(p))));
     addFacet(soup, corners);
   }
   if (const std::size_t rest = bytes.size() - kHeaderBytes - kFacetBytes * count; rest > 0)
-    soup.warnings.push_back(message("stl-trailing-bytes", with::count<"count">(rest), with::count<"announced">(count)));
+    soup.warnings.push_back(message<"stl-trailing-bytes">(with::count<"count">(rest), with::count<"announced">(count)));
   return soup;
 }
 
@@ -119,29 +120,30 @@ class AsciiReader {
       } else if (insideSolid && equalsIgnoringCase(word, "facet")) {
         if (Status s = readFacet(); !s) return tl::unexpected(s.error());
       } else {
-        return unexpected(word, insideSolid ? message("stl-wants-facet") : wantsKeyword("solid"));
+        return unexpected(word, insideSolid ? message<"stl-wants-facet">() : wantsKeyword("solid"));
       }
     }
-    if (soup_.triangles.empty()) return badInput(message("stl-ascii-no-facet"));
+    if (soup_.triangles.empty()) return badInput(message<"stl-ascii-no-facet">());
     if (wordsAfterFacets_ > 0)
-      soup_.warnings.push_back(message("stl-words-after-endfacet", with::count<"count">(wordsAfterFacets_),
-                                       with::count<"line">(firstLineOfWords_)));
-    if (insideSolid) soup_.warnings.push_back(message("stl-no-endsolid"));
+      soup_.warnings.push_back(message<"stl-words-after-endfacet">(with::count<"count">(wordsAfterFacets_),
+                                                                   with::count<"line">(firstLineOfWords_)));
+    if (insideSolid) soup_.warnings.push_back(message<"stl-no-endsolid">());
     return std::move(soup_);
   }
 
  private:
   static Message wantsKeyword(std::string_view keyword) {
-    return message("stl-wants-keyword", with::quoted<"keyword">(keyword));
+    return message<"stl-wants-keyword">(with::quoted<"keyword">(keyword));
   }
 
   tl::unexpected<Error> unexpected(std::string_view word, Message expected) const {
     if (word.empty())
-      return badInput(message("stl-ascii-ends", with::count<"line">(scanner_.line()),
-                              with::count<"facet">(soup_.triangles.size() + 1),
-                              with::cause<"wanted">(std::move(expected))));
-    return badInput(message("stl-ascii-unexpected", with::count<"line">(scanner_.line()),
-                            with::quoted<"word">(excerpt(word)), with::cause<"wanted">(std::move(expected))));
+      return badInput(message<"stl-ascii-ends">(with::count<"line">(scanner_.line()),
+                                                with::count<"facet">(soup_.triangles.size() + 1),
+                                                with::cause<"wanted">(std::move(expected))));
+    return badInput(message<"stl-ascii-unexpected">(with::count<"line">(scanner_.line()),
+                                                    with::quoted<"word">(excerpt(word)),
+                                                    with::cause<"wanted">(std::move(expected))));
   }
 
   Status expect(std::string_view keyword) {
@@ -156,12 +158,13 @@ class AsciiReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
-      if (!value) return unexpected(word, message("stl-wants-number"));
+      if (!value) return unexpected(word, message<"stl-wants-number">());
       p[axis] = *value;
     }
     if (!isFinite(p))
-      return badInput(message("stl-ascii-not-finite", with::count<"line">(scanner_.line()),
-                              with::count<"facet">(soup_.triangles.size() + 1), with::term<"at">(coordinates(p))));
+      return badInput(message<"stl-ascii-not-finite">(with::count<"line">(scanner_.line()),
+                                                      with::count<"facet">(soup_.triangles.size() + 1),
+                                                      with::term<"at">(coordinates(p))));
     return p;
   }
 

@@ -8,6 +8,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -61,7 +62,7 @@ class ModelHandler : public XmlHandler {
       case Place::Item:
         return takeInstance(element, model_.items);
       default:
-        return parent == Place::Outside ? badInput(message("3mf-not-a-model")) : Status();
+        return parent == Place::Outside ? badInput(message<"3mf-not-a-model">()) : Status();
     }
   }
 
@@ -115,28 +116,28 @@ class ModelHandler : public XmlHandler {
   }
 
   tl::unexpected<Error> badObject(Message what) const {
-    return badInput(message("3mf-object", with::count<"object">(objectId_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-object">(with::count<"object">(objectId_), with::cause<"cause">(std::move(what))));
   }
 
   tl::unexpected<Error> badVertex(Message what) const {
     return badObject(
-        message("vertex", with::count<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
+        message<"vertex">(with::count<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
   }
 
   /// @param number  from 1
   tl::unexpected<Error> badTriangle(std::size_t number, Message what) const {
-    return badObject(message("3mf-triangle", with::count<"triangle">(number), with::cause<"cause">(std::move(what))));
+    return badObject(message<"3mf-triangle">(with::count<"triangle">(number), with::cause<"cause">(std::move(what))));
   }
 
   Status countEntry() {
     if (++entries_ <= kMaxEntries) return {};
-    return badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxEntries)));
+    return badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxEntries)));
   }
 
   Status startModel(const XmlElement& element) {
     if (const auto unit = element.attribute("unit")) {
       const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == *unit; });
-      if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted<"unit">(excerpt(*unit))));
+      if (known == kUnits.end()) return badInput(message<"3mf-unit">(with::quoted<"unit">(excerpt(*unit))));
       model_.unitMm = known->mm;
     }
     // Refuse extensions that change the geometry. Colours, triangle names and slices in addition to a full mesh do not.
@@ -144,10 +145,10 @@ class ModelHandler : public XmlHandler {
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
       if (space == spaces_.end())
-        return badInput(message("3mf-extension-undeclared", with::quoted<"prefix">(excerpt(prefix))));
+        return badInput(message<"3mf-extension-undeclared">(with::quoted<"prefix">(excerpt(prefix))));
       if (space->second != kProduction && space->second != kMaterial && space->second != kTriangleSets &&
           space->second != kSlice && space->second != kCore)
-        return badInput(message("3mf-extension", with::quoted<"extension">(excerpt(space->second, kLongestUri))));
+        return badInput(message<"3mf-extension">(with::quoted<"extension">(excerpt(space->second, kLongestUri))));
     }
     return {};
   }
@@ -156,10 +157,10 @@ class ModelHandler : public XmlHandler {
     const auto text = element.attribute(name);
     if (!text)
       return badInput(
-          message("3mf-attribute-missing", with::quoted<"element">(element.name), with::term<"attribute">(name)));
+          message<"3mf-attribute-missing">(with::quoted<"element">(element.name), with::term<"attribute">(name)));
     const auto id = parseInteger(*text);
     if (!id || *id < 1 || *id > 0x7fffffff)
-      return badInput(message("3mf-id", with::quoted<"word">(excerpt(*text)), with::term<"attribute">(name)));
+      return badInput(message<"3mf-id">(with::quoted<"word">(excerpt(*text)), with::term<"attribute">(name)));
     return static_cast<std::uint32_t>(*id);
   }
 
@@ -169,7 +170,7 @@ class ModelHandler : public XmlHandler {
     if (!id) return tl::unexpected(id.error());
     objectId_ = *id;
     const auto [at, isNew] = model_.objects.try_emplace(*id);
-    if (!isNew) return badObject(message("3mf-two-objects"));
+    if (!isNew) return badObject(message<"3mf-two-objects">());
     object_ = &at->second;
     object_->name = element.attribute("name").value_or("");
     object_->type = element.attribute("type").value_or("model");
@@ -179,7 +180,7 @@ class ModelHandler : public XmlHandler {
   }
 
   Status startContent() {
-    if (hasContent_) return badObject(message("3mf-two-contents"));
+    if (hasContent_) return badObject(message<"3mf-two-contents">());
     hasContent_ = true;
     return {};
   }
@@ -190,7 +191,7 @@ class ModelHandler : public XmlHandler {
     for (int axis = 0; axis < 3; ++axis) {
       const char name = static_cast<char>('x' + axis);
       const auto text = element.attribute(std::string_view(&name, 1));
-      if (!text) return badVertex(message("3mf-coordinate-missing", with::term<"axis">(std::string_view(&name, 1))));
+      if (!text) return badVertex(message<"3mf-coordinate-missing">(with::term<"axis">(std::string_view(&name, 1))));
       const auto value = parseNumber(*text);
       if (!value) return badVertex(notANumber(*text));
       if (!std::isfinite(*value)) return badVertex(notFinite(*text));
@@ -207,7 +208,7 @@ class ModelHandler : public XmlHandler {
     const std::size_t number = object_->triangles.size() + 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto text = element.attribute(kNames[k]);
-      if (!text) return badTriangle(number, message("3mf-corner-missing", with::term<"corner">(kNames[k])));
+      if (!text) return badTriangle(number, message<"3mf-corner-missing">(with::term<"corner">(kNames[k])));
       const auto index = parseInteger(*text);
       if (!index) return badTriangle(number, text->empty() ? notANumber(*text) : notAVertex(*text));
       if (*index < 0 || *index > 0xffffffffLL || (verticesEnded_ && !hasVertex(*index)))
@@ -221,8 +222,8 @@ class ModelHandler : public XmlHandler {
   bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
 
   static tl::unexpected<Error> badTransform(std::string_view text, Message what) {
-    return badInput(message("3mf-transform", with::quoted<"transform">(excerpt(text, kLongestTransform)),
-                            with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-transform">(with::quoted<"transform">(excerpt(text, kLongestTransform)),
+                                             with::cause<"cause">(std::move(what))));
   }
 
   static Result<Affine> transformFrom(std::string_view text) {
@@ -235,10 +236,10 @@ class ModelHandler : public XmlHandler {
       if (!std::isfinite(*number)) return badTransform(text, notFinite(word));
       value = *number;
     }
-    if (!words.word().empty()) return badTransform(text, message("3mf-transform-too-long"));
+    if (!words.word().empty()) return badTransform(text, message<"3mf-transform-too-long">());
     const Affine transform{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
     if (!(std::abs(transform.determinant()) > 0) || !std::isfinite(transform.determinant()))
-      return badTransform(text, message("3mf-transform-flat"));
+      return badTransform(text, message<"3mf-transform-flat">());
     return transform;
   }
 
@@ -260,7 +261,7 @@ class ModelHandler : public XmlHandler {
   }
 
   Status endObject() {
-    if (!hasContent_) return badObject(message("3mf-no-content"));
+    if (!hasContent_) return badObject(message<"3mf-no-content">());
     for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // triangles may come before their vertices
       for (const std::uint32_t v : object_->triangles[t])
         if (!hasVertex(v)) return badTriangle(t + 1, noSuchVertex(v, object_->positions.size()));

@@ -7,6 +7,7 @@
 
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -48,7 +49,7 @@ class VolumeHandler : public XmlHandler {
     else if (element.name == "metadata" && range_)
       takeKind(element);
     return count_ <= kMaxVolumes ? Status()
-                                 : badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxVolumes)));
+                                 : badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxVolumes)));
   }
 
  private:
@@ -104,7 +105,7 @@ ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBy
     if (done)
       volumes = std::move(read);
     else
-      warnings.push_back(message("3mf-settings-unread", with::cause<"cause">(done.error().message)));
+      warnings.push_back(message<"3mf-settings-unread">(with::cause<"cause">(done.error().message)));
   }
   return volumes;
 }

@@ -7,6 +7,7 @@
 
 #include "mesh/report_findings.h"
 #include "mesh/weld.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -24,18 +25,18 @@ double floatStepMm(double farthestMm) { return farthestMm * std::numeric_limits<
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   if (!(options.scaleToMm > 0) || !std::isfinite(options.scaleToMm))
-    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number<"scale">(options.scaleToMm)));
+    return fail(ErrorKind::BadUsage, message<"scale-not-positive">(with::number<"scale">(options.scaleToMm)));
   for (const std::optional<double>& mm : {options.repair.weldToleranceMm, options.repair.maxHoleMm})
     if (mm && !(*mm >= 0 && std::isfinite(*mm)))
-      return fail(ErrorKind::BadUsage, message("repair-tolerance-senseless", with::lengthMm<"tolerance">(*mm)));
-  if (soup.triangles.empty()) return badInput(message("model-no-triangle"));
+      return fail(ErrorKind::BadUsage, message<"repair-tolerance-senseless">(with::lengthMm<"tolerance">(*mm)));
+  if (soup.triangles.empty()) return badInput(message<"model-no-triangle">());
   if (soup.triangles.size() > kMaxTriangles || soup.positions.size() > 3 * kMaxTriangles)
-    return badInput(message("model-too-many-triangles", with::count<"triangles">(soup.triangles.size()),
-                            with::count<"most">(kMaxTriangles)));
+    return badInput(message<"model-too-many-triangles">(with::count<"triangles">(soup.triangles.size()),
+                                                        with::count<"most">(kMaxTriangles)));
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return badInput(message("model-vertex-not-finite", with::count<"vertex">(i + 1), with::place<"at">(p)));
+      return badInput(message<"model-vertex-not-finite">(with::count<"vertex">(i + 1), with::place<"at">(p)));
   }
   return {};
 }
@@ -53,13 +54,13 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const double largest = std::max({size.x, size.y, size.z});
   const Vec3 far = glm::max(glm::abs(boxMm.min), glm::abs(boxMm.max));
   if (largest > kImplausibleMm)
-    return badInput(message("model-implausibly-large", with::number<"km">(largest / kMmPerKm),
-                            with::number<"fileUnits">(largest / scaleToMm)));
+    return badInput(message<"model-implausibly-large">(with::number<"km">(largest / kMmPerKm),
+                                                       with::number<"fileUnits">(largest / scaleToMm)));
   if (const double farthest = std::max({far.x, far.y, far.z}); farthest > kImplausibleMm)
-    return badInput(message("model-too-far-away", with::number<"km">(farthest / kMmPerKm),
-                            with::lengthMm<"step">(floatStepMm(farthest)),
-                            with::number<"maxKm">(kImplausibleMm / kMmPerKm)));
-  if (largest == 0) return badInput(message("model-no-extent"));
+    return badInput(message<"model-too-far-away">(with::number<"km">(farthest / kMmPerKm),
+                                                  with::lengthMm<"step">(floatStepMm(farthest)),
+                                                  with::number<"maxKm">(kImplausibleMm / kMmPerKm)));
+  if (largest == 0) return badInput(message<"model-no-extent">());
   return {};
 }
 
@@ -87,7 +88,7 @@ Result<Mesh> weldedMesh(const PolygonSoup& soup, double scaleToMm, FindingList& 
     mesh.triangles.push_back(
         {welding.indexOf[newIndex[a]], welding.indexOf[newIndex[b]], welding.indexOf[newIndex[c]]});
   if (const std::size_t unused = used.size() - points.size(); unused > 0)
-    findings.note(message("unused-vertices", with::count<"count">(unused)));
+    findings.note(message<"unused-vertices">(with::count<"count">(unused)));
   return mesh;
 }
 
@@ -98,14 +99,14 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
   if (largest < kTinyMm) {
     model.unitSuggestions = suggestUnits(size, model.scaleToMm);
     findings.warn(
-        message("tiny", with::extentMm<"size">(size), with::cause<"advice">(unitAdvice(model.unitSuggestions))));
+        message<"tiny">(with::extentMm<"size">(size), with::cause<"advice">(unitAdvice(model.unitSuggestions))));
   }
-  if (largest > kHugeMm) findings.warn(message("huge", with::extentMm<"size">(size)));
+  if (largest > kHugeMm) findings.warn(message<"huge">(with::extentMm<"size">(size)));
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
   const double step = floatStepMm(farthest);
   if (step > kCoarseMm && farthest > 4 * largest)
-    findings.warn(message("far-away", with::lengthMm<"distance">(farthest), with::lengthMm<"step">(step)));
+    findings.warn(message<"far-away">(with::lengthMm<"distance">(farthest), with::lengthMm<"step">(step)));
 }
 
 /// Returns the part of each triangle of the file; empty: one part only.
@@ -128,11 +129,11 @@ bool hasArea(const PolygonSoup& soup, const Triangle& t) {
 /// Returns the reason why no triangle is left.
 Message nothingLeft(const PolygonSoup& soup, const Cleaning& cleaning) {
   const std::size_t triangles = soup.triangles.size();
-  if (cleaning.duplicates > 0) return message("model-no-thickness", with::count<"count">(triangles));
+  if (cleaning.duplicates > 0) return message<"model-no-thickness">(with::count<"count">(triangles));
   const bool isRounded =
       std::any_of(soup.triangles.begin(), soup.triangles.end(), [&](const Triangle& t) { return hasArea(soup, t); });
-  if (isRounded) return message("area-lost-in-rounding", with::count<"count">(triangles));
-  return message("model-no-area", with::count<"count">(triangles));
+  if (isRounded) return message<"area-lost-in-rounding">(with::count<"count">(triangles));
+  return message<"model-no-area">(with::count<"count">(triangles));
 }
 
 }  // namespace

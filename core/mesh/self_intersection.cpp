@@ -9,6 +9,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
 #include "mesh/triangle_separation.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -197,7 +198,7 @@ Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const st
   std::vector<TrianglePair> pairs;
   for (const PairList& list : lists) pairs.insert(pairs.end(), list.pairs().begin(), list.pairs().end());
   if (pairs.size() < limit && std::any_of(lists.begin(), lists.end(), [](const PairList& l) { return l.gaveUp(); }))
-    return fail(ErrorKind::NoSolution, message("crossings-too-crowded"));
+    return fail(ErrorKind::NoSolution, message<"crossings-too-crowded">());
   if (pairs.size() > limit) pairs.resize(limit);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -212,7 +213,7 @@ Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::s
   try {
     return findPairs(mesh, suspects.empty() ? all : suspects, limit, maxLooks);
   } catch (const CGAL::Failure_exception& failure) {
-    return fail(ErrorKind::Internal, message("crossing-test-failed", with::term<"reason">(failure.what())));
+    return fail(ErrorKind::Internal, message<"crossing-test-failed">(with::term<"reason">(failure.what())));
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "message_codes/model.h"
+
 namespace qrelief {
 namespace {
 
@@ -22,14 +24,15 @@ std::vector<UnitSuggestion> suggestUnits(Vec3 sizeMm, double scaleToMm) {
 }
 
 Message unitAdvice(std::span<const UnitSuggestion> suggestions) {
-  if (suggestions.empty()) return message("unit-may-be-wrong");
+  if (suggestions.empty()) return message<"unit-may-be-wrong">();
   const UnitSuggestion& first = suggestions[0];
   if (suggestions.size() == 1)
-    return message("unit-that-fits", with::choice<"unit">("units", first.unit), with::extentMm<"size">(first.sizeMm));
+    return message<"unit-that-fits">(with::choice<"unit">("units", first.unit), with::extentMm<"size">(first.sizeMm));
   // Inches and centimetres can both fit; metres fit only alone, as 15 mm in centimetres is 1500 mm in metres.
   const UnitSuggestion& second = suggestions[1];
-  return message("units-that-fit", with::choice<"unit">("units", first.unit), with::extentMm<"size">(first.sizeMm),
-                 with::choice<"otherUnit">("units", second.unit), with::extentMm<"otherSize">(second.sizeMm));
+  return message<"units-that-fit">(with::choice<"unit">("units", first.unit), with::extentMm<"size">(first.sizeMm),
+                                   with::choice<"otherUnit">("units", second.unit),
+                                   with::extentMm<"otherSize">(second.sizeMm));
 }
 
 }  // namespace qrelief

@@ -3,6 +3,7 @@
 
 #include "io/rewrite_3mf.h"
 #include "io/write_checked.h"
+#include "message_codes/files.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/carved_runs.h"
 
@@ -12,8 +13,8 @@ namespace {
 Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const EngraveResult& result, bool withInlay,
                                              const WriteOptions& options) {
   const ThreeMfSource& source = *before.source;
-  if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message("rewrite-scaled"));
-  if (options.palette) return fail(ErrorKind::NoSolution, message("rewrite-palette"));
+  if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message<"rewrite-scaled">());
+  if (options.palette) return fail(ErrorKind::NoSolution, message<"rewrite-palette">());
   const auto changes = carvedRuns(before, result, withInlay);
   if (!changes) return tl::unexpected(changes.error());
   return rewrite3mf(source, *changes, options.slicer, filamentMaterials());

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "math/box.h"
+#include "message_codes/files.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/carved_parts.h"
 
@@ -137,7 +138,7 @@ Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const En
   const auto runOfOld = [&](std::uint32_t facet) { return runOf(source, before.originOfTriangle[facet]); };
   const std::size_t carved = runOfOld(origins.cut().empty() ? result.placement.seed : origins.cut().front());
   for (const std::uint32_t facet : origins.cut())
-    if (runOfOld(facet) != carved) return fail(ErrorKind::NoSolution, message("rewrite-several-bodies"));
+    if (runOfOld(facet) != carved) return fail(ErrorKind::NoSolution, message<"rewrite-several-bodies">());
 
   std::vector<std::uint32_t> runs(result.mesh.triangles.size(), static_cast<std::uint32_t>(carved));
   for (std::size_t t = 0; t < runs.size(); ++t)

@@ -6,6 +6,7 @@
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "mesh/weld.h"
+#include "message_codes/place.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
 #include "pipeline/engrave_state.h"
@@ -28,7 +29,7 @@ constexpr double kFlatReliefMm = 0.1;     // where nothing is lowered; shaders d
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
+  return fail(ErrorKind::NoSolution, message<"carved-not-solid">(with::cause<"problem">(solidity.problems().front())));
 }
 
 }  // namespace

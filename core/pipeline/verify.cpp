@@ -11,6 +11,9 @@
 #include "base/job_stages.h"
 #include "math/angle.h"
 #include "mesh/weld.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/settings_errors.h"
+#include "message_codes/stages.h"
 #include "pipeline/engrave.h"
 #include "settings/settings.h"
 #include "verification/inlaid_surface.h"
@@ -86,13 +89,13 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
-  if (soup.triangles.empty()) return badInput(message("no-triangle"));
+  if (soup.triangles.empty()) return badInput(message<"no-triangle">());
   std::vector<Vec3f> corners;
   corners.reserve(soup.positions.size());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-      return badInput(message("coordinates-not-finite"));
+      return badInput(message<"coordinates-not-finite">());
     corners.push_back(p);
   }
   return welded(corners, soup.triangles);
@@ -135,10 +138,10 @@ struct VerifyJob::State {
 
 /// Weights are times in ms of the page's samples.
 JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& request) {
-  return {{message("checking-solid"), 110, &State::checkSolid},
-          {message("measuring-carving"), 35, &State::measureShape},
-          {message("tracing-light"), request.isTraced ? 2700.0 : 220.0, &State::bake},
-          {message("reading-pictures"), request.ranges ? 10000.0 : 110.0, &State::read}};
+  return {{message<"checking-solid">(), 110, &State::checkSolid},
+          {message<"measuring-carving">(), 35, &State::measureShape},
+          {message<"tracing-light">(), request.isTraced ? 2700.0 : 220.0, &State::bake},
+          {message<"reading-pictures">(), request.ranges ? 10000.0 : 110.0, &State::read}};
 }
 
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
@@ -245,12 +248,12 @@ VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 VerifyJob::~VerifyJob() = default;
 
 Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders) {
-  if (request.text.empty()) return fail(ErrorKind::BadUsage, message("verify-no-text"));
+  if (request.text.empty()) return fail(ErrorKind::BadUsage, message<"verify-no-text">());
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
-    return fail(ErrorKind::BadUsage, message("verify-no-direction"));
+    return fail(ErrorKind::BadUsage, message<"verify-no-direction">());
   if (const Status checked = checkShared(request); !checked) return tl::unexpected(checked.error());
   if (request.mark == Mark::Inlay && !(request.markDepthMm > 0))
-    return fail(ErrorKind::BadUsage, message("verify-no-inlay-depth", with::setting<"depth">("markDepthMm")));
+    return fail(ErrorKind::BadUsage, message<"verify-no-inlay-depth">(with::setting<"depth">("markDepthMm")));
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }

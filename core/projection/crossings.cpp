@@ -6,6 +6,7 @@
 
 #include "mesh/self_intersection.h"
 #include "mesh/sheared_ray.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -69,7 +70,7 @@ Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std:
   const auto pairs = findSelfIntersections(mesh, triangles, kMaxPairs);
   if (!pairs) return tl::unexpected(pairs.error());
   if (pairs->size() >= kMaxPairs)
-    return fail(ErrorKind::NoSolution, message("too-many-crossings", with::count<"most">(kMaxPairs)));
+    return fail(ErrorKind::NoSolution, message<"too-many-crossings">(with::count<"most">(kMaxPairs)));
   std::vector<Segment3> segments;
   for (const auto& [s, t] : *pairs) {
     for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {

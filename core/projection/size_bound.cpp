@@ -4,12 +4,14 @@
 #include <limits>
 #include <numbers>
 
+#include "message_codes/place.h"
+
 namespace qrelief {
 namespace {
 
 /// Returns the advice for a model that is too small: tiny models may be in another unit, others must be scaled up.
 Message adviceFor(const PreparedModel& model) {
-  if (model.unitSuggestions.empty()) return message("scale-up-or-shorten");
+  if (model.unitSuggestions.empty()) return message<"scale-up-or-shorten">();
   return unitAdvice(model.unitSuggestions);
 }
 
@@ -25,10 +27,11 @@ Status checkSizeBound(const PreparedModel& model, const SizeBound& room, double 
   const Box3 box = boundingBox(model.mesh);
   const double most = squareBoundMm(box, eyeDistanceMm) / room.outer;
   if (most >= room.minSymbolMm()) return {};
-  return fail(ErrorKind::NoSolution,
-              message("model-too-small", with::extentMm<"size">(box.size()), with::count<"modules">(room.modules),
-                      with::lengthMm<"least">(room.minSymbolMm()), with::lengthMm<"module">(kMinModuleMm),
-                      with::lengthMm<"most">(most), with::cause<"advice">(adviceFor(model))));
+  return fail(
+      ErrorKind::NoSolution,
+      message<"model-too-small">(with::extentMm<"size">(box.size()), with::count<"modules">(room.modules),
+                                 with::lengthMm<"least">(room.minSymbolMm()), with::lengthMm<"module">(kMinModuleMm),
+                                 with::lengthMm<"most">(most), with::cause<"advice">(adviceFor(model))));
 }
 
 }  // namespace qrelief

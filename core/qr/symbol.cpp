@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/utf8.h"
+#include "message_codes/text.h"
 #include "qr/segmentation.h"
 #include "qr/symbol_shaping.h"
 
@@ -27,10 +28,10 @@ using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
 using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
 
 Status checkCharacters(std::string_view text) {
-  if (text.empty()) return badInput(message("text-empty"));
+  if (text.empty()) return badInput(message<"text-empty">());
   const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
-  if (nul < broken) return badInput(message("text-holds-nul", with::count<"byte">(nul + 1)));
-  if (broken != text.npos) return badInput(message("text-no-utf8", with::count<"byte">(broken + 1)));
+  if (nul < broken) return badInput(message<"text-holds-nul">(with::count<"byte">(nul + 1)));
+  if (broken != text.npos) return badInput(message<"text-no-utf8">(with::count<"byte">(broken + 1)));
   return {};
 }
 
@@ -82,7 +83,7 @@ int smallestVersion(std::string_view text, ErrorCorrection level) {
 
 /// Returns what would hold the text, for use within the refusal: a larger version, weaker error correction, or neither.
 Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
-  if (text.size() > kMostCharacters) return message("no-symbol-holds-it");
+  if (text.size() > kMostCharacters) return message<"no-symbol-holds-it">();
   const int asked = options.version.value_or(0);
   const int needed = smallestVersion(text, options.errorCorrection);
   for (int weaker = static_cast<int>(options.errorCorrection) - 1; weaker >= 0; --weaker) {
@@ -90,24 +91,25 @@ Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
     const int version = smallestVersion(text, level);
     if (version == 0 || (needed != 0 && version > asked)) continue;
     if (needed == 0)
-      return message("weaker-symbol-holds-it", with::count<"version">(std::max(version, asked)),
-                     with::term<"level">(errorCorrectionName(level)));
-    return message("larger-or-weaker-symbol-holds-it", with::count<"larger">(needed),
-                   with::count<"version">(std::max(version, asked)), with::term<"level">(errorCorrectionName(level)));
+      return message<"weaker-symbol-holds-it">(with::count<"version">(std::max(version, asked)),
+                                               with::term<"level">(errorCorrectionName(level)));
+    return message<"larger-or-weaker-symbol-holds-it">(with::count<"larger">(needed),
+                                                       with::count<"version">(std::max(version, asked)),
+                                                       with::term<"level">(errorCorrectionName(level)));
   }
-  if (needed != 0) return message("larger-symbol-holds-it", with::count<"version">(needed));
-  return message("no-symbol-holds-it");
+  if (needed != 0) return message<"larger-symbol-holds-it">(with::count<"version">(needed));
+  return message<"no-symbol-holds-it">();
 }
 
 tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
   if (options.version)
-    return badInput(message("text-too-long-for-version", with::count<"count">(text.size()),
-                            with::count<"version">(*options.version),
-                            with::term<"level">(errorCorrectionName(options.errorCorrection)),
-                            with::cause<"held">(whatWouldHold(text, options))));
-  return badInput(message("text-too-long", with::count<"count">(text.size()),
-                          with::term<"level">(errorCorrectionName(options.errorCorrection)),
-                          with::cause<"held">(whatWouldHold(text, options))));
+    return badInput(message<"text-too-long-for-version">(
+        with::count<"count">(text.size()), with::count<"version">(*options.version),
+        with::term<"level">(errorCorrectionName(options.errorCorrection)),
+        with::cause<"held">(whatWouldHold(text, options))));
+  return badInput(message<"text-too-long">(with::count<"count">(text.size()),
+                                           with::term<"level">(errorCorrectionName(options.errorCorrection)),
+                                           with::cause<"held">(whatWouldHold(text, options))));
 }
 
 bool isInFinder(int row, int column, int size) {
@@ -176,17 +178,17 @@ std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
 
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
   if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
-    return fail(ErrorKind::BadUsage, message("no-such-version", with::count<"version">(*options.version)));
+    return fail(ErrorKind::BadUsage, message<"no-such-version">(with::count<"version">(*options.version)));
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
-    return fail(ErrorKind::BadUsage, message("no-such-mask", with::count<"mask">(options.mask)));
+    return fail(ErrorKind::BadUsage, message<"no-such-mask">(with::count<"mask">(options.mask)));
   if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
   const CodeHandle code = options.version ? encodeFrom(text, *options.version, options.errorCorrection)
                                           : encodeSmallest(text, 1, options.errorCorrection);
   if (!code && errno != ERANGE) {
-    return fail(ErrorKind::Internal, message("text-not-encoded", with::count<"errno">(errno)));
+    return fail(ErrorKind::Internal, message<"text-not-encoded">(with::count<"errno">(errno)));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
   Symbol symbol = toSymbol(*code, options.errorCorrection);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/version.h"
 #include "math/angle.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/second_colour.h"
@@ -148,7 +149,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                        const ReportContext& context) {
   const SolidityReport& solid = result.solidity;
   Json report;
-  report["qrelief"] = QRELIEF_VERSION;
+  report["qrelief"] = kVersion;
   report["text"] = request.code.text;
   report["input"] = describeInput(model, context);
   report["symbol"] = describeSymbol(result.symbol);

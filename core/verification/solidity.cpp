@@ -8,6 +8,7 @@
 #include "mesh/collinear.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -112,19 +113,19 @@ std::vector<SolidityFinding> SolidityReport::findings() const {
   const auto add = [&](std::size_t n, Message what, Vec3 at) {
     if (n > 0) findings.push_back({std::move(what), at});
   };
-  add(openEdges, message("solid-open-edges", with::count<"count">(openEdges)), openAt);
-  add(nonManifoldEdges, message("solid-crowded-edges", with::count<"count">(nonManifoldEdges)), nonManifoldEdgeAt);
-  add(misorientedEdges, message("solid-misoriented-edges", with::count<"count">(misorientedEdges)), misorientedAt);
-  add(nonManifoldVertices, message("solid-touching-vertices", with::count<"count">(nonManifoldVertices)),
+  add(openEdges, message<"solid-open-edges">(with::count<"count">(openEdges)), openAt);
+  add(nonManifoldEdges, message<"solid-crowded-edges">(with::count<"count">(nonManifoldEdges)), nonManifoldEdgeAt);
+  add(misorientedEdges, message<"solid-misoriented-edges">(with::count<"count">(misorientedEdges)), misorientedAt);
+  add(nonManifoldVertices, message<"solid-touching-vertices">(with::count<"count">(nonManifoldVertices)),
       nonManifoldVertexAt);
-  add(degenerateTriangles, message("solid-triangles-without-area", with::count<"count">(degenerateTriangles)),
+  add(degenerateTriangles, message<"solid-triangles-without-area">(with::count<"count">(degenerateTriangles)),
       degenerateAt);
-  add(duplicateTriangles, message("solid-duplicate-triangles", with::count<"count">(duplicateTriangles)), duplicateAt);
-  add(selfIntersections, message("solid-crossing-pairs", with::count<"count">(selfIntersections)), selfIntersectionAt);
+  add(duplicateTriangles, message<"solid-duplicate-triangles">(with::count<"count">(duplicateTriangles)), duplicateAt);
+  add(selfIntersections, message<"solid-crossing-pairs">(with::count<"count">(selfIntersections)), selfIntersectionAt);
   if (triangles == 0)
-    findings.push_back({message("solid-no-triangle"), std::nullopt});
+    findings.push_back({message<"solid-no-triangle">(), std::nullopt});
   else if (!(volumeMm3 > 0))
-    findings.push_back({message("solid-inside-out", with::number<"volumeMm3">(volumeMm3)), std::nullopt});
+    findings.push_back({message<"solid-inside-out">(with::number<"volumeMm3">(volumeMm3)), std::nullopt});
   return findings;
 }
 

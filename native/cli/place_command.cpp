@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
+#include "base/version.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
@@ -61,7 +62,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
   const SpotSearchRequest& request = options.request;
   const bool isFixed = request.placement.sizeMode == SizeMode::Fixed;
   Json json;
-  json["qrelief"] = QRELIEF_VERSION;
+  json["qrelief"] = kVersion;
   json["input"] = {{"file", fileNameOf(options.model.path)},
                    {"format", input.format},
                    {"triangles", triangles},

@@ -9,6 +9,8 @@
 #include "cli/tried_print.h"
 #include "generate/command_settings.h"
 #include "io/read_model.h"
+#include "message_codes/command.h"
+#include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/read_carving.h"
@@ -31,7 +33,7 @@ struct VerifyOptions {
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
   if (settings.code.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
-    return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
+    return fail(ErrorKind::BadUsage, message<"verify-place-unknown">());
   VerifyRequest request;
   request.text = settings.code.text;
   request.symbolMm = place.sizeMm;
@@ -63,9 +65,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
   if (settings->depth.lights.size() > 1)
-    return fail(ErrorKind::BadUsage,
-                message("setting-too-many", with::setting<"setting">("light"),
-                        with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
+    return fail(ErrorKind::BadUsage, message<"setting-too-many">(with::setting<"setting">("light"),
+                                                                 with::count<"count">(settings->depth.lights.size()),
+                                                                 with::count<"max">(1)));
   if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
   return request;
 }

@@ -9,6 +9,7 @@
 #include "io/write_model.h"
 #include "io/write_stl.h"
 #include "mesh/prepare.h"
+#include "message_codes/files.h"
 #include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
@@ -92,7 +93,7 @@ TEST(ReadModel, ReadsTheContentWithAWarningIfTheNameIsWrong) {
   const auto soup = readModel(bytesOf("# exported\n" + model_files::obj(shapes::tetrahedron(10))), "model.stl");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->format, "OBJ");
-  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term<"named">("STL"), with::term<"found">("OBJ")));
+  EXPECT_EQ(soup->warnings.at(0), message<"format-misnamed">(with::term<"named">("STL"), with::term<"found">("OBJ")));
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
 }
 
@@ -121,7 +122,7 @@ TEST(ReadModel, NamesTheEncodingOfTextInUtf16) {
         const auto soup = readModel(wide(text, bigEndian, marked), name);
         ASSERT_FALSE(soup) << name;
         EXPECT_EQ(soup.error().message,
-                  message("text-encoding", with::term<"encoding">(bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
+                  message<"text-encoding">(with::term<"encoding">(bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
       }
   const auto soup = readModel(wide("v 0 0 0\n", false, true), "a.obj");
   EXPECT_THAT(sentence(soup.error().message), HasSubstr("text in UTF-16 LE"));

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "io/write_stl.h"
+#include "message_codes/files.h"
 #include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
@@ -113,8 +114,8 @@ TEST(StlReader, ReportsThatRandomBytesAreNotStl) {
     const auto soup = readStl(bytes, {});
     ASSERT_FALSE(soup);
     EXPECT_EQ(soup.error().message,
-              message("stl-neither", with::count<"announced">(0xe1234567),
-                      with::count<"expected">(84 + 50 * 0xe1234567ull), with::count<"bytes">(size)));
+              message<"stl-neither">(with::count<"announced">(0xe1234567),
+                                     with::count<"expected">(84 + 50 * 0xe1234567ull), with::count<"bytes">(size)));
   }
   EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is not an STL file"));
 }
@@ -130,7 +131,7 @@ TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   expectSameFacets(*soup, shapes::tetrahedron(2));
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(soup->warnings[0], message("stl-words-after-endfacet", with::count<"count">(1), with::count<"line">(line)));
+  EXPECT_EQ(soup->warnings[0], message<"stl-words-after-endfacet">(with::count<"count">(1), with::count<"line">(line)));
   text.insert(text.rfind("endfacet") + 8, " attribute 7");
   soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << soup.error().message;
@@ -180,7 +181,7 @@ TEST(StlReader, WarnsWhenEndsolidIsMissing) {
   text.resize(text.find("endsolid"));
   const auto soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup);
-  EXPECT_EQ(soup->warnings.at(0), message("stl-no-endsolid"));
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-no-endsolid">());
 }
 
 TEST(StlReader, RefusesMoreTrianglesThanAllowed) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "message_codes/text.h"
 #include "projection/plane_shapes.h"
 
 namespace qrelief {
@@ -98,14 +99,14 @@ TEST(TextOutline, NamesTheCharactersThatTheFontLacks) {
   const auto text = outlineText("Nr. 漢 7 字漢", kTolerance);
   ASSERT_FALSE(text.has_value());
   EXPECT_EQ(text.error().kind, ErrorKind::BadInput);
-  EXPECT_EQ(text.error().message, message("label-lacks-characters", with::quoted<"characters">("漢 字")));
+  EXPECT_EQ(text.error().message, message<"label-lacks-characters">(with::quoted<"characters">("漢 字")));
   EXPECT_EQ(outlineText("a\nb", kTolerance).error().message.code, "label-lacks-characters");
 }
 
 TEST(TextOutline, RefusesTextThatIsNotUtf8) {
   const auto text = outlineText("a\xff", kTolerance);
   ASSERT_FALSE(text.has_value());
-  EXPECT_EQ(text.error().message, message("text-no-utf8", with::count<"byte">(1)));
+  EXPECT_EQ(text.error().message, message<"text-no-utf8">(with::count<"byte">(1)));
 }
 
 TEST(TextOutline, ReadsAccentsGreekAndCyrillic) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/self_intersection.h"
+#include "message_codes/model.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 
@@ -392,7 +393,7 @@ TEST(PrepareModel, RefusesCoordinatesThatAreNotFinite) {
 }
 
 TEST(PrepareModel, RefusesModelsWithoutArea) {
-  EXPECT_EQ(prepareModel(PolygonSoup{}, {}).error().message, message("model-no-triangle"));
+  EXPECT_EQ(prepareModel(PolygonSoup{}, {}).error().message, message<"model-no-triangle">());
   Mesh line;
   line.positions = {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}};
   line.triangles = {{0, 1, 2}};
@@ -408,7 +409,7 @@ TEST(PrepareModel, ReportsThatTheFacesOfASheetWithoutThicknessCancelOut) {
   sheet.positions = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   const Message refusal = refusalOf(sheet);
-  EXPECT_EQ(refusal, message("model-no-thickness", with::count<"count">(4)));
+  EXPECT_EQ(refusal, message<"model-no-thickness">(with::count<"count">(4)));
   EXPECT_EQ(sentence(refusal),
             "The model is a sheet without thickness: its 4 triangles lie in pairs back to back on the same corners, "
             "cancel each other out and enclose no volume");
@@ -419,7 +420,7 @@ TEST(PrepareModel, ReportsAreasLostToRounding) {
   PolygonSoup soup;  // near (8192, 8192, 0) 32-bit floats are 1/1024 apart
   soup.positions = {{8192, 8192, 0}, {8192.0001, 8192, 0}, {8192, 8192.0001, 0}};
   soup.triangles = {{0, 1, 2}};
-  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count<"count">(1)));
+  EXPECT_EQ(prepareModel(soup, {}).error().message, message<"area-lost-in-rounding">(with::count<"count">(1)));
 }
 
 TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "message_codes/model.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 
@@ -138,7 +139,7 @@ TEST(Solidity, ReportsThePlaceOfTheFirstOfEach) {
   mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
   const auto doubled = check(mesh).findings();
   const auto duplicate = std::find_if(doubled.begin(), doubled.end(), [](const SolidityFinding& f) {
-    return f.message == message("solid-duplicate-triangles", with::count<"count">(1));
+    return f.message == message<"solid-duplicate-triangles">(with::count<"count">(1));
   });
   ASSERT_NE(duplicate, doubled.end());
   EXPECT_NEAR(glm::length(*duplicate->at - middle(mesh, 3)), 0, 1e-6);
