@@ -13,6 +13,13 @@ constexpr double kHiddenByMm = 0.01;  // a point is hidden if the surface is nea
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
 
+Box3 boxOfBody(const Mesh& mesh, std::uint32_t body) {
+  Box3 box;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; mesh.body(t) == body && k < 3; ++k) box.add(mesh.corner(t, k));
+  return box;
+}
+
 /// Returns the corners on the screen; null if one of them lies behind the camera.
 Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
   const Decal& decal = code.decal;
@@ -84,6 +91,8 @@ std::string Engine::look(const std::string& action) {
     zoom(number("factor"), number("x"), number("y"));
   else if (kind == "fit")
     scene_.camera().fit();
+  else if (kind == "body" && model_)
+    scene_.camera().fitTo(boxOfBody(model_->engravable->prepared.mesh, parsed->at("index").get<std::uint32_t>()));
   else if (kind == "standard")
     scene_.standardView(parsed->at("name"));
   else if (kind == "readerView" && placement && code)

@@ -350,6 +350,8 @@ class Builder {
     run.firstInMesh = first;
     run.count = end - first;
     runs_.push_back(run);
+    soup_.bodyOf.insert(soup_.bodyOf.end(), end - first, static_cast<std::uint32_t>(soup_.bodies.size()));
+    soup_.bodies.push_back({run.name, static_cast<std::uint32_t>(soup_.parts.size())});
     for (std::size_t t = first; t < end; ++t) {
       const auto& [a, b, c] = object.triangles[t];
       if (run.mirrored)
@@ -370,6 +372,7 @@ class Builder {
     if (soup_.triangles.empty()) return badInput(message<"3mf-no-triangle">(with::count<"count">(model.items.size())));
     for (const Vec3& p : soup_.positions)
       if (!(glm::length(p) < 1e300)) return badInput(message<"3mf-out-of-bounds">());
+    if (soup_.bodies.size() < 2) soup_.bodyOf.clear();
     return std::move(soup_);
   }
 

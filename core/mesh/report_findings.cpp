@@ -66,33 +66,16 @@ std::vector<double> facetsOf(const Repaired& repaired, std::span<const std::uint
   return facets;
 }
 
-/// Names the facets at the first edge with more than two triangles, and the parts if several touch there.
-Message edgeOf(const Repaired& repaired, std::span<const ModelPart> parts,
-               std::span<const std::uint32_t> partOfTriangle) {
-  const std::vector<std::uint32_t>& triangles = repaired.defects.nonManifoldTriangles;
-  std::vector<std::uint32_t> there;
-  if (!partOfTriangle.empty())
-    for (const std::uint32_t t : triangles) there.push_back(partOfTriangle[t]);
-  std::sort(there.begin(), there.end());
-  there.erase(std::unique(there.begin(), there.end()), there.end());
-  if (there.size() < 2) return message<"edge-of-facets">(with::indices<"facets">(facetsOf(repaired, triangles)));
-  return message<"edge-of-parts">(with::indices<"facets">(facetsOf(repaired, triangles)),
-                                  with::count<"part">(there[0] + 1), with::quoted<"name">(parts[there[0]].name),
-                                  with::count<"otherPart">(there[1] + 1),
-                                  with::quoted<"otherName">(parts[there[1]].name));
-}
-
-void reportDefects(const Repaired& repaired, std::span<const ModelPart> parts,
-                   std::span<const std::uint32_t> partOfTriangle, FindingList& findings) {
+void reportDefects(const Repaired& repaired, FindingList& findings) {
   const Defects& defects = repaired.defects;
   if (defects.openEdges > 0)
     findings.block(message<"open-edges">(
         with::count<"count">(defects.openEdges), with::place<"at">(findings.inFile(defects.openAt)),
         with::count<"holes">(defects.holes), with::count<"facet">(repaired.origin[defects.openTriangle] + 1)));
   if (defects.nonManifoldEdges > 0)
-    findings.block(message<"non-manifold-edges">(with::count<"count">(defects.nonManifoldEdges),
-                                                 with::place<"at">(findings.inFile(defects.nonManifoldEdgeAt)),
-                                                 with::cause<"of">(edgeOf(repaired, parts, partOfTriangle))));
+    findings.block(message<"non-manifold-edges">(
+        with::count<"count">(defects.nonManifoldEdges), with::place<"at">(findings.inFile(defects.nonManifoldEdgeAt)),
+        with::indices<"facets">(facetsOf(repaired, defects.nonManifoldTriangles))));
   if (defects.nonManifoldVertices > 0)
     findings.warn(message<"non-manifold-vertices">(with::count<"count">(defects.nonManifoldVertices),
                                                    with::place<"at">(findings.inFile(defects.nonManifoldVertexAt))));
@@ -151,10 +134,9 @@ std::vector<Finding> FindingList::take() {
   return std::move(findings_);
 }
 
-void reportRepairs(const Repaired& repaired, const RepairOptions& options, std::span<const ModelPart> parts,
-                   std::span<const std::uint32_t> partOfTriangle, FindingList& findings) {
+void reportRepairs(const Repaired& repaired, const RepairOptions& options, FindingList& findings) {
   reportFilling(repaired, findings);  // its reasons are more helpful than a bare count of open edges
-  reportDefects(repaired, parts, partOfTriangle, findings);
+  reportDefects(repaired, findings);
   reportOrientation(repaired, options.orient, findings);
   reportSeams(repaired, findings);
   reportCleaning(repaired.cleaning, options.dropStray, findings);

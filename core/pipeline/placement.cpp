@@ -92,7 +92,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
     auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
-    if (patch && model_->crossesItself)
+    if (patch && model_->hasCrossings)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette);
@@ -171,7 +171,7 @@ Status PlacementSearch::measure(Vec3 normal) {
 /// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
 /// at any rotation, so the message names the crossing, not a size.
 Status PlacementSearch::checkCrossings() const {
-  if (!model_->crossesItself) return {};
+  if (!model_->hasCrossings) return {};
   const Vec3 centre = placement_.frame.centre;
   const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
   if (!crossing) return tl::unexpected(crossing.error());

@@ -295,6 +295,7 @@ void SpotSearchJob::State::nextTry() {
 }
 
 Status SpotSearchJob::State::take(const Placement& placement) {
+  offered.body = model->prepared.mesh.body(placement.seed);
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.facesDown = facesDown(placement.frame);

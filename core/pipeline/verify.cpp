@@ -10,7 +10,9 @@
 
 #include "base/job_stages.h"
 #include "math/angle.h"
-#include "mesh/weld.h"
+#include "mesh/soup_mesh.h"
+#include "mesh/topology.h"
+#include "mesh/touching_shells.h"
 #include "message_codes/pipeline.h"
 #include "message_codes/settings_errors.h"
 #include "message_codes/stages.h"
@@ -90,15 +92,17 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
   if (soup.triangles.empty()) return badInput(message<"no-triangle">());
-  std::vector<Vec3f> corners;
-  corners.reserve(soup.positions.size());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
       return badInput(message<"coordinates-not-finite">());
-    corners.push_back(p);
   }
-  return welded(corners, soup.triangles);
+  Mesh mesh = meshOfSoup(soup, scaleToMm);
+  const bool repeatsAVertex = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  if (!repeatsAVertex) separateTouchingShells(mesh, buildEdgeTable(mesh.triangles));
+  return mesh;
 }
 
 /// The job's state.

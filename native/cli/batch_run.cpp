@@ -109,7 +109,7 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
     for (ModelObject& object :
-         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay()), row.id,
+         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
                      row.request.code.text, offsets[i]))
       objects.push_back(std::move(object));
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,6 +89,47 @@ TEST(ObjReader, ReadsAPolygonOfMoreThan255Corners) {
   const auto soup = read(text + face + "\n");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->triangles.size(), 298u);
+}
+
+/// Returns a box's faces as OBJ, beginning at a vertex; with the box's own vertices.
+std::string boxFrom(Vec3 at, int firstVertex) {
+  const Mesh box = shapes::translated(shapes::box({2, 2, 2}), at);
+  std::string text;
+  for (const Vec3f& p : box.positions) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+  for (const auto& [a, b, c] : box.triangles)
+    text += fmt::format("f {} {} {}\n", a + firstVertex, b + firstVertex, c + firstVertex);
+  return text;
+}
+
+TEST(ObjReader, MakesABodyOfEachClosedGroup) {
+  const auto soup = read("o base plate\n" + boxFrom({0, 0, 0}, 1) + "  g letter\r\n" + boxFrom({0, 0, 2}, 9));
+  ASSERT_TRUE(soup) << soup.error().message;
+  ASSERT_EQ(soup->bodies.size(), 2u);
+  EXPECT_EQ(soup->bodies[0].name, "base plate");
+  EXPECT_EQ(soup->bodies[1].name, "letter");
+  ASSERT_EQ(soup->bodyOf.size(), 24u);
+  for (std::size_t t = 0; t < 24; ++t) EXPECT_EQ(soup->bodyOf[t], t < 12 ? 0u : 1u);
+}
+
+TEST(ObjReader, MakesOneBodyOfGroupsThatAreClosedTogether) {
+  std::string box = boxFrom({0, 0, 0}, 1);
+  box.insert(box.rfind("f "), "g other\n");
+  const auto whole = read("g one\n" + box);
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_TRUE(whole->bodies.empty());
+  const auto both = read("g one\n" + box + "g closed\n" + boxFrom({5, 0, 0}, 9));
+  ASSERT_TRUE(both) << both.error().message;
+  ASSERT_EQ(both->bodies.size(), 2u);
+  EXPECT_EQ(both->bodies[0].name, "closed");
+  EXPECT_EQ(both->bodies[1].name, "");
+  for (std::size_t t = 0; t < 24; ++t) EXPECT_EQ(both->bodyOf[t], t < 12 ? 1u : 0u);
+}
+
+TEST(ObjReader, FindsNoBodiesInAFileWithOneGroup) {
+  const auto soup = read("o box\n" + boxFrom({0, 0, 0}, 1));
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_TRUE(soup->bodies.empty());
+  EXPECT_TRUE(soup->bodyOf.empty());
 }
 
 TEST(ObjReader, NamesTheLineOfAnIndexOutOfRange) {
