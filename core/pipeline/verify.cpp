@@ -13,6 +13,7 @@
 #include "mesh/soup_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/touching_shells.h"
+#include "mesh/weld.h"
 #include "message_codes/pipeline.h"
 #include "message_codes/settings_errors.h"
 #include "message_codes/stages.h"
@@ -151,8 +152,9 @@ JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& requ
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
 const Mesh& VerifyJob::State::outerSurface() {
   if (request.mark != Mark::Inlay) return mesh;
-  InlaidSurface surface =
-      inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
+  // Faces back to back are recognised by their vertices, which both bodies must share.
+  InlaidSurface surface = inlaidSurface(welded(mesh.positions, mesh.triangles), request.frame, request.symbol.size,
+                                        request.symbolMm, request.markDepthMm);
   marked.dark = std::move(surface.inlaid);
   if (!surface.hasBothBodies) body = std::move(mesh);
   mesh = std::move(surface.mesh);
