@@ -6,6 +6,7 @@ import { volume } from '../web/samples/solid.js';
 import { readStl } from '../web/samples/stl.js';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
 import { freeze, freezeAt, holdWorkers, thaw } from './support/workers.js';
 
@@ -113,7 +114,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
     await expect(page.getByText(/^\d of 5 parts of plate\.stl are engraved\. Go on\?/)).toBeVisible();
     await page.getByRole('button', { name: 'Go on' }).click();
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
-    await expect.poll(finished).toBeGreaterThanOrEqual(before);
+    await poll(finished).toBeGreaterThanOrEqual(before);
     await expect(state).toHaveText('4 engraved, 1 failed');
     await expect(rows.filter({ hasText: 'Done' })).toHaveCount(4);
     for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);

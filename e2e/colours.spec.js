@@ -6,6 +6,7 @@ import { readStl } from '../web/samples/stl.js';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { isDark, shareOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
 import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
@@ -45,14 +46,14 @@ test('A painted code keeps the model’s shape and has the second filament', asy
 
   await test.step('The view shows the code in its colours', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
-    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+    await poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
   });
 
   await test.step('The print is shown beside the design, in both colours and with softer borders', async () => {
     const print = page.locator('.print-picture');
     await page.getByRole('button', { name: 'As printed' }).click();
     await expect(page.getByRole('group', { name: 'Phone view' })).toContainText('reads');
-    await expect.poll(async () => decodePng(await print.screenshot())).toBe('A');
+    await poll(async () => decodePng(await print.screenshot())).toBe('A');
     const [dark, light, between] = await Promise.all([isDark, isLight, isBetween].map((tone) => shareOf(print, tone)));
     expect(dark).toBeGreaterThan(0.1);
     expect(light).toBeGreaterThan(0.5);
@@ -117,7 +118,7 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
 
   await test.step('The view shows the inlay in its colour', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
-    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+    await poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
   });
 });
 

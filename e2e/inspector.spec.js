@@ -2,6 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
+import { poll } from './support/poll.js';
 
 /** @typedef {import('../web/engine/types.js').InspectorState} State */
 /** @typedef {NonNullable<State['selected']>} Selected */
@@ -25,7 +26,7 @@ function colourful(rgba) {
 /** Presses the dark middle of the upper left finder pattern. @param {Inspector} inspector */
 async function pressDark(inspector) {
   await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 }); // 29 modules and a margin of 4 on each side
-  await expect.poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
+  await poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
   return /** @type {Selected} */ ((await inspector.state())?.selected);
 }
 
@@ -54,7 +55,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
     const before = await app.centre();
     const box = /** @type {Clip} */ (await app.canvas.boundingBox());
     await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.4);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
   });
 
@@ -62,7 +63,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
   await inspector.expectState((state) => state.passes > 1 && state.pass === state.passes, true);
   const clip = await inspector.clipOf('Map');
   await test.step('an engraving is shown', async () => {
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
   });
 
   await test.step('a click on a submodule in the map shows its quantities', async () => {
@@ -84,7 +85,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
     await inspector.expectState((state) => state.pass, passes - 1);
     await inspector.press('Pass', { x: 0.03, y: 0.5 });
     await inspector.expectState((state) => state.pass, 1);
-    await expect.poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
+    await poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
     await inspector.openTab('Search');
     await inspector.openTab('Timing');
   });
@@ -106,10 +107,10 @@ test('The inspector covers only the view, shows an engraving, and closes without
 
   await test.step('closed, it leaves no trace', async () => {
     await inspector.openTab('Maps');
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
     await inspector.button.click();
-    await expect.poll(() => inspector.state()).toBeUndefined();
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
+    await poll(() => inspector.state()).toBeUndefined();
+    await poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
   });
 });
 
@@ -130,7 +131,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
     const german = await inspector.pixels(clip);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
     await inspector.expectState((state) => state.overrides, 'Contrast 0.31');
-    await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
+    await poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
   });
 
   await test.step('typed', async () => {
@@ -147,7 +148,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
     await inspector.press('Engrave again');
     await expect(app.status).toContainText('Contrast 0.25', { timeout: 240_000 });
     await inspector.openTab('Maps');
-    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
+    await poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
   });
 
   await test.step('stepped and reset', async () => {
@@ -161,6 +162,6 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
   await test.step('not for the page’s', async () => {
     await inspector.openTab('Maps');
     await app.engrave();
-    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
+    await poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
   });
 });

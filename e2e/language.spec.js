@@ -3,6 +3,7 @@ import { expect, test } from '@playwright/test';
 import { writeStl } from '../web/samples/stl.js';
 import { Engraver } from './support/engraver.js';
 import { saddleMesh, truncatedFile } from './support/models.js';
+import { poll } from './support/poll.js';
 
 /**
  * Returns the mean brightness in the view's lower left corner, 0 … 255.
@@ -116,8 +117,8 @@ test('A chosen appearance overrides the device’s, also in the 3D view, and is 
   expect(await ground()).toBe('rgb(255, 255, 255)');
   expect(await cornerBrightness(page)).toBeGreaterThan(180);
   await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
-  await expect.poll(ground).toBe('rgb(30, 33, 37)');
-  await expect.poll(() => cornerBrightness(page)).toBeLessThan(80);
+  await poll(ground).toBe('rgb(30, 33, 37)');
+  await poll(() => cornerBrightness(page)).toBeLessThan(80);
 
   await page.reload();
   await expect(page.getByRole('combobox', { name: 'Appearance' })).toHaveValue('dark');
