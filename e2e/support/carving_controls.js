@@ -80,9 +80,10 @@ export const kOfTheCarving = {
     await at('format').selectOption('PLY');
     expect((await app.download()).name).toMatch(/\.ply$/);
   },
-  download: async ({ page, press }) => {
+  download: async ({ at, page, press }) => {
+    const format = await at('format').inputValue();
     const [download] = await Promise.all([page.waitForEvent('download'), press('download')]);
-    expect(download.suggestedFilename()).toMatch(/\.ply$/);
+    expect(download.suggestedFilename()).toMatch(new RegExp(`\\.${format}$`));
   },
   'save-report': async ({ page, press }) => {
     const [download] = await Promise.all([page.waitForEvent('download'), press('save-report')]);

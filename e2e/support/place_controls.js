@@ -160,7 +160,7 @@ export const kOfThePlace = {
   'centre-x': ({ app, at, press }) => placeAt(app, at('centre-x'), '12', () => press('place-here')),
   'centre-y': ({ app, at }) => placeAt(app, at('centre-y'), '-7', () => at('centre-y').press('Enter')),
   'centre-z': ({ app, at, press }) => placeAt(app, at('centre-z'), '30', () => press('place-here')),
-  'place-here': ({ app, at, press }) => placeAt(app, at('centre-x'), '0', () => press('place-here')),
+  'place-here': ({ app, at, press }) => placeAt(app, at('centre-x'), '9', () => press('place-here')),
   undo: async ({ app, press }) => {
     const before = await app.centre();
     await press('undo');
