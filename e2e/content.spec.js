@@ -74,7 +74,7 @@ const kCases = [
 
 test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle');
+  await app.open('?sample=saddle&process=none');
   await app.expectReady();
   await choose(page, 'Wi-Fi access');
   const [network, password] = [page.getByLabel('Network name'), page.getByLabel('Password', { exact: true })];

@@ -36,7 +36,7 @@ const contrastOf = ({ LS, AL, G }) => 1 - (LS - Number(G)) / Number(AL);
 test('The inspector covers only the view, shows an engraving, and closes without a trace', async ({ page }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
-  await app.open(`?sample=bumpy-sphere&contrast=${kBalancedContrast}`); // for finder patterns, too
+  await app.open(`?sample=bumpy-sphere&contrast=${kBalancedContrast}&process=none`); // for finder patterns, too
   await app.expectReady();
   await inspector.open();
 
@@ -119,7 +119,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
 }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
-  await app.open('?sample=bumpy-sphere&lang=de');
+  await app.open('?sample=bumpy-sphere&lang=de&process=none');
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');

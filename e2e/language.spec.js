@@ -24,7 +24,7 @@ async function cornerBrightness(page) {
 
 test('Another language applies at once, also to numbers, and is kept', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle');
+  await app.open('?sample=saddle&process=none');
   await app.expectReady();
   await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');

@@ -24,7 +24,7 @@ test('The page opens, engraves and decodes below any path and offline', async ({
   await site.close();
   await context.setOffline(true);
 
-  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network`);
+  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network&process=none`);
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as without a network');

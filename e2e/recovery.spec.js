@@ -10,7 +10,7 @@ const workersOf = (page) => page.evaluate(() => /** @type {any} */ (window).work
 test('A worker that crashes or runs out of memory is replaced, and nothing is lost', async ({ page }) => {
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=kept');
+  await app.open('?sample=saddle&text=kept&process=none');
   await app.expectReady();
   await app.openSettings();
   await app.setting('Rotation (°)').fill('10');
@@ -51,7 +51,7 @@ test('A worker that crashes or runs out of memory is replaced, and nothing is lo
 test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) => {
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=and%20again');
+  await app.open('?sample=saddle&text=and%20again&process=none');
   await app.expectReady();
   const session = await browser.newBrowserCDPSession();
   await session.send('Browser.crashGpuProcess').catch(() => {}); // fails, since the browser reports the crash
@@ -66,7 +66,7 @@ test('Without a worker, a lost WebGL context is rebuilt too', async ({ page }) =
     delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen); // the page holds the context
   });
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=again');
+  await app.open('?sample=saddle&text=again&process=none');
   await app.expectReady();
   await app.canvas.evaluate((canvas) => {
     canvas.setAttribute('data-lost', '');

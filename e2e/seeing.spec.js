@@ -8,7 +8,7 @@ test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours 
 
 test('The view shows every side, a section, the carving, and the phone’s view', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=HELLO');
+  await app.open('?sample=saddle&text=HELLO&process=none');
   await app.expectReady();
 
   const reader = page.getByRole('button', { name: 'Phone view' });

@@ -65,7 +65,7 @@ test('Undoing a carving shows the uncarved model, and redoing it restores the re
 }) => {
   const app = new Engraver(page);
   const { undo, redo } = buttons(page);
-  await app.open('?sample=saddle&text=one');
+  await app.open('?sample=saddle&text=one&process=none');
   await app.expectReady();
   await app.engrave();
   const carved = page.getByRole('button', { name: 'With code' });
