@@ -2,7 +2,9 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
+import { countOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
+import { readPng } from './support/read_png.js';
 
 /** @typedef {import('../web/engine/types.js').InspectorState} State */
 /** @typedef {NonNullable<State['selected']>} Selected */
@@ -13,15 +15,8 @@ test.use({ viewport: { width: 1280, height: 800 } });
 
 const kBalancedContrast = 0.3;
 
-/** Counts the pixels far from grey, which belong to a map and not to the model. @param {number[]} rgba */
-function colourful(rgba) {
-  let count = 0;
-  for (let i = 0; i < rgba.length; i += 4) {
-    const [r, g, b] = rgba.slice(i, i + 3);
-    count += Number(Math.max(r, g, b) - Math.min(r, g, b) > 60);
-  }
-  return count;
-}
+/** Far from grey: belongs to a map and not to the model. @type {import('./support/pixels.js').Colour} */
+const isColourful = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 60;
 
 /** Presses the dark middle of the upper left finder pattern. @param {Inspector} inspector */
 async function pressDark(inspector) {
@@ -63,7 +58,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
   await inspector.expectState((state) => state.passes > 1 && state.pass === state.passes, true);
   const clip = await inspector.clipOf('Map');
   await test.step('an engraving is shown', async () => {
-    await poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBeGreaterThan(5000);
   });
 
   await test.step('a click on a submodule in the map shows its quantities', async () => {
@@ -80,12 +75,12 @@ test('The inspector covers only the view, shows an engraving, and closes without
 
   await test.step('every pass shows its own depths', async () => {
     const { passes } = /** @type {State} */ (await inspector.state());
-    const last = await inspector.pixels(clip);
+    const last = await inspector.picture(clip);
     await inspector.press('Earlier pass');
     await inspector.expectState((state) => state.pass, passes - 1);
     await inspector.press('Pass', { x: 0.03, y: 0.5 });
     await inspector.expectState((state) => state.pass, 1);
-    await poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
+    await poll(async () => (await inspector.picture(clip)).equals(last)).toBe(false);
     await inspector.openTab('Search');
     await inspector.openTab('Timing');
   });
@@ -107,10 +102,10 @@ test('The inspector covers only the view, shows an engraving, and closes without
 
   await test.step('closed, it leaves no trace', async () => {
     await inspector.openTab('Maps');
-    await poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBeGreaterThan(5000);
     await inspector.button.click();
     await poll(() => inspector.state()).toBeUndefined();
-    await poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBe(0);
   });
 });
 
@@ -128,10 +123,10 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
 
   await test.step('its language follows the page’s', async () => {
     const clip = await inspector.clipOf('Engrave again');
-    const german = await inspector.pixels(clip);
+    const german = await inspector.picture(clip);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
     await inspector.expectState((state) => state.overrides, 'Contrast 0.31');
-    await poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
+    await poll(async () => (await inspector.picture(clip)).equals(german)).toBe(false);
   });
 
   await test.step('typed', async () => {

@@ -4,22 +4,14 @@ import { writeStl } from '../web/samples/stl.js';
 import { Engraver } from './support/engraver.js';
 import { saddleMesh, truncatedFile } from './support/models.js';
 import { poll } from './support/poll.js';
+import { readPng } from './support/read_png.js';
 
-/**
- * Returns the mean brightness in the view's lower left corner, 0 … 255.
- * @param {import('@playwright/test').Page} page
- */
+/** Returns the mean brightness in the view's lower left corner, 0 … 255. @param {import('@playwright/test').Page} page */
 async function cornerBrightness(page) {
-  const picture = await page.screenshot({ clip: { x: 4, y: 540, width: 40, height: 40 } });
-  return page.evaluate(async (base64) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${base64}`;
-    await image.decode();
-    const context = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, 40, 40);
-    return data.reduce((sum, value, i) => (i % 4 === 3 ? sum : sum + value), 0) / (40 * 40 * 3);
-  }, picture.toString('base64'));
+  const { width, height, channels, data } = readPng(
+    await page.screenshot({ clip: { x: 4, y: 540, width: 40, height: 40 } }),
+  );
+  return data.reduce((sum, value, i) => (i % channels === 3 ? sum : sum + value), 0) / (3 * width * height);
 }
 
 test('Another language applies at once, also to numbers, and is kept', async ({ page }) => {

@@ -83,21 +83,8 @@ export class Inspector {
     ).toBe(4);
   }
 
-  /**
-   * Returns a part of the page as RGBA.
-   * @param {Clip} clip
-   * @returns {Promise<number[]>}
-   */
-  async pixels(clip) {
-    const png = (await this.page.screenshot({ clip })).toString('base64');
-    return this.page.evaluate(async (base64) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${base64}`;
-      await image.decode();
-      const canvas = new OffscreenCanvas(image.width, image.height);
-      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
-      context.drawImage(image, 0, 0);
-      return [...context.getImageData(0, 0, image.width, image.height).data];
-    }, png);
+  /** Returns a picture of a part of the page, as PNG. @param {Clip} clip */
+  picture(clip) {
+    return this.page.screenshot({ clip });
   }
 }
