@@ -216,9 +216,9 @@ test('Numbered parts are placed on plates, and the ZIP is written to the chosen 
   await expect(app.status).toHaveText('Das ZIP ist gespeichert.');
   const bytes = await page.evaluate(async () => {
     const file = await (await (await navigator.storage.getDirectory()).getFileHandle('plate-qr-parts.zip')).getFile();
-    return [...new Uint8Array(await file.arrayBuffer())];
+    return new Uint8Array(await file.arrayBuffer());
   });
-  const files = filesOf(Uint8Array.from(bytes));
+  const files = filesOf(bytes);
   expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'plate-001.3mf', 'plate-002.3mf']);
   const namesOn = (/** @type {string} */ plate) => {
     const model = unzip(/** @type {Buffer} */ (files.get(plate))).get('3D/3dmodel.model') ?? '';
