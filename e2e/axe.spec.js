@@ -6,6 +6,8 @@ import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
 import { truncatedFile } from './support/models.js';
 
+test.use({ deviceScaleFactor: 1 }); // on a phone, too: no test here looks at the screen’s pixels
+
 test('The app has no violations in any state, light or dark', async ({ page }) => {
   const app = new Engraver(page);
   const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
