@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "io/parse_number.h"
 #include "io/triangulate_polygon.h"
 #include "message_codes/files.h"
 
@@ -98,8 +99,20 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
   return soup;
 }
 
+bool hasDecimalComma(std::string_view word) {
+  std::string pointed(word);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  return pointed != word && parseNumber(pointed);
+}
+
+tl::unexpected<Error> decimalComma(std::string_view format, std::size_t line, std::string_view word) {
+  return badInput(message<"file-decimal-comma">(with::count<"line">(line), with::term<"format">(format),
+                                                with::quoted<"word">(excerpt(word))));
+}
+
 Message notANumber(std::string_view word) {
   if (word.empty()) return message<"number-missing">();
+  if (hasDecimalComma(word)) return message<"number-decimal-comma">(with::quoted<"word">(excerpt(word)));
   return message<"number-malformed">(with::quoted<"word">(excerpt(word)));
 }
 

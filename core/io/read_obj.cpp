@@ -69,7 +69,7 @@ class VettedStatements : public std::streambuf {
       if (kind == 'g') groups_.push_back({std::string(nameIn(text)), facesSoFar_});
       if (kind != 'v' && kind != 'f') continue;
       statement_ = text;
-      while (statement_.back() == '\\' && !scanner_.atEnd()) {
+      while (isContinued() && !scanner_.atEnd()) {
         statement_.back() = ' ';
         statement_ += scanner_.restOfLine();
       }
@@ -89,6 +89,14 @@ class VettedStatements : public std::streambuf {
     return line.substr(0, line.find_last_not_of(" \t\r") + 1);
   }
 
+  /// Returns true if the statement goes on in the next line; then removes blanks after the backslash.
+  bool isContinued() {
+    const std::size_t last = statement_.find_last_not_of(" \t");
+    if (last == std::string::npos || statement_[last] != '\\') return false;
+    statement_.resize(last + 1);
+    return true;
+  }
+
   Status failHere(Message what) const {
     return badInput(message<"obj-line">(with::count<"line">(line_), with::cause<"cause">(std::move(what))));
   }
@@ -104,6 +112,7 @@ class VettedStatements : public std::streambuf {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = words.wordOnLine();
       const std::optional<double> value = parseNumber(word);
+      if (!value && hasDecimalComma(word)) return decimalComma("OBJ", line_, word);
       if (!value) return failAtVertex(notANumber(word));
       if (!std::isfinite(*value)) return failAtVertex(notFinite(word));
     }

@@ -27,7 +27,8 @@ class TextValues {
   std::size_t room() const { return left() + 1; }                   ///< the last value needs no blank
 
   Result<double> next(PlyType) {
-    const std::string_view word = scanner_.word();
+    std::string_view word = scanner_.word();
+    for (; word == "comment" || word == "obj_info"; word = scanner_.word()) scanner_.restOfLine();
     if (const std::optional<double> value = parseNumber(word)) return *value;
     return failHere(notANumber(word));
   }

@@ -25,6 +25,13 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
+/// Returns true for a keyword of an ASCII STL that stands only within a facet.
+bool isKeywordOfFacets(std::string_view word) {
+  for (const std::string_view keyword : {"outer", "loop", "vertex", "endloop", "endfacet", "normal", "end"})
+    if (equalsIgnoringCase(word, keyword)) return true;
+  return false;
+}
+
 bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
@@ -34,6 +41,7 @@ void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
 }
 
 constexpr std::size_t kFacetsLookedAt = 64;
+constexpr std::size_t kLinesLookedAt = 8;  // for the first facet of an ASCII STL
 
 /// Returns true if all nine coordinates have a plausible size. One in 20,000 facets of random bytes does, because about
 /// a third of a float's exponents are plausible.
@@ -110,24 +118,30 @@ class AsciiReader {
   Result<PolygonSoup> read() {
     soup_.format = "STL (ASCII)";
     bool insideSolid = false;
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
-      if (!insideSolid && equalsIgnoringCase(word, "solid")) {
+    for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
+      if (equalsIgnoringCase(word, "solid")) {
+        unended_ += insideSolid;
         scanner_.restOfLine();
         insideSolid = true;
-      } else if (insideSolid && equalsIgnoringCase(word, "endsolid")) {
+      } else if (!insideSolid) {
+        return unexpected(word, wantsKeyword("solid"));
+      } else if (equalsIgnoringCase(word, "endsolid")) {
         scanner_.restOfLine();
         insideSolid = false;
-      } else if (insideSolid && equalsIgnoringCase(word, "facet")) {
+      } else if (equalsIgnoringCase(word, "facet")) {
         if (Status s = readFacet(); !s) return tl::unexpected(s.error());
-      } else {
-        return unexpected(word, insideSolid ? message<"stl-wants-facet">() : wantsKeyword("solid"));
+      } else if (isKeywordOfFacets(word)) {
+        return unexpected(word, message<"stl-wants-facet">());
+      } else {  // colours or attributes, which some programs write
+        if (++linesSkipped_ == 1) firstLineSkipped_ = scanner_.line();
+        scanner_.restOfLine();
       }
     }
     if (soup_.triangles.empty()) return badInput(message<"stl-ascii-no-facet">());
-    if (wordsAfterFacets_ > 0)
-      soup_.warnings.push_back(message<"stl-words-after-endfacet">(with::count<"count">(wordsAfterFacets_),
-                                                                   with::count<"line">(firstLineOfWords_)));
-    if (insideSolid) soup_.warnings.push_back(message<"stl-no-endsolid">());
+    if (linesSkipped_ > 0)
+      soup_.warnings.push_back(message<"stl-words-between-facets">(with::count<"count">(linesSkipped_),
+                                                                   with::count<"line">(firstLineSkipped_)));
+    if (insideSolid || unended_ > 0) soup_.warnings.push_back(message<"stl-no-endsolid">());
     return std::move(soup_);
   }
 
@@ -146,8 +160,20 @@ class AsciiReader {
                                                     with::cause<"wanted">(std::move(expected))));
   }
 
-  Status expect(std::string_view keyword) {
+  /// Returns the next word. A keyword may be written as two words: "end facet" is "endfacet".
+  std::string_view nextWord() {
     const std::string_view word = scanner_.word();
+    if (!equalsIgnoringCase(word, "end")) return word;
+    const TextScanner before = scanner_;
+    const std::string_view second = scanner_.wordOnLine();
+    for (const std::string_view keyword : {"endsolid", "endfacet", "endloop"})
+      if (equalsIgnoringCase(second, keyword.substr(3))) return keyword;
+    scanner_ = before;
+    return word;
+  }
+
+  Status expect(std::string_view keyword) {
+    const std::string_view word = nextWord();
     if (equalsIgnoringCase(word, keyword)) return {};
     return unexpected(word, wantsKeyword(keyword));
   }
@@ -158,6 +184,7 @@ class AsciiReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
+      if (!value && hasDecimalComma(word)) return decimalComma("STL", scanner_.line(), word);
       if (!value) return unexpected(word, message<"stl-wants-number">());
       p[axis] = *value;
     }
@@ -184,28 +211,15 @@ class AsciiReader {
     if (Status s = expect("endloop"); !s) return s;
     if (Status s = expect("endfacet"); !s) return s;
     addFacet(soup_, corners);
-    passOverWords();
     return {};
-  }
-
-  /// Skips attributes that some programs write after "endfacet". Words of the format may follow on the same line.
-  void passOverWords() {
-    const TextScanner before = scanner_;
-    const std::string_view word = scanner_.wordOnLine();
-    const bool expected = word.empty() || equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid");
-    if (expected) {
-      scanner_ = before;
-      return;
-    }
-    if (++wordsAfterFacets_ == 1) firstLineOfWords_ = scanner_.line();
-    scanner_.restOfLine();
   }
 
   TextScanner scanner_;
   const ReadLimits& limits_;
   PolygonSoup soup_;
-  std::size_t wordsAfterFacets_ = 0;  // number of lines with such words
-  std::size_t firstLineOfWords_ = 0;
+  std::size_t unended_ = 0;  // solids that another solid follows before their "endsolid"
+  std::size_t linesSkipped_ = 0;
+  std::size_t firstLineSkipped_ = 0;
 };
 
 }  // namespace
@@ -214,8 +228,14 @@ bool looksLikeAsciiStl(std::span<const std::uint8_t> bytes) {
   TextScanner scanner(textOf(bytes));
   if (!equalsIgnoringCase(scanner.word(), "solid")) return false;
   scanner.restOfLine();
-  const std::string_view next = scanner.word();
-  return next.empty() || equalsIgnoringCase(next, "facet") || equalsIgnoringCase(next, "endsolid");
+  for (std::size_t line = 0; line < kLinesLookedAt; ++line) {
+    const std::string_view word = scanner.word();
+    if (word.empty()) return line == 0;
+    if (equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid")) return true;
+    if (equalsIgnoringCase(word, "end")) return equalsIgnoringCase(scanner.wordOnLine(), "solid");
+    scanner.restOfLine();  // a colour, for example
+  }
+  return false;
 }
 
 bool isBinaryStl(std::span<const std::uint8_t> bytes) {

@@ -69,6 +69,23 @@ TEST(ObjReader, JoinsContinuedLines) {
   EXPECT_EQ(soup->triangles.size(), 2u);
 }
 
+TEST(ObjReader, JoinsLinesThatEndWithBlanksAfterTheBackslash) {
+  const auto soup = read(kSquare + "f 1 2 \\ \n 3\nv 0 0 \\\t\r\n 5\n");
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(soup->positions.back(), Vec3(0, 0, 5));
+}
+
+TEST(ObjReader, ReadsVerticesWithColoursOrAFourthCoordinate) {
+  const auto soup = read("v 0 0 0 1 0 0\nv 1 0 0 0.5 0.5 0.5 1\nv 0 1 0 1\nf 1 2 3\n");
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+TEST(ObjReader, NamesADecimalComma) {
+  EXPECT_EQ(errorOf("v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n"), "Line 2 of the OBJ file: \"1,5\" has a decimal comma");
+}
+
 TEST(ObjReader, AcceptsFacesBeforeTheirVertices) { EXPECT_TRUE(read("f 1 2 3\n" + kSquare)); }
 
 TEST(ObjReader, TriangulatesConcavePolygons) {
@@ -157,7 +174,7 @@ TEST(ObjReader, NamesTheLineOfABrokenCorner) {
 
 TEST(ObjReader, NamesTheLineOfABrokenVertex) {
   EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nf 1 1 1\n"), "Line 2 of the OBJ file: vertex 2: a number is missing");
-  EXPECT_EQ(errorOf("v 0 0,5 0\n"), "Line 1 of the OBJ file: vertex 1: \"0,5\" is not a number");
+  EXPECT_EQ(errorOf("v 0 0;5 0\n"), "Line 1 of the OBJ file: vertex 1: \"0;5\" is not a number");
   EXPECT_THAT(errorOf("v 0 nan 0\n"), HasSubstr("not finite"));
   EXPECT_THAT(errorOf("v 0 1e999 0\n"), HasSubstr("not finite"));
 }

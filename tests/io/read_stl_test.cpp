@@ -131,13 +131,50 @@ TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   expectSameFacets(*soup, shapes::tetrahedron(2));
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(soup->warnings[0], message<"stl-words-after-endfacet">(with::count<"count">(1), with::count<"line">(line)));
+  EXPECT_EQ(soup->warnings[0], message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(line)));
   text.insert(text.rfind("endfacet") + 8, " attribute 7");
   soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << soup.error().message;
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "Words after \"endfacet\" were ignored in 2 lines, first in line " + std::to_string(line));
+            "Words between the facets were ignored in 2 lines, first in line " + std::to_string(line));
+}
+
+TEST(StlReader, ReadsKeywordsThatAreWrittenAsTwoWords) {
+  for (const char* keyword : {"endsolid", "endfacet", "endloop"}) {
+    std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+    for (std::size_t at = text.find(keyword); at != std::string::npos; at = text.find(keyword, at + 4))
+      text.insert(at + 3, " ");
+    const auto soup = readStl(bytesOf(text), {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    expectSameFacets(*soup, shapes::tetrahedron(2));
+    EXPECT_TRUE(soup->warnings.empty());
+  }
+}
+
+TEST(StlReader, ReadsSolidsWithoutEndsolidBetweenThem) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.resize(text.find("endsolid"));
+  const auto soup = readStl(bytesOf(text + model_files::asciiStl(shapes::tetrahedron(2))), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles.size(), 8u);
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-no-endsolid">());
+}
+
+TEST(StlReader, SkipsColoursBeforeTheFirstFacet) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.insert(text.find("  facet"), "color 0.5 0.5 0.5\n");
+  ASSERT_TRUE(looksLikeAsciiStl(bytesOf(text)));
+  const auto soup = readStl(bytesOf(text), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  expectSameFacets(*soup, shapes::tetrahedron(2));
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(2)));
+}
+
+TEST(StlReader, RefusesAFacetThatLacksItsKeyword) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.replace(text.rfind("facet normal"), 12, "fxcet normal");
+  EXPECT_THAT(errorOf(bytesOf(text)), HasSubstr("\"outer\" instead of"));
 }
 
 TEST(StlReader, WarnsAboutBytesAfterTheLastFacet) {
@@ -162,7 +199,9 @@ TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
 
 TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
   EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 2 3\n")),
-            "Line 4 of the ASCII STL file: \"1,5\" instead of a number");
+            "Line 4 of the STL file: \"1,5\" has a decimal comma");
+  EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1;5 2 3\n")),
+            "Line 4 of the ASCII STL file: \"1;5\" instead of a number");
 }
 
 TEST(StlReader, NamesTheLineWhereAnAsciiFileEnds) {
