@@ -177,19 +177,23 @@ class Rewriter {
     if (family_ == Family::Plain && (inlaid || painted)) group = addMaterials(key);
     const PaintAttributes paint = painted ? paintAttributes(group) : PaintAttributes();
     edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
-    removeSlices(key);
+    changeObject(key, *changes.front());
     if (const Status moved = moveRanges(key.second, changes, mesh->triangles.size(), inlaid); !moved) return moved;
     if (!inlaid || family_ == Family::Prusa) return {};
     return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, group);
   }
 
-  /// Takes the slices away from an object whose shape changes: they show what it was before.
-  void removeSlices(const MeshKey& key) {
+  /// Takes the slices away from an object whose shape changes: they show what it was before. A build item becomes of
+  /// type "model": slicers print no others.
+  void changeObject(const MeshKey& key, const ChangedRun& change) {
     const std::string_view text = *textOf(key.first);
     const std::size_t begin = findElement(text, "object", key.second)->begin;
+    const bool isItem = runOf(change).object == runOf(change).itemObject;
     for (const XmlTag::Attribute& a : XmlTags(text.substr(begin)).next()->attributes())
       if (a.name.ends_with(":slicestackid") || a.name.ends_with(":meshresolution"))
         edit(key.first, {begin + a.begin, begin + a.end, ""});
+      else if (isItem && a.name == "type" && a.value != "model")
+        edit(key.first, {begin + a.valueBegin, begin + a.valueBegin + a.value.size(), "model"});
   }
 
   /// @param group  the code's colour group, of addMaterials()

@@ -8,6 +8,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "math/box.h"
 #include "message_codes/files.h"
 
 namespace qrelief {
@@ -20,6 +21,7 @@ constexpr std::string_view kTriangleSets = "http://schemas.microsoft.com/3dmanuf
 constexpr std::string_view kSlice = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 constexpr std::size_t kLongestUri = 120, kLongestTransform = 120;  // in messages
 constexpr std::size_t kMaxEntries = 100'000;                       // objects, components and items of one part
+constexpr std::size_t kObjectDepth = 3;                            // of an object's element: model, resources, object
 
 struct Unit {
   std::string_view name;
@@ -27,6 +29,30 @@ struct Unit {
 };
 constexpr std::array<Unit, 6> kUnits = {
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
+
+/// Cura's settings that make an object a helper mesh, which is not printed as it is.
+constexpr std::array<std::string_view, 4> kCuraMeshes = {"support_mesh", "anti_overhang_mesh", "infill_mesh",
+                                                         "cutting_mesh"};
+constexpr std::string_view kCuraPrefix = "cura:";
+constexpr std::size_t kLongestSwitch = 16;  // "True", with blanks
+
+/// Returns the value of a boolean of XML, or of Python; none for anything else.
+std::optional<bool> switchFrom(std::string_view text) {
+  const std::string_view word = withoutBlanks(text);
+  if (word == "1" || word == "true" || word == "True") return true;
+  if (word == "0" || word == "false" || word == "False") return false;
+  return std::nullopt;
+}
+
+/// Returns true if the mesh has vertices and all are corners of its bounding box.
+bool isBox(const ThreeMfObject& object) {
+  Box3 box;
+  for (const Vec3& p : object.positions) box.add(p);
+  return !object.positions.empty() && std::all_of(object.positions.begin(), object.positions.end(), [&](Vec3 p) {
+    return (p.x == box.min.x || p.x == box.max.x) && (p.y == box.min.y || p.y == box.max.y) &&
+           (p.z == box.min.z || p.z == box.max.z);
+  });
+}
 
 class ModelHandler : public XmlHandler {
  public:
@@ -61,6 +87,9 @@ class ModelHandler : public XmlHandler {
         return takeInstance(element, object_->components);
       case Place::Item:
         return takeInstance(element, model_.items);
+      case Place::Other:
+        if (isInObject()) takeOther(element, parent);
+        [[fallthrough]];
       default:
         return parent == Place::Outside ? badInput(message<"3mf-not-a-model">()) : Status();
     }
@@ -69,8 +98,13 @@ class ModelHandler : public XmlHandler {
   Status endElement() override {
     const Place place = places_.back();
     places_.pop_back();
+    takeSwitch();
     if (place == Place::Vertices) verticesEnded_ = true;
     return place == Place::Object ? endObject() : Status();
+  }
+
+  void text(std::string_view piece) override {
+    if (!curaMesh_.empty() && switch_.size() + piece.size() <= kLongestSwitch) switch_ += piece;
   }
 
  private:
@@ -136,7 +170,8 @@ class ModelHandler : public XmlHandler {
 
   Status startModel(const XmlElement& element) {
     if (const auto unit = element.attribute("unit")) {
-      const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == *unit; });
+      const auto known =
+          std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == withoutBlanks(*unit); });
       if (known == kUnits.end()) return badInput(message<"3mf-unit">(with::quoted<"unit">(excerpt(*unit))));
       model_.unitMm = known->mm;
     }
@@ -158,7 +193,7 @@ class ModelHandler : public XmlHandler {
     if (!text)
       return badInput(
           message<"3mf-attribute-missing">(with::quoted<"element">(element.name), with::term<"attribute">(name)));
-    const auto id = parseInteger(*text);
+    const auto id = parseInteger(withoutBlanks(*text));
     if (!id || *id < 1 || *id > 0x7fffffff)
       return badInput(message<"3mf-id">(with::quoted<"word">(excerpt(*text)), with::term<"attribute">(name)));
     return static_cast<std::uint32_t>(*id);
@@ -174,9 +209,34 @@ class ModelHandler : public XmlHandler {
     object_ = &at->second;
     object_->name = element.attribute("name").value_or("");
     object_->type = element.attribute("type").value_or("model");
-    object_->isInSlices = element.attribute(kSlice, "meshresolution") == "lowres";
+    const auto resolution = element.attribute(kSlice, "meshresolution");
+    object_->hasSlices = element.attribute(kSlice, "slicestackid").has_value();
+    object_->isInSlices = resolution == "lowres";
+    mayBeInSlices_ = object_->hasSlices && !resolution;
+    foreignContent_.clear();
     hasContent_ = verticesEnded_ = false;
     return {};
+  }
+
+  bool isInObject() const { return places_.size() > kObjectDepth && places_[kObjectDepth - 1] == Place::Object; }
+
+  /// Takes what other programs and extensions say about an object.
+  void takeOther(const XmlElement& element, Place parent) {
+    if (parent == Place::Object && element.space != kCore && !element.space.empty()) foreignContent_ = element.space;
+    if (parent == Place::Mesh && element.name == "beamlattice") object_->isInBeams = true;
+    // Cura writes metadata; its old versions wrote elements of their own.
+    std::string_view key;
+    if (element.name == "metadata") key = element.attribute("name").value_or("");
+    if (element.name == "setting") key = element.attribute("key").value_or("");
+    if (key.starts_with(kCuraPrefix)) key.remove_prefix(kCuraPrefix.size());
+    switch_.clear();
+    curaMesh_ = std::find(kCuraMeshes.begin(), kCuraMeshes.end(), key) == kCuraMeshes.end() ? "" : key;
+  }
+
+  /// Ends the setting whose text was read.
+  void takeSwitch() {
+    if (!curaMesh_.empty() && switchFrom(switch_) == true) object_->curaMesh = curaMesh_;
+    curaMesh_.clear();
   }
 
   Status startContent() {
@@ -192,7 +252,7 @@ class ModelHandler : public XmlHandler {
       const char name = static_cast<char>('x' + axis);
       const auto text = element.attribute(std::string_view(&name, 1));
       if (!text) return badVertex(message<"3mf-coordinate-missing">(with::term<"axis">(std::string_view(&name, 1))));
-      const auto value = parseNumber(*text);
+      const auto value = parseNumber(withoutBlanks(*text));
       if (!value) return badVertex(notANumber(*text));
       if (!std::isfinite(*value)) return badVertex(notFinite(*text));
       p[axis] = *value;
@@ -209,7 +269,7 @@ class ModelHandler : public XmlHandler {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto text = element.attribute(kNames[k]);
       if (!text) return badTriangle(number, message<"3mf-corner-missing">(with::term<"corner">(kNames[k])));
-      const auto index = parseInteger(*text);
+      const auto index = parseInteger(withoutBlanks(*text));
       if (!index) return badTriangle(number, text->empty() ? notANumber(*text) : notAVertex(*text));
       if (*index < 0 || *index > 0xffffffffLL || (verticesEnded_ && !hasVertex(*index)))
         return badTriangle(number, noSuchVertex(*index, object_->positions.size()));
@@ -251,6 +311,7 @@ class ModelHandler : public XmlHandler {
     instance.object = *id;
     instance.path = element.attribute(kProduction, "path").value_or("");
     instance.partNumber = element.attribute("partnumber").value_or("");
+    instance.isPrinted = switchFrom(element.attribute("printable").value_or("")).value_or(true);
     if (const auto text = element.attribute("transform")) {
       const Result<Affine> transform = transformFrom(*text);
       if (!transform) return tl::unexpected(transform.error());
@@ -261,10 +322,14 @@ class ModelHandler : public XmlHandler {
   }
 
   Status endObject() {
+    if (!hasContent_ && !foreignContent_.empty())
+      return badObject(
+          message<"3mf-foreign-content">(with::quoted<"extension">(excerpt(foreignContent_, kLongestUri))));
     if (!hasContent_) return badObject(message<"3mf-no-content">());
     for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // triangles may come before their vertices
       for (const std::uint32_t v : object_->triangles[t])
         if (!hasVertex(v)) return badTriangle(t + 1, noSuchVertex(v, object_->positions.size()));
+    object_->isInSlices |= mayBeInSlices_ && isBox(*object_);
     return {};
   }
 
@@ -275,7 +340,10 @@ class ModelHandler : public XmlHandler {
   ThreeMfObject* object_ = nullptr;
   std::uint32_t objectId_ = 0;
   bool hasContent_ = false;
-  bool verticesEnded_ = false;  // for the object's mesh; from then on, a triangle's vertices must exist
+  bool mayBeInSlices_ = false;     // the object has slices and does not say how good its mesh is
+  std::string foreignContent_;     // namespace of an object's content that is none of the core's
+  std::string curaMesh_, switch_;  // the open setting of Cura, and its text so far
+  bool verticesEnded_ = false;     // for the object's mesh; from then on, a triangle's vertices must exist
   std::size_t vertices_ = 0, triangles_ = 0, entries_ = 0;
 };
 

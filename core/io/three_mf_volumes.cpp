@@ -26,7 +26,7 @@ bool contains(const std::array<std::string_view, N>& kinds, std::string_view kin
 /// Returns a number from an attribute; none if it is missing, negative or too large.
 std::optional<std::uint32_t> numberOf(const XmlElement& element, std::string_view name) {
   const auto text = element.attribute(name);
-  const auto number = text ? parseInteger(*text) : std::nullopt;
+  const auto number = text ? parseInteger(withoutBlanks(*text)) : std::nullopt;
   if (!number || *number < 0 || *number > 0x7fffffff) return std::nullopt;
   return static_cast<std::uint32_t>(*number);
 }

@@ -60,6 +60,14 @@ void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
   });
 }
 
+void XMLCALL onText(void* user, const XML_Char* text, int length) {
+  auto& session = *static_cast<Session*>(user);
+  session.guarded([&]() -> Status {
+    session.handler.text({text, static_cast<std::size_t>(length)});
+    return {};
+  });
+}
+
 void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
   static_cast<Session*>(user)->guarded([]() -> Status { return badInput(message<"xml-dtd">()); });
 }
@@ -96,6 +104,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   Session session{parser.get(), handler};
   XML_SetUserData(parser.get(), &session);
   XML_SetElementHandler(parser.get(), onStart, onEnd);
+  XML_SetCharacterDataHandler(parser.get(), onText);
   XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](Message what) {
