@@ -374,4 +374,16 @@ Result<std::span<const std::uint8_t>> ZipStream::next() {
   return piece;
 }
 
+Result<std::vector<std::uint8_t>> unpacked(const ZipEntry& entry, std::uint64_t maxBytes) {
+  auto stream = ZipStream::open(entry, maxBytes);
+  if (!stream) return tl::unexpected(stream.error());
+  std::vector<std::uint8_t> content;
+  for (;;) {
+    const auto piece = stream->next();
+    if (!piece) return tl::unexpected(piece.error());
+    if (piece->empty()) return content;
+    content.insert(content.end(), piece->begin(), piece->end());
+  }
+}
+
 }  // namespace qrelief

@@ -74,4 +74,7 @@ class ZipStream {
   std::unique_ptr<State> state_;
 };
 
+/// Returns the content of a file of at most `maxBytes`. @returns BadInput as ZipStream
+Result<std::vector<std::uint8_t>> unpacked(const ZipEntry& entry, std::uint64_t maxBytes);
+
 }  // namespace qrelief
