@@ -85,7 +85,11 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
     findings.warn(
         message<"tiny">(with::extentMm<"size">(size), with::cause<"advice">(unitAdvice(model.unitSuggestions))));
   }
-  if (largest > kHugeMm) findings.warn(message<"huge">(with::extentMm<"size">(size)));
+  if (largest > kHugeMm) {
+    model.unitSuggestions = suggestUnits(size, model.scaleToMm);
+    findings.warn(
+        message<"huge">(with::extentMm<"size">(size), with::cause<"advice">(smallerUnitAdvice(model.unitSuggestions))));
+  }
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
   const double step = floatStepMm(farthest);

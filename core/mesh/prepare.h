@@ -45,7 +45,7 @@ struct PreparedModel {
   std::size_t shells = 0;
   bool crossesItself = false;                   ///< some triangles of one shell cross and were not separated
   bool hasCrossings = false;                    ///< the same, or shells touch or overlap
-  std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny models; may be empty
+  std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny and huge models; may be empty
   std::shared_ptr<const ThreeMfSource> source;  ///< the soup's, if there is one
   /// The soup's triangle that each triangle comes from or adjoins; empty: there is no source.
   std::vector<std::uint32_t> originOfTriangle;

@@ -163,8 +163,11 @@ Status PlacementSearch::measure(Vec3 normal) {
   }
   if (placement_.moduleMm < kMinModuleMm) {
     return fail(ErrorKind::NoSolution,
-                message<"modules-too-small-here">(with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
-                                                  with::lengthMm<"module">(placement_.moduleMm)));
+                message<"modules-too-small-here">(
+                    with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                    with::lengthMm<"module">(placement_.moduleMm),
+                    with::cause<"advice">(roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
+                                                     message<"choose-a-wider-spot">()))));
   }
   return {};
 }

@@ -387,7 +387,9 @@ Error SpotSearchJob::State::nothingFound() const {
                                         with::place<"at">(largest->centreFileUnits))};
   return {ErrorKind::NoSolution,
           message<"no-spot">(with::cause<"code">(codeInWords(place)),
-                             with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()))};
+                             with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()),
+                             with::cause<"advice">(roomAdvice(model->prepared, {request.modules, outer},
+                                                              place.eyeDistanceMm, message<"larger-or-flatter">())))};
 }
 
 double SpotSearchJob::State::testedShare() const {

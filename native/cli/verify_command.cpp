@@ -176,8 +176,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
   c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
   c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  c->add_option("--units", o->units, "unit of the file; replaces --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
   c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);

@@ -417,6 +417,8 @@ TEST(PrepareModel, WarnsAboutATinyModelAndSuggestsUnits) {
 TEST(PrepareModel, WarnsAboutAHugeModel) {
   expectFinding(prepared(shapes::box({2001, 10, 10})), "huge", Severity::Warning, 1);
   EXPECT_FALSE(find(prepared(shapes::box({2000, 10, 10})), "huge"));
+  EXPECT_EQ(hintOf(prepared(shapes::box({80'000, 20'000, 20'000})), "huge"),
+            "If it should be smaller, --units um makes it 80 × 20 × 20 mm; use --scale for any other scale");
 }
 
 TEST(PrepareModel, WarnsIfFloatsAreTooCoarse) {
