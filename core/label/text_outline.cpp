@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/unicode.h"
 #include "base/utf8.h"
 #include "label_font.h"
 #include "message_codes/text.h"
@@ -255,7 +256,8 @@ double thinnestStroke() {
 
 Result<TextOutline> outlineText(std::string_view text, double tolerance) {
   const Font font;
-  const auto glyphs = glyphsOf(text, font);
+  const std::string characters = composed(text);  // the font has ü, but not u and U+0308
+  const auto glyphs = glyphsOf(characters, font);
   if (!glyphs) return tl::unexpected(glyphs.error());
   const double capital = font.capitalHeight();
   TextOutline result;

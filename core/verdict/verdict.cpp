@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "message_codes/verdict.h"
+#include "pipeline/label_pockets.h"
 #include "printing/build_direction.h"
 #include "verdict/ink_advice.h"
 #include "verdict/remedies.h"
 #include "verification/grades.h"
+#include "verification/printability.h"
 
 namespace qrelief {
 namespace {
@@ -142,6 +144,12 @@ Aspect judgePrinting(std::vector<Message> advice, const Message& because, const 
     aspect.summary = message<"may-not-print">(with::lengthMm<"nozzle">(printer.nozzleMm));
   }
   return aspect;
+}
+
+/// Adds a warning that is none of the reasons.
+void addUnlessReason(Aspect& aspect, std::optional<Message> warning) {
+  if (warning && std::find(aspect.reasons.begin(), aspect.reasons.end(), *warning) == aspect.reasons.end())
+    aspect.warnings.push_back(std::move(*warning));
 }
 
 Aspect judgePocketPrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
@@ -295,6 +303,8 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
                                           printed, request.code.text)
                        : judgePocketPrinting(featuresOf(result), request.print.printer, request.depth.minWallMm,
                                              printed, request.code.text);
+  if (const auto capitalMm = labelCapitalMm(request.code.label, result.symbol.size, result.placement.moduleMm))
+    addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.print.printer));
   if (verdict.prints.level != Level::Good)
     verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);

@@ -15,6 +15,8 @@
 namespace qrelief {
 namespace {
 
+constexpr double kRoundingMm = 1e-9;
+
 constexpr int kN = kSubmodulesPerModule;
 
 /// Least width of a pocket that opens in print, in nozzle widths: `thin-plus` with 0.6 nozzle widths did not open,
@@ -169,10 +171,17 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
   return features;
 }
 
+std::optional<Message> adviseLabel(double capitalMm, const Printer& printer) {
+  const auto process = processOf(printer);
+  if (!process) return std::nullopt;
+  const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
+  if (capitalMm >= leastMm - kRoundingMm) return std::nullopt;
+  return message<"label-too-small">(with::lengthMm<"height">(capitalMm), with::lengthMm<"least">(leastMm));
+}
+
 std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
   std::vector<Message> advice;
   const double minPocketMm = kMinPocketNozzles * printer.nozzleMm;
-  constexpr double kRoundingMm = 1e-9;
   if (features.pocketMm < minPocketMm - kRoundingMm) {
     const double neededMm = inTwentieths(features.moduleMm * minPocketMm / features.pocketMm);
     if (features.pattern == ModulePattern::ThinPlus)
@@ -205,12 +214,8 @@ std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printe
         with::lengthMm<"depth">(features.leastDepthMm),
         with::number<"layers">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
         with::lengthMm<"layer">(printer.layerMm)));
-  if (const auto process = processOf(printer); process && features.labelCapitalMm) {
-    const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
-    if (*features.labelCapitalMm < leastMm - kRoundingMm)
-      advice.push_back(message<"label-too-small">(with::lengthMm<"height">(*features.labelCapitalMm),
-                                                  with::lengthMm<"least">(leastMm)));
-  }
+  if (features.labelCapitalMm)
+    if (auto label = adviseLabel(*features.labelCapitalMm, printer)) advice.push_back(std::move(*label));
   if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
     advice.push_back(
         message<"wall-behind-pocket">(with::lengthMm<"wall">(*features.wallMm), with::number<"wanted">(minWallMm)));

@@ -95,7 +95,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
     fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
-  for (const Message& warning : context.verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
+    for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
     const bool foundOut = aspect == &context.verdict.prints && context.printed;
     if (!foundOut && (aspect->level == Level::Good || !aspect->passed())) continue;

@@ -114,6 +114,15 @@ TEST(TextOutline, ReadsAccentsGreekAndCyrillic) {
   EXPECT_FALSE(outline("Ωж").rings.empty());
 }
 
+TEST(TextOutline, ComposesLettersAndTheirMarks) {
+  for (const auto& [apart, one] : {std::pair("Mu\xCC\x88ller", "M\xC3\xBCller"), std::pair("e\xCC\x81", "\xC3\xA9"),
+                                   std::pair("\xD0\xB8\xCC\x86", "\xD0\xB9")}) {
+    const auto outline = outlineText(apart, 0.01), expected = outlineText(one, 0.01);
+    ASSERT_TRUE(outline) << outline.error().message;
+    EXPECT_EQ(outline->rings, expected->rings) << one;
+  }
+}
+
 TEST(TextOutline, NoOutlineOfPrintableAsciiCrossesItsNeighbours) {
   for (char left = '!'; left <= '~'; ++left) {
     std::string text;
