@@ -67,6 +67,12 @@ bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limi
   return 2 * good >= looked;
 }
 
+/// Returns true if the file ends with a facet. Programs that cannot go back in a file leave a wrong count in its
+/// header.
+bool hasWholeFacets(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > kHeaderBytes && (bytes.size() - kHeaderBytes) % kFacetBytes == 0;
+}
+
 Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (bytes.size() < kHeaderBytes)
     return badInput(message<"stl-too-short">(with::count<"count">(bytes.size()), with::count<"header">(kHeaderBytes)));
@@ -74,6 +80,7 @@ Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& li
   const std::uint64_t expected = kHeaderBytes + kFacetBytes * announced;
   const std::size_t rest = bytes.size() - kHeaderBytes;
   if (announced == 0 && rest == 0) return badInput(message<"stl-no-facet">());
+  if (hasWholeFacets(bytes) && (announced == 0 || bytes.size() < expected) && looksLikeFacets(bytes, limits)) return {};
   if (announced == 0)
     return badInput(
         message<"stl-announces-none">(with::count<"bytes">(rest), with::count<"count">(rest / kFacetBytes)));
@@ -87,7 +94,10 @@ Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& li
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (Status s = checkBinarySize(bytes, limits); !s) return tl::unexpected(s.error());
-  const auto count = static_cast<std::size_t>(announcedFacets(bytes));
+  const std::uint64_t announced = announcedFacets(bytes);
+  const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  const bool isWrong = announced == 0 || announced > present;
+  const std::size_t count = isWrong ? present : static_cast<std::size_t>(announced);
   if (count > limits.maxTriangles) return tooManyTriangles(limits.maxTriangles);
 
   PolygonSoup soup;
@@ -106,6 +116,9 @@ Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLi
                                                   with::term<"at">(coordinates(p))));
     addFacet(soup, corners);
   }
+  if (isWrong)
+    soup.warnings.push_back(
+        message<"stl-wrong-count">(with::count<"announced">(announced), with::count<"count">(count)));
   if (const std::size_t rest = bytes.size() - kHeaderBytes - kFacetBytes * count; rest > 0)
     soup.warnings.push_back(message<"stl-trailing-bytes">(with::count<"count">(rest), with::count<"announced">(count)));
   return soup;

@@ -243,6 +243,7 @@ std::string comparable(std::string_view name) {
       c = static_cast<char>(16 * hexValue(name[i + 1]) + hexValue(name[i + 2]));
       i += 2;
     }
+    if (c == '\\') c = '/';  // some programs of Windows write backslashes
     result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return result;

@@ -38,7 +38,7 @@ class ZipArchive {
   static Result<ZipArchive> open(std::span<const std::uint8_t> bytes);
 
   /// Returns the file of that name, or nullptr. Compares names as OPC requires [ECMA-376 Part 2, §9.1]: without regard
-  /// to ASCII case, and "%20" is a blank.
+  /// to ASCII case, and "%20" is a blank. A backslash in the archive is a slash.
   const ZipEntry* find(std::string_view name) const;
 
   /// Returns all files, folders excluded, in the directory's order.

@@ -89,9 +89,22 @@ TEST(StlReader, RefusesATruncatedBinaryFileAndNamesBothSizes) {
   EXPECT_THAT(error, HasSubstr("room for 2 facets"));
 }
 
+TEST(StlReader, ReadsWholeFacetsDespiteAWrongCountAndWarns) {
+  for (const std::uint32_t count : {0u, 5u, 8u, 0x7fffffffu, 0xffffffffu}) {
+    Bytes bytes = binaryTetrahedron();
+    setCount(bytes, count);
+    const auto soup = readStl(bytes, {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    expectSameFacets(*soup, shapes::tetrahedron(2));
+    ASSERT_EQ(soup->warnings.size(), 1u);
+    EXPECT_EQ(soup->warnings[0], message<"stl-wrong-count">(with::count<"announced">(count), with::count<"count">(4)));
+  }
+}
+
 TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
   for (const std::uint32_t count : {5u, 8u, 0x7fffffffu, 0xffffffffu}) {
     Bytes bytes = binaryTetrahedron();
+    bytes.push_back(0);  // no whole facet at the end
     setCount(bytes, count);
     EXPECT_THAT(errorOf(bytes), HasSubstr(std::to_string(count) + " facets"));
   }
@@ -99,8 +112,9 @@ TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
 
 TEST(StlReader, RefusesZeroFacetsAndReportsTrailingBytes) {
   Bytes bytes = binaryTetrahedron();
+  bytes.push_back(0);
   setCount(bytes, 0);
-  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, but 200 bytes follow, room for 4 facets");
+  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, but 201 bytes follow, room for 4 facets");
   bytes.resize(84);
   EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, and none follows");
 }
