@@ -79,7 +79,7 @@ TEST_F(PlaceCommandTest, SuggestsAUnitInWhichEngravingSucceeds) {
   const std::string inches = writeModel("bracket.stl", shapes::box({12, 3, 2}));
   const Outcome place = run({"place", inches, "--quiet"});
   EXPECT_EQ(place.status, 4);
-  EXPECT_NE(place.err.find("--units in makes it 304.8 × 76.2 × 50.8 mm"), std::string::npos) << place.err;
+  EXPECT_NE(place.err.find("--units in makes it 305 × 76.2 × 50.8 mm"), std::string::npos) << place.err;
   const std::vector<std::string> engrave = {"engrave", inches, "--text", "x", "-o", path("out.stl"), "--quiet"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = engrave;

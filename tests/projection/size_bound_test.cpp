@@ -68,7 +68,7 @@ TEST(Room, SuggestsOnlyUnitsInWhichTheCodeHasRoom) {
   const Message otherwise = message<"larger-or-flatter">();
   const Message advice = roomAdvice(model, kSmallest, kEyeMm, otherwise);
   EXPECT_THAT(sentence(advice),
-              testing::HasSubstr("--units in makes it 304.8 × 76.2 × 50.8 mm, --units cm 120 × 30 × 20"));
+              testing::HasSubstr("--units in makes it 305 × 76.2 × 50.8 mm, --units cm 120 × 30 × 20"));
   const SizeBound wide{177, 20};
   EXPECT_EQ(roomAdvice(model, wide, 1e9, otherwise), otherwise);
   EXPECT_EQ(roomAdvice(prepared(shapes::box({31, 3, 2})), kSmallest, kEyeMm, otherwise), otherwise);
