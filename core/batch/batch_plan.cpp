@@ -167,7 +167,7 @@ void BatchPlan::add(std::uint32_t line, Message problem) {
 }
 
 void BatchPlan::checkRows() {
-  std::map<ErrorCorrection, VersionsByLength> versions;
+  std::map<std::pair<ErrorCorrection, EciUse>, VersionsByLength> versions;
   int largest = 1;
   for (std::size_t i = 0; i < size(); ++i) {
     const auto row = made(i);
@@ -176,8 +176,9 @@ void BatchPlan::checkRows() {
       continue;
     }
     const SymbolOptions& symbol = row->request.code.symbol;
-    const int needed = versions.try_emplace(symbol.errorCorrection, symbol.errorCorrection)
-                           .first->second.smallest(row->request.code.text);
+    const auto [known, isNew] =
+        versions.try_emplace({symbol.errorCorrection, symbol.eci}, symbol.errorCorrection, symbol.eci);
+    const int needed = known->second.smallest(row->request.code.text);
     if (needed == 0 || (symbol.version && needed > *symbol.version)) {
       const auto encoded = encodeSymbol(row->request.code.text, symbol);
       if (!encoded) add(row->line, encoded.error().message);

@@ -27,6 +27,9 @@ struct Segment {
 /// @returns segments that cover the text in order, no two neighbours of the same mode
 std::vector<Segment> segmentText(std::string_view text, int version);
 
+/// Bits of the header that names the character set of the segments after it [ISO/IEC 18004, 7.4.2].
+inline constexpr int kEciBits = 12;
+
 /// Returns the number of bits in the segments, with their headers and without terminator and padding.
 int segmentBits(const std::vector<Segment>& segments, int version);
 

@@ -43,12 +43,14 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
-  return {{"version", symbol.version},
-          {"ecc", errorCorrectionName(symbol.errorCorrection)},
-          {"mask", symbol.mask},
-          {"modules", symbol.size},
-          {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
-          {"rows", rows}};
+  Json json = {{"version", symbol.version},
+               {"ecc", errorCorrectionName(symbol.errorCorrection)},
+               {"mask", symbol.mask},
+               {"modules", symbol.size},
+               {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
+               {"rows", rows}};
+  if (symbol.hasEci) json["eci"] = 26;
+  return json;
 }
 
 Json describeProjection(const EngraveRequest& request, const Placement& placement) {

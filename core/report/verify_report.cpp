@@ -70,7 +70,8 @@ Result<VerifyRequest> readRequest(const Json& report) {
   auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
                                              .version = symbol.at("version").get<int>(),
                                              .maskRule = MaskRule::Fixed,
-                                             .mask = symbol.at("mask").get<int>()});
+                                             .mask = symbol.at("mask").get<int>(),
+                                             .eci = symbol.contains("eci") ? EciUse::Auto : EciUse::Never});
   if (!encoded) return tl::unexpected(encoded.error());
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());

@@ -44,6 +44,22 @@ TEST(SymbolReading, DecodesUtf8Unchanged) {
   }
 }
 
+TEST(SymbolReading, NamesUtf8OnlyForTextsBeyondAscii) {
+  const auto identifier = [](const std::string& text, EciUse eci) {
+    return decodeSymbol(*encodeSymbol(text, {.eci = eci})).symbologyIdentifier();
+  };
+  EXPECT_EQ(identifier("https://example.com/a1", EciUse::Auto), "]Q1");
+  EXPECT_EQ(identifier("Zürich", EciUse::Auto), "]Q2");  // with ECI
+  EXPECT_EQ(identifier("Zürich", EciUse::Never), "]Q1");
+  EXPECT_EQ(readText("Zürich 0123456789 SHOP", {.eci = EciUse::Never}), "Zürich 0123456789 SHOP");
+}
+
+TEST(SymbolReading, DecodesEveryModeAfterTheCharacterSet) {
+  for (const std::string text : {"01234567890123456789 ü", "HTTPS://EXAMPLE.COM/ü", "ü 01234567890123456789",
+                                 "BEGIN:VCARD\r\nN:Müller;Jörg\r\nTEL:+491234567890\r\nEND:VCARD", "S:Café \\; Bar;"})
+    EXPECT_EQ(readText(text), text);
+}
+
 TEST(SymbolReading, DecodesLinksWithMixedModes) {
   const std::string text = "https://example.com/SHOP/0123456789012345678901234567890?ID=ABCDEFGHIJKLMNOP";
   EXPECT_EQ(readText(text), text);
