@@ -164,9 +164,38 @@ std::string composed(std::string_view utf8) {
 }
 
 std::string caseFolded(std::string_view utf8) {
+  if (isAscii(utf8)) {
+    std::string low(utf8);
+    for (char& c : low)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return low;
+  }
   std::u32string text;
   for (const char32_t code : decomposed(decoded(utf8))) appendFolded(text, code);
   return encoded(recomposed(decomposed(text)));
+}
+
+std::optional<std::string> utf8FromUtf16(std::span<const std::uint8_t> bytes, bool isBigEndian) {
+  if (bytes.size() % 2 != 0) return std::nullopt;
+  const auto unit = [&](std::size_t i) {
+    const auto first = static_cast<char32_t>(bytes[i]), second = static_cast<char32_t>(bytes[i + 1]);
+    return isBigEndian ? first << 8 | second : second << 8 | first;
+  };
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  for (std::size_t i = 0; i < bytes.size(); i += 2) {
+    char32_t code = unit(i);
+    if (code == 0xFEFF && i == 0) continue;
+    if (code >= 0xDC00 && code < 0xE000) return std::nullopt;
+    if (code >= 0xD800 && code < 0xDC00) {
+      i += 2;
+      const char32_t low = i < bytes.size() ? unit(i) : 0;
+      if (low < 0xDC00 || low >= 0xE000) return std::nullopt;
+      code = 0x10000 + ((code - 0xD800) << 10 | (low - 0xDC00));
+    }
+    appendUtf8(text, code);
+  }
+  return text;
 }
 
 void appendUtf8(std::string& text, char32_t code) {

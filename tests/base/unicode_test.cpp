@@ -2,6 +2,7 @@
 #include "base/unicode.h"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace qrelief {
 namespace {
@@ -53,6 +54,16 @@ TEST(Unicode, LettersThatOnlyLookAlikeStayDifferent) {
   EXPECT_NE(caseFolded("a"), caseFolded("\u0430"));  // Latin and Cyrillic
   EXPECT_NE(caseFolded("\u0131"), caseFolded("i"));  // dotless i
   EXPECT_NE(caseFolded("e"), caseFolded("\u00E9"));
+}
+
+TEST(Unicode, ReadsUtf16OfBothByteOrders) {
+  const std::vector<std::uint8_t> little = {0xFF, 0xFE, 0xFC, 0x00, 0x3D, 0xD8, 0x00, 0xDE},
+                                  big = {0xFE, 0xFF, 0x00, 0xFC, 0xD8, 0x3D, 0xDE, 0x00};
+  EXPECT_EQ(utf8FromUtf16(little, false), "\u00FC\U0001F600");
+  EXPECT_EQ(utf8FromUtf16(big, true), "\u00FC\U0001F600");
+  EXPECT_FALSE(utf8FromUtf16(std::span(little).first(7), false));
+  EXPECT_FALSE(utf8FromUtf16(std::span(little).first(6), false)) << "half a pair";
+  EXPECT_FALSE(utf8FromUtf16(std::span(little).subspan(6), false)) << "the other half";
 }
 
 TEST(Unicode, CharactersOfATextAreCounted) {
