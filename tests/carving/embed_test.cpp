@@ -87,14 +87,18 @@ TEST(Embed, KnowsWhereEachFacetComesFrom) {
     ++counts[origin.kind];
     EXPECT_FALSE(origin.isOfLabel);
     const Vec3 normal = triangleNormal(result->mesh, t);
-    if (origin.kind == Kind::Kept)
-      for (int k = 0; k < 3; ++k) EXPECT_EQ(result->mesh.corner(t, k), mesh.corner(origin.facet, k));
+    for (int k = 0; origin.kind == Kind::Kept && k < 3; ++k)
+      EXPECT_EQ(result->mesh.corner(t, k), mesh.corner(origin.facet, k));
     if (origin.kind == Kind::Piece) {
       cut.insert(origin.facet);
       EXPECT_NEAR(glm::distance(normal, triangleNormal(mesh, origin.facet)), 0, 1e-4);
     }
-    if (origin.kind == Kind::Floor) EXPECT_NEAR(result->mesh.corner(t, 0).z, -0.5, 0.01);
-    if (origin.kind == Kind::Wall) EXPECT_NEAR(normal.z, 0, 0.05);
+    if (origin.kind == Kind::Floor) {
+      EXPECT_NEAR(result->mesh.corner(t, 0).z, -0.5, 0.01);
+    }
+    if (origin.kind == Kind::Wall) {
+      EXPECT_NEAR(normal.z, 0, 0.05);
+    }
   }
   EXPECT_EQ(counts, (std::map<Kind, std::size_t>{
                         {Kind::Kept, mesh.triangles.size() - 1}, {Kind::Piece, 7}, {Kind::Floor, 2}, {Kind::Wall, 8}}));
