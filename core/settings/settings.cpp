@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "settings/preset.h"
-#include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
@@ -461,10 +460,8 @@ const Setting* findSetting(std::string_view key) {
 
 void apply(const SettingChange& change, EngraveRequest& request) {
   const Setting* setting = findSetting(change.setting);
-  assert(setting && (setting->takesChoice() || setting->takesNumber()));
-  const auto value = valueFromText(*setting, std::vector{change.value});
-  assert(value);
-  setting->write(request, *value);
+  assert(setting && setting->takesChoice());
+  setting->write(request, change.value);
 }
 
 const char* depthObjectiveName(DepthObjective objective) {
