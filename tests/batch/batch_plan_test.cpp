@@ -215,7 +215,7 @@ TEST(BatchPlan, WarnsOfValuesThatASpreadsheetHasChanged) {
   const BatchPlan plan = planOf("id;gtin\n1;9,52112E+12\n", "{gtin}");
   ASSERT_EQ(plan.warnings().size(), 1u);
   EXPECT_EQ(sentence(plan.warnings()[0]),
-            "Line 2: 9,52112E+12 in the column “gtin” is a number that a spreadsheet has shortened");
+            "Line 2: 9,52112E+12 in the column \"gtin\" is a number that a spreadsheet has shortened");
 }
 
 TEST(BatchPlan, DoesNotWarnOfOrdinaryValues) {
