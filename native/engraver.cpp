@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/clock.h"
+#include "message_codes/stages.h"
 #include "native/read_carving.h"
 
 namespace qrelief {
@@ -42,7 +43,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
 Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
   const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  tell({message("finding-direction-and-size"), 0});
+  tell({message<"finding-direction-and-size">(), 0});
   if (const Status good = checkEngraving(*model_, request, *symbol); !good) return tl::unexpected(good.error());
   const auto place = placeOf(request, symbol->size);
   if (!place) return tl::unexpected(place.error());
@@ -79,7 +80,7 @@ Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Me
 /// Adds the print of a carving, which may be running already.
 Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
   Engraved& engraved = carving.engraved;
-  tell({message("printing"), 1});
+  tell({message<"printing">(), 1});
   auto print = carving.print.valid()
                    ? carving.print.get()
                    : printed(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh);

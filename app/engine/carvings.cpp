@@ -302,8 +302,8 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
                                      {.title = model.fileName, .slicer = slicer});
     return file ? file->bytes : std::vector<std::uint8_t>();
   }
-  const auto bytes =
-      writeChecked(carvedObjects(result, model.partNames, withInlay), written, {.title = model.fileName});
+  const auto bytes = writeChecked(carvedObjects(result, model.partNames, withInlay, written == ModelFormat::ThreeMf),
+                                  written, {.title = model.fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 

@@ -35,9 +35,9 @@ class Engine {
   /// context the renderer is "processor".
   std::string capabilities() const;
 
-  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings,
-  /// centre}}. `centre` is the surface point in the middle of the view, and stays the centre until another one is
-  /// chosen. After an error the old model stays.
+  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name,
+  /// triangles}], engravable, findings, centre}}. `centre` is the surface point in the middle of the view, and stays
+  /// the centre until another one is chosen. After an error the old model stays.
   /// @param bytes      the file; freed as soon as it is parsed
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
@@ -172,6 +172,7 @@ class Engine {
   std::string show(const std::string& what);
   /// Moves the camera.
   /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
+  ///                {"kind": "body", "index"}: to one body of the model, from 0,
   ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
   ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the viewer's side, with the
   ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible

@@ -7,12 +7,13 @@
 #include "batch/batch_list.h"
 #include "batch/manifest.h"
 #include "engine/answers.h"
+#include "message_codes/batch.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
 namespace {
 
-const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
+const Error kNoRow = {ErrorKind::BadUsage, message<"no-such-row">()};
 
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
 Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {

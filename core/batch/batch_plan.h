@@ -28,6 +28,7 @@ struct BatchRow {
   std::uint32_t line = 1;  ///< line of the list in which the row begins
   std::string id;          ///< the column `id`, or else the number
   std::string file;        ///< a plain name, without a folder
+  std::string model;       ///< path of the row's own model, as in the column `model`; empty: the model of all rows
   EngraveRequest request;
 
   /// Returns the names of all files that this row may have, `file` first (io/write_files.h).
@@ -36,11 +37,11 @@ struct BatchRow {
 
 /// The rows that a list requests, all checked before the first one is carved.
 ///
-/// Columns are `id`, `text`, `file`, keys of settings (an empty cell keeps the value that all rows have), and any names
-/// used in templates; `{n}` is the row's number. The plan refuses: a column that a template names and the list lacks; a
-/// value that a setting does not accept; a text, a name or an id that two rows share (capitals in names do not count,
-/// because some file systems ignore them); a text that no symbol of the version holds; a name that is not a plain name
-/// of a model file.
+/// Columns are `id`, `text`, `file`, `model`, keys of settings (an empty cell keeps the value that all rows have), and
+/// any names used in templates; `{n}` is the row's number. Capitals in names of columns do not count. The plan refuses:
+/// a column that a template names and the list lacks; a value that a setting does not accept; a text, a name or an id
+/// that two rows share (names that differ only in capitals or in the composition of their letters are one name for some
+/// file systems); a text that no symbol of the version holds; a name that is not a plain name of a model file.
 class BatchPlan {
  public:
   /// Makes the plan. Cost: some 2 µs per row.
@@ -54,7 +55,8 @@ class BatchPlan {
   /// Returns the columns that nothing uses; a misspelt setting would be among them.
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
-  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored.
+  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored,
+  /// and about cells that a spreadsheet has changed (batch/spreadsheet_traces.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
   std::size_t size() const { return list_.size(); }
@@ -71,6 +73,7 @@ class BatchPlan {
 
   Status prepare();
   void warnOfRemovedChoices();
+  void warnOfSpreadsheets();
   Status checkNames(const TextTemplate& pattern) const;
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
@@ -84,6 +87,7 @@ class BatchPlan {
   std::size_t firstNumber_ = 1;
   TextTemplate text_, name_, label_;
   std::vector<SettingColumn> settings_;
+  std::vector<std::size_t> filled_;  // columns that go into texts, labels, names and ids
   std::vector<std::string> unused_;
   std::vector<Message> problems_, warnings_;
 };

@@ -7,6 +7,7 @@
 
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -25,7 +26,7 @@ bool contains(const std::array<std::string_view, N>& kinds, std::string_view kin
 /// Returns a number from an attribute; none if it is missing, negative or too large.
 std::optional<std::uint32_t> numberOf(const XmlElement& element, std::string_view name) {
   const auto text = element.attribute(name);
-  const auto number = text ? parseInteger(*text) : std::nullopt;
+  const auto number = text ? parseInteger(withoutBlanks(*text)) : std::nullopt;
   if (!number || *number < 0 || *number > 0x7fffffff) return std::nullopt;
   return static_cast<std::uint32_t>(*number);
 }
@@ -48,7 +49,7 @@ class VolumeHandler : public XmlHandler {
     else if (element.name == "metadata" && range_)
       takeKind(element);
     return count_ <= kMaxVolumes ? Status()
-                                 : badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxVolumes)));
+                                 : badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxVolumes)));
   }
 
  private:
@@ -104,7 +105,7 @@ ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBy
     if (done)
       volumes = std::move(read);
     else
-      warnings.push_back(message("3mf-settings-unread", with::cause<"cause">(done.error().message)));
+      warnings.push_back(message<"3mf-settings-unread">(with::cause<"cause">(done.error().message)));
   }
   return volumes;
 }

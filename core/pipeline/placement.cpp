@@ -10,6 +10,8 @@
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "mesh/ray.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/place.h"
 #include "projection/best_size.h"
 #include "projection/crossings.h"
 #include "projection/flatness.h"
@@ -44,9 +46,9 @@ class Stopwatch {
 }  // namespace
 
 Message codeInWords(const PlacementRequest& request) {
-  if (request.sizeMode != SizeMode::Fixed) return message("any-code");
-  if (request.quietZone) return message("code-with-quiet-zone", with::lengthMm<"size">(request.sizeMm));
-  return message("code-alone", with::lengthMm<"size">(request.sizeMm));
+  if (request.sizeMode != SizeMode::Fixed) return message<"any-code">();
+  if (request.quietZone) return message<"code-with-quiet-zone">(with::lengthMm<"size">(request.sizeMm));
+  return message<"code-alone">(with::lengthMm<"size">(request.sizeMm));
 }
 
 PlacementSearch::PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
@@ -62,7 +64,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return badInput(message("no-surface"));
+  if (!surface) return badInput(message<"no-surface">());
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
@@ -90,7 +92,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
     auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
-    if (patch && model_->crossesItself)
+    if (patch && model_->hasCrossings)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette);
@@ -153,15 +155,18 @@ Status PlacementSearch::measure(Vec3 normal) {
     if (const Status apart = checkCrossings(); !apart) return apart;
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
-    return fail(
-        ErrorKind::NoSolution,
-        message("modules-too-small-as-asked", with::lengthMm<"size">(placement_.symbolMm),
-                with::lengthMm<"module">(placement_.moduleMm), with::lengthMm<"least">(kMinModuleMm * modules_)));
+    return fail(ErrorKind::NoSolution,
+                message<"modules-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
+                                                      with::lengthMm<"module">(placement_.moduleMm),
+                                                      with::lengthMm<"least">(kMinModuleMm * modules_)));
   }
   if (placement_.moduleMm < kMinModuleMm) {
     return fail(ErrorKind::NoSolution,
-                message("modules-too-small-here", with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
-                        with::lengthMm<"module">(placement_.moduleMm)));
+                message<"modules-too-small-here">(
+                    with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                    with::lengthMm<"module">(placement_.moduleMm),
+                    with::cause<"advice">(roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
+                                                     message<"choose-a-wider-spot">()))));
   }
   return {};
 }
@@ -169,15 +174,16 @@ Status PlacementSearch::measure(Vec3 normal) {
 /// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
 /// at any rotation, so the message names the crossing, not a size.
 Status PlacementSearch::checkCrossings() const {
-  if (!model_->crossesItself) return {};
+  if (!model_->hasCrossings) return {};
   const Vec3 centre = placement_.frame.centre;
   const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
   if (!crossing) return tl::unexpected(crossing.error());
   const double leastMm = kMinModuleMm * modules_;
   if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};
   return fail(ErrorKind::NoSolution,
-              message("crossing-at-centre", with::lengthMm<"distance">(glm::distance(**crossing, centre)),
-                      with::place<"at">(**crossing / model_->scaleToMm), with::lengthMm<"least">(leastMm)));
+              message<"crossing-at-centre">(with::lengthMm<"distance">(glm::distance(**crossing, centre)),
+                                            with::place<"at">(**crossing / model_->scaleToMm),
+                                            with::lengthMm<"least">(leastMm)));
 }
 
 /// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
@@ -190,20 +196,21 @@ Error PlacementSearch::doesNotFit() const {
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
   if (!turningHelps)
-    return {ErrorKind::NoSolution, message("code-too-large", with::cause<"code">(codeInWords(request_)),
-                                           with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-                                           with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+    return {ErrorKind::NoSolution,
+            message<"code-too-large">(with::cause<"code">(codeInWords(request_)),
+                                      with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+                                      with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
   if (bestMm < request_.sizeMm)
     return {ErrorKind::NoSolution,
-            message("code-too-large-here", with::cause<"code">(codeInWords(request_)),
-                    with::lengthMm<"here">(downToThreeDigits(fitMm_)), with::number<"bestTurn">(bestDeg),
-                    with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-                    with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+            message<"code-too-large-here">(
+                with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+                with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
+                with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
   return {ErrorKind::NoSolution,
-          message("code-fits-turned", with::cause<"code">(codeInWords(request_)),
-                  with::lengthMm<"here">(downToThreeDigits(fitMm_)), with::number<"bestTurn">(bestDeg),
-                  with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-                  with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+          message<"code-fits-turned">(
+              with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+              with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
+              with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
 }
 
 double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }

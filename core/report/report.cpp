@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/version.h"
 #include "math/angle.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/second_colour.h"
@@ -42,12 +43,14 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
-  return {{"version", symbol.version},
-          {"ecc", errorCorrectionName(symbol.errorCorrection)},
-          {"mask", symbol.mask},
-          {"modules", symbol.size},
-          {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
-          {"rows", rows}};
+  Json json = {{"version", symbol.version},
+               {"ecc", errorCorrectionName(symbol.errorCorrection)},
+               {"mask", symbol.mask},
+               {"modules", symbol.size},
+               {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
+               {"rows", rows}};
+  if (symbol.hasEci) json["eci"] = 26;
+  return json;
 }
 
 Json describeProjection(const EngraveRequest& request, const Placement& placement) {
@@ -148,7 +151,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                        const ReportContext& context) {
   const SolidityReport& solid = result.solidity;
   Json report;
-  report["qrelief"] = QRELIEF_VERSION;
+  report["qrelief"] = kVersion;
   report["text"] = request.code.text;
   report["input"] = describeInput(model, context);
   report["symbol"] = describeSymbol(result.symbol);
@@ -165,6 +168,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
                     {"keptTriangles", result.keptTriangles},
+                    {"bodies", result.bodies.size()},
+                    {"carvedBody", result.carvedBody + 1},
+                    {"carvedBodyName", result.bodies[result.carvedBody].name},
                     {"closed", solid.closed()},
                     {"manifold", solid.manifold()},
                     {"selfIntersections", solid.selfIntersections},

@@ -197,6 +197,14 @@ Setting mask() {
   return setting;
 }
 
+Setting eci() {
+  Setting setting = choice(
+      "eci", "symbol", [](auto& r) -> auto& { return r.code.symbol.eci; },
+      [] { return namesOf(2, [](int i) { return eciUseName(static_cast<EciUse>(i)); }); });
+  setting.since = kSince030;
+  return setting;
+}
+
 /// Makes the setting for contrast. If left out, it follows the preset.
 Setting contrast() {
   Setting setting = optionalNumber(
@@ -366,6 +374,7 @@ std::vector<Setting> makeSettings() {
       optionalNumber(
           "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.code.symbol.version; }),
       mask(),
+      eci(),
       mark(),
       markDepth(),
       reflectance(

@@ -14,6 +14,7 @@
 #include "cli/batch_run.h"
 #include "cli/commands.h"
 #include "cli/shard_flags.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/text_lines.h"
@@ -30,7 +31,7 @@ Result<std::vector<std::uint8_t>> readList(const std::string& path) {
 
 /// Returns the rows of the list, or the rows that --count numbers.
 Result<BatchList> listOf(const BatchOptions& options) {
-  if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message("batch-list-or-count"));
+  if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message<"batch-list-or-count">());
   if (options.count > 0) return countedBatchList(options.count);
   const auto bytes = readList(options.list);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -191,7 +192,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       for (const std::string& file : row->files())
         if (same == known.end()) same = known.find(file);
     if (same != known.end() && (same->second.text != row->request.code.text || same->second.file != row->file))
-      row = badInput(message("name-taken", with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
+      row = badInput(message<"name-taken">(with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;

@@ -10,6 +10,7 @@
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "io/write_checked.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/sha256.h"
@@ -73,7 +74,7 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveR
     if (known.isOpen(options_->retryFailed)) {
       result.isNew = true;
     } else if (known.state == EarlierRow::State::Changed) {
-      entry.reason = sentenceAndHint(message("file-changed"));
+      entry.reason = sentenceAndHint(message<"file-changed">());
       changed.push_back(entry);
     } else {
       entry = known.entry;
@@ -108,7 +109,7 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
     for (ModelObject& object :
-         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay()), row.id,
+         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
                      row.request.code.text, offsets[i]))
       objects.push_back(std::move(object));
   }
@@ -156,7 +157,7 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
 void BatchRun::tellNotKept(const std::optional<Message>& why) {
   if (!why || hasToldNotKept_) return;
   hasToldNotKept_ = true;
-  printWarning(message("3mf-not-kept", with::cause<"cause">(*why)), {});
+  printWarning(message<"3mf-not-kept">(with::cause<"cause">(*why)), {});
 }
 
 Status BatchRun::writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const {

@@ -11,6 +11,7 @@
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
 #include "io/sniff_format.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/engraver.h"
 #include "native/files.h"
@@ -49,13 +50,14 @@ Status completeRequest(EngraveOptions& options) {
   options.request = std::move(*request);
   if (const Status writable = options.file.check(); !writable) return writable;
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
+    return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
   if (options.request.marking.isInColour() && !isHeld)
-    return fail(ErrorKind::BadUsage, message("colour-has-no-place", with::setting<"setting">("mark"),
-                                             with::term<"mark">(markName(options.request.marking.mark)),
-                                             with::term<"output">(options.output)));
-  if (!isHeld) return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
+    return fail(ErrorKind::BadUsage,
+                message<"colour-has-no-place">(with::setting<"setting">("mark"),
+                                               with::term<"mark">(markName(options.request.marking.mark)),
+                                               with::term<"output">(options.output)));
+  if (!isHeld) return fail(ErrorKind::BadUsage, message<"inlay-is-for-3mf">(with::term<"output">(options.output)));
   return {};
 }
 
@@ -65,7 +67,7 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
   const auto encoded = encodeCarved(model.prepared, result, options.output, partNames,
                                     options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
-  if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
+  if (encoded->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded->notKept)), {});
   for (const NamedFile& file : encoded->files)
     if (const Status written = writeFileAtomically(file.name, file.bytes); !written) return written;
   if (!options.preview.empty()) {
@@ -94,7 +96,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
                result.limitedSubmodules);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
-  for (const Message& warning : context.verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
+    for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
     const bool foundOut = aspect == &context.verdict.prints && context.printed;
     if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;

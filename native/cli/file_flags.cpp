@@ -6,6 +6,7 @@
 
 #include "io/slicer_names.h"
 #include "io/write_3mf.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 
@@ -22,7 +23,7 @@ void FileFlags::add(CLI::App& command) {
 }
 
 Status FileFlags::check() const {
-  if (palette_ && !hasPalette(slicer_)) return fail(ErrorKind::BadUsage, message("write-no-palette"));
+  if (palette_ && !hasPalette(slicer_)) return fail(ErrorKind::BadUsage, message<"write-no-palette">());
   return {};
 }
 

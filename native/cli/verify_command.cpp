@@ -9,6 +9,8 @@
 #include "cli/tried_print.h"
 #include "generate/command_settings.h"
 #include "io/read_model.h"
+#include "message_codes/command.h"
+#include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/read_carving.h"
@@ -31,7 +33,7 @@ struct VerifyOptions {
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
   if (settings.code.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
-    return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
+    return fail(ErrorKind::BadUsage, message<"verify-place-unknown">());
   VerifyRequest request;
   request.text = settings.code.text;
   request.symbolMm = place.sizeMm;
@@ -63,9 +65,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
   if (settings->depth.lights.size() > 1)
-    return fail(ErrorKind::BadUsage,
-                message("setting-too-many", with::setting<"setting">("light"),
-                        with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
+    return fail(ErrorKind::BadUsage, message<"setting-too-many">(with::setting<"setting">("light"),
+                                                                 with::count<"count">(settings->depth.lights.size()),
+                                                                 with::count<"max">(1)));
   if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
   return request;
 }
@@ -174,8 +176,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
   c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
   c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  c->add_option("--units", o->units, "unit of the file; replaces --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
   c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);

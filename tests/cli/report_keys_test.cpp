@@ -9,6 +9,7 @@
 
 #include "command_fixture.h"
 #include "io/write_stl.h"
+#include "support/paths.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -56,7 +57,7 @@ std::vector<std::string> expanded(const std::string& pattern) {
 /// Returns the keys in the table under a heading of docs/report.md.
 Keys documented(const std::string& heading) {
   static const std::regex kRow(R"(\| `([^`]+)` \| ([a-z ]+) \| [^|]+ \|)");
-  std::istringstream lines(contentOf(std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs/report.md"));
+  std::istringstream lines(contentOf(sourceFolder() / "docs/report.md"));
   Keys keys;
   bool isUnder = false;
   for (std::string line; std::getline(lines, line);) {

@@ -197,6 +197,23 @@ TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
   for (const Aspect& aspect : {good, barely, bad}) EXPECT_TRUE(aspect.passed());
 }
 
+TEST_F(VerdictTest, WarnsOfALabelTooLowToPrintEvenIfTheCodePrints) {
+  const PrintedEvidence good{evidence(72), "fdm-0.4/0.2", 0};
+  const auto warnings = [&](const PrintedEvidence* printed) {
+    return judge(request_, carved(request_, 30, 0.5), evidence(72), printed).prints.warnings;
+  };
+  EXPECT_TRUE(warnings(&good).empty());
+  request_.code.label.text = "A-001";
+  EXPECT_TRUE(warnings(&good).empty());
+  request_.code.label.text = std::string(69, 'A');
+  for (const Mark mark : {Mark::Shadow, Mark::Inlay, Mark::Paint}) {
+    request_.marking.mark = mark;
+    ASSERT_EQ(warnings(&good).size(), 1u);
+    EXPECT_EQ(warnings(&good)[0].code, "label-too-small");
+    EXPECT_EQ(warnings(nullptr).size(), 1u) << "the print was not simulated";
+  }
+}
+
 TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
   EngraveResult result = carved(request_, 30, 0.5);
   result.solidity.selfIntersections = 35;

@@ -7,7 +7,7 @@
 
 /**
  * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
- *   sizeMm: [number, number, number], shells: number, engravable: boolean, findings: Finding[],
+ *   sizeMm: [number, number, number], shells: number, bodies: { name: string, triangles: number }[], engravable: boolean, findings: Finding[],
  *   centre: [number, number, number] | null }} ModelInfo
  *   `centre`: proposed centre of the code: a surface point in the middle of the view
  */
@@ -223,7 +223,8 @@
 /**
  * A camera action; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
- *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
+ *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'body', index: number }
+ *   | { kind: 'readerView' } | { kind: 'face' }
  *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }} LookAction
  */
 

@@ -40,6 +40,10 @@ export const page = {
     noModel: 'None yet',
     triangles: { one: '{count} triangle', other: '{count} triangles' },
     shells: { one: '{count} shell', other: '{count} shells' },
+    bodies: { one: '{count} body', other: '{count} bodies' },
+    showBody: 'Show a body in the view',
+    body: 'Body {index}',
+    moreBodies: { one: 'and {count} more', other: 'and {count} more' },
 
     code: 'Code',
     text: 'Text or link',
@@ -177,6 +181,10 @@ export const page = {
     noModel: 'Noch keines',
     triangles: { one: '{count} Dreieck', other: '{count} Dreiecke' },
     shells: { one: '{count} Hülle', other: '{count} Hüllen' },
+    bodies: { one: '{count} Körper', other: '{count} Körper' },
+    showBody: 'Einen Körper in der Ansicht zeigen',
+    body: 'Körper {index}',
+    moreBodies: { one: 'und {count} weiterer', other: 'und {count} weitere' },
 
     code: 'Code',
     text: 'Text oder Link',
