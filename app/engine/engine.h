@@ -73,7 +73,8 @@ class Engine {
   ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
   ///                 each step with the pictures of pictures(). Returns {tried, all}
   /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
-  ///                    [keys of settings that must not change]}; all may be missing: false, true, none
+  ///                    [keys of settings that must not change], "offers": try other marks as remedies}; all may be
+  ///                    missing: false, true, none, false
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
   ///                    empty: as configured
   std::string startJob(const std::string& job, const std::string& options = "{}",
@@ -96,9 +97,11 @@ class Engine {
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots".
   void cancelJob(const std::string& job);
-  /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
-  /// {step: "deliver", carving}. `carving` is the number of the carving to print or to deliver, or of the best one so
-  /// far. Call it after setReadings(), after setPrintedReadings(), or if a carving fails.
+  /// Returns the plan's next step: {step: "carve", "print" or "deliver", carving, changes: [{setting, value}]}.
+  /// `carving` is the number of the carving to print or to deliver, or of the best one so far; `changes` are all
+  /// changes of the step's carving from the one as requested. Call it after setReadings(), after setPrintedReadings(),
+  /// or if a carving fails. If nothing could be carved, the plan ends with "deliver" and a `carving` that does not
+  /// exist.
   std::string nextStep() const;
   /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }

@@ -45,6 +45,7 @@ std::string Engine::startEngrave(const std::string& options,
     carvings_.follow({request,
                       {.looksAtPrint = parsed->value("print", true),
                        .mayChange = !overridden,
+                       .offersMarks = parsed->value("offers", false),
                        .fixed = parsed->value("fixed", std::vector<std::string>())}});
   const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
   const auto started = carvings_.start(ground(), std::move(request), placed);

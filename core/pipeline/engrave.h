@@ -60,9 +60,10 @@ struct EngraveResult {
   Symbol symbol;
   Placement placement;
   DepthField depths;
-  OutlinedPockets label;              ///< text and frame as carved; empty: none
-  int searchIterations = 0;           ///< of both searches, if the print required a second one
-  std::size_t limitedSubmodules = 0;  ///< submodules too light because of a depth limit
+  OutlinedPockets label;                 ///< text and frame as carved; empty: none
+  int searchIterations = 0;              ///< of both searches, if the print required a second one
+  std::size_t limitedSubmodules = 0;     ///< submodules too light because of a depth limit or the end of the search
+  std::size_t unfinishedSubmodules = 0;  ///< those of them that the end of the search left too light
   /// Luminance of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top
   /// left.
   std::vector<double> luminance;

@@ -22,6 +22,7 @@ Result<StageStep> EngraveJob::State::searchOnce() {
   result.depths = search->depths();
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
+  result.unfinishedSubmodules = search->unfinishedCount();
   result.luminance = search->luminance();
   result.received = search->received();
   if (summarise(result.depths).maxMm == 0)

@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
+constexpr double kEqualSizes = 1e-6;
 constexpr double kFirstShare = 0.15;  // first estimate of the size, of the model's diagonal
 constexpr double kFirstReach = 1.25;  // first search radius, of the expected size's half diagonal
 constexpr double kNextReach = 1.5;    // growth of the search radius
@@ -274,7 +275,9 @@ Status PlacementSearch::leaveWalls() {
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
   const Stopwatch stopwatch(sizeMs_);
   const CellSquare square{placement_.symbolMm, modules_};
-  const auto walls = measureModuleWalls(model_->mesh, *surface_, placement_.frame, placement_.patch, square,
+  const bool isFree = request_.sizeMode == SizeMode::Free;  // a size for every rotation does not depend on one
+  const ProjectionFrame frame = isFree ? turned(placement_.frame, -toRadians(request_.rotateDeg)) : placement_.frame;
+  const auto walls = measureModuleWalls(model_->mesh, *surface_, frame, placement_.patch, square,
                                         pockets.depth(placement_.moduleMm), pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
@@ -284,10 +287,61 @@ Status PlacementSearch::leaveWalls() {
   return {};
 }
 
+/// Does one step of the search for a free size, and measures the best size from its direction at the end.
+/// @returns true when done
+bool PlacementSearch::lookFromFree() {
+  const Result<bool> isDone = free_->step();
+  if (isDone && !*isDone) return false;
+  directionMs_ += free_->directionMs();
+  sizeMs_ += free_->sizeMs();
+  if (isDone) {
+    placement_.iterations = free_->placement().iterations;
+    if (measure(free_->placement().frame.normal)) rounds_.insert(rounds_.begin(), placement_);
+  }
+  free_.reset();
+  return true;
+}
+
+void PlacementSearch::keepRound() {
+  if (request_.sizeMode == SizeMode::Best) rounds_.push_back(placement_);
+}
+
+/// Takes the round with the largest size that leaves walls; of equal ones, the last.
+Status PlacementSearch::takeBestRound() {
+  std::optional<Placement> best;
+  const auto isLarger = [&](const Placement& other) {
+    return !best || other.symbolMm > best->symbolMm * (1 + kEqualSizes);
+  };
+  for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round) {
+    if (!isLarger(*round)) continue;
+    placement_ = std::move(*round);
+    if (const Status left = leaveWalls(); !left) return left;
+    if (isLarger(placement_)) best = std::move(placement_);
+  }
+  placement_ = std::move(*best);
+  rounds_.clear();
+  return {};
+}
+
 Result<bool> PlacementSearch::step() {
-  const Result<bool> done = searchOnce();
-  if (!done || !*done) return done;
-  if (const Status left = leaveWalls(); !left) return tl::unexpected(left.error());
+  if (free_) {
+    if (!lookFromFree()) return false;
+    if (rounds_.empty()) return tl::unexpected(*doesNotFit_);
+  } else {
+    const Result<bool> done = searchOnce();
+    const bool isBest = request_.sizeMode == SizeMode::Best && !request_.direction && !optimal_;
+    const bool mayGrow = done ? *done && fitMm_ < largestMm() : done.error().kind == ErrorKind::NoSolution;
+    if (isBest && mayGrow) {
+      if (!done) doesNotFit_ = done.error();
+      PlacementRequest free = request_;
+      free.sizeMode = SizeMode::Free;
+      free_ = std::make_unique<PlacementSearch>(*model_, *surface_, modules_, free);
+      return false;
+    }
+    if (!done || !*done) return done;
+  }
+  if (const Status left = rounds_.empty() || optimal_ ? leaveWalls() : takeBestRound(); !left)
+    return tl::unexpected(left.error());
   placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;
 }
@@ -312,6 +366,7 @@ Result<bool> PlacementSearch::searchOnce() {
   if (const Status measured = measureFirstFitting(roundCandidates()); !measured)
     return tl::unexpected(measured.error());
   direction_.reset();
+  keepRound();
   ++round_;
   const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||
                        std::abs(fitMm_ - before) < kSettledShare * before;

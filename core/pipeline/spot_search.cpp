@@ -41,8 +41,7 @@ constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;   // spots tried for the largest size if the requested size fits nowhere
 constexpr std::size_t kMoreForColour = 3;  // found spots for each requested one
-constexpr double kAcrossShare = 0.95;
-constexpr double kUnaskedShare = 0.1;  // least square of the map if no size is requested, of the diagonal
+constexpr double kUnaskedShare = 0.1;      // least square of the map if no size is requested, of the diagonal
 constexpr double kPerDirectionUnit = 1e4;
 
 /// Returns the least square that the map must show if no size is requested.
@@ -375,21 +374,12 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
 
 Error SpotSearchJob::State::nothingFound() const {
   const PlacementRequest& place = request.placement;
-  if (tooThin > 0) {
-    // Walls are measured along the rays; measured across, they may be slightly thinner.
-    const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
-    if (spare > 0 && spare < request.minWallMm)
-      return {ErrorKind::NoSolution,
-              message<"no-spot-wall-too-thick">(
-                  with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
-                  with::lengthMm<"thickest">(thickestMm), with::lengthMm<"depth">(request.leastDepthMm),
-                  with::lengthMm<"wall">(request.minWallMm), with::number<"spare">(spare))};
+  if (tooThin > 0)
     return {ErrorKind::NoSolution,
             message<"no-spot-wall-too-thin">(with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
                                              with::lengthMm<"thickest">(thickestMm),
                                              with::lengthMm<"depth">(request.leastDepthMm),
                                              with::lengthMm<"wall">(request.minWallMm))};
-  }
   if (largest)
     return {ErrorKind::NoSolution,
             message<"no-spot-so-large">(with::cause<"code">(codeInWords(place)),

@@ -115,6 +115,7 @@ Json describeDepth(const EngraveRequest& request, const EngraveResult& result, c
                {"p95Mm", depth.p95Mm},
                {"iterations", result.searchIterations},
                {"limitedSubmodules", result.limitedSubmodules},
+               {"unfinishedSubmodules", result.unfinishedSubmodules},
                {"features", describeFeatures(featuresOf(result), request.print.printer)},
                {"objective", depthObjectiveName(request.depth.objective)},
                {"lights", describeLights(request.lamps())},
@@ -136,6 +137,28 @@ Json describeInlay(const EngraveResult& result) {
           {"p95Mm", depth.p95Mm},
           {"opaqueMm", result.opaqueDepthMm},
           {"modulesLeftOut", result.modulesLeftOut}};
+}
+
+Json describeTried(const ReportContext& context) {
+  Json tried = Json::array();
+  for (const TriedCarving& one : context.tried) {
+    Json changes = Json::array();
+    for (const SettingChange& change : one.changes)
+      changes.push_back({{"setting", change.setting}, {"value", change.value}});
+    const auto counted = [](const std::optional<ReadingCount>& count) {
+      return count ? Json{{"tries", count->tries}, {"reads", count->reads}} : Json();
+    };
+    tried.push_back({{"changes", changes},
+                     {"offered", one.isOffer},
+                     {"delivered", static_cast<int>(tried.size()) == context.delivered},
+                     {"centre", one.centreMm ? triple(*one.centreMm) : Json()},
+                     {"symbolMm", one.symbolMm > 0 ? Json(one.symbolMm) : Json()},
+                     {"design", counted(one.reads)},
+                     {"print", counted(one.printed)},
+                     {"passed", one.passed},
+                     {"failure", one.failure ? describeMessage(*one.failure, context.wording) : Json()}});
+  }
+  return tried;
 }
 
 /// Returns the warnings about printing, without regard to a simulated print.
@@ -178,6 +201,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"inheritedSelfIntersections", result.inheritedSelfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
   report["colour"] = describeColour(result);
+  report["tried"] = describeTried(context);
   const ReadingEvidence& reading = context.reading;
   report["verification"] = {{"decoded", context.verdict.reads.passed()},
                             {"text", reading.text},

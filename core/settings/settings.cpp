@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "settings/preset.h"
+#include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
@@ -460,8 +461,10 @@ const Setting* findSetting(std::string_view key) {
 
 void apply(const SettingChange& change, EngraveRequest& request) {
   const Setting* setting = findSetting(change.setting);
-  assert(setting && setting->takesChoice());
-  setting->write(request, change.value);
+  assert(setting && (setting->takesChoice() || setting->takesNumber()));
+  const auto value = valueFromText(*setting, std::vector{change.value});
+  assert(value);
+  setting->write(request, *value);
 }
 
 const char* depthObjectiveName(DepthObjective objective) {

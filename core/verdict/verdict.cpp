@@ -239,6 +239,10 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
     aspect.summary = message<"reads-not-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
   aspect.reasons.push_back(message<"tries-on-printed-pictures">(
       with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+  if (!some)
+    aspect.failed.push_back(message<"unreadable-as-printed">(
+        with::cause<"facing">(how), with::cause<"printing">(by), with::count<"reads">(count.reads),
+        with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
   if (hangs) aspect.reasons.push_back(message<"faces-down">());
   if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
   return aspect;
@@ -285,9 +289,12 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   if (result.modulesLeftOut > 0)
     verdict.reads.warnings.push_back(message<"modules-left-out">(with::count<"count">(result.modulesLeftOut),
                                                                  with::lengthMm<"wall">(request.depth.minWallMm)));
+  if (result.unfinishedSubmodules > 0)
+    verdict.reads.warnings.push_back(message<"search-ended">(with::count<"count">(result.unfinishedSubmodules),
+                                                             with::count<"passes">(result.searchIterations)));
   if (verdict.reads.level != Level::Good) {
-    if (result.limitedSubmodules > 0)
-      verdict.reads.reasons.push_back(message<"submodules-limited">(with::count<"count">(result.limitedSubmodules)));
+    const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules;
+    if (atLimit > 0) verdict.reads.reasons.push_back(message<"submodules-limited">(with::count<"count">(atLimit)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
   verdict.prints = request.marking.isInColour()

@@ -126,7 +126,7 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
   const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - 1);
-  EngravePlan::Options plan{.looksAtPrint = looksAtPrint};
+  EngravePlan::Options plan{.looksAtPrint = looksAtPrint, .chosen = options_->flags.given()};
   if (isFiled()) plan.otherMarks = marksInColour(formatOfName(row.file));
   auto engraved = engraver_->engrave(
       row.request, [](const Progress&) {}, plan);
@@ -165,6 +165,8 @@ Status BatchRun::writeReport(const BatchRow& row, const Engraved& engraved, doub
   context.printed = engraved.printed;
   context.reading = engraved.reading;
   context.verdict = engraved.verdict;
+  context.tried = engraved.tried;
+  context.delivered = engraved.attempt;
   context.askedPreset = row.request.depth.preset;
   context.totalMs = totalMs;
   return writeFileAtomically(folder_.pathOf(row.file) + ".json",

@@ -91,31 +91,36 @@ std::string depthInWords(const EngraveResult& result) {
 void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
   fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
              result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
-  if (result.limitedSubmodules > 0)
-    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n",
-               result.limitedSubmodules);
+  if (const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules; atLimit > 0)
+    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
     for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
     const bool foundOut = aspect == &context.verdict.prints && context.printed;
-    if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;
+    if (!foundOut && (aspect->level == Level::Good || !aspect->passed())) continue;
     fmt::print("{}\n", sentence(aspect->summary));
     for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
   }
 }
 
 /// Prints what was carved instead, if the code could not be carved or did not decode as requested.
-void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
-  if (carved.marking.mark != asked.marking.mark)
-    fmt::print("made as {}: as a shadow, the code or its print did not decode reliably\n",
-               markName(carved.marking.mark));
-  else if (carved.depth.preset != asked.depth.preset)
-    fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
-               presetName(carved.depth.preset), presetName(asked.depth.preset));
-  else if (carved != asked)
-    fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
+void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
+  constexpr const char* kNot = "the code or its print did not decode reliably";
+  std::string flags;
+  for (const SettingChange& change : carved.tried[static_cast<std::size_t>(carved.attempt)].changes) {
+    if (change.setting == "mark")
+      fmt::print("made as {}: as a shadow, {}\n", change.value, kNot);
+    else if (change.setting == "preset")
+      fmt::print("engraved with preset {}: with {}, {}\n", change.value, presetName(asked.depth.preset), kNot);
+    else if (change.setting == "carveFor")
+      fmt::print(
+          "engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
+    else
+      flags += fmt::format(" {} {}", flagOf(change.setting), change.value);
+  }
+  if (!flags.empty()) fmt::print("engraved with{}: as asked, {}\n", flags, kNot);
 }
 
 /// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
@@ -152,23 +157,24 @@ int engraveModel(EngraveOptions& options) {
   const auto model = EngravableModel::create(std::move(input->prepared), graphics.pass);
   context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
-  const auto choosing = Clock::now();
-  if (options.at.empty()) {
-    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet, stdout); !chosen)
-      return printError(chosen.error(), context.fileName);
-    context.spotMs = millisecondsSince(choosing);
-  }
   const auto engraver = Engraver::create(model);
   if (!engraver) return printError(engraver.error());
   const EngraveRequest asked = options.request;
   auto carved = [&] {
     ProgressBar bar(options.quiet);
     return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); },
-                             {.otherMarks = marksInColour(formatOfName(options.output))});
+                             {.mayMove = options.at.empty(),
+                              .offersMarks = true,
+                              .chosen = options.flags.given(),
+                              .otherMarks = marksInColour(formatOfName(options.output))});
   }();
   if (!carved) return printError(carved.error(), context.fileName);
   options.request = carved->request;
-  tellWhatWasCarved(asked, carved->request);
+  if (options.at.empty()) printSpot(options.request.placement.centreMm, input->scaleToMm, stdout);
+  tellWhatWasCarved(asked, *carved);
+  context.tried = carved->tried;
+  context.delivered = carved->attempt;
+  context.spotMs = carved->spotMs;
   const EngraveResult& result = carved->result;
   context.printed = carved->printed;
   context.reading = carved->reading;

@@ -53,11 +53,25 @@ Wording commandWording() {
           [](const Message& message) { return hint(message); }};
 }
 
+namespace {
+
+/// Returns a remedy's change as a flag, in brackets; empty if it changes no setting.
+std::string changeInFlags(const Remedy& remedy) {
+  if (remedy.setting.empty()) return {};
+  if (remedy.value.empty()) return fmt::format(" (without {})", flagOf(remedy.setting));
+  return fmt::format(" ({} {})", flagOf(remedy.setting), remedy.value);
+}
+
+}  // namespace
+
 int printFailed(const Verdict& verdict) {
   for (const Message& failure : verdict.failed()) {
     fmt::print(stderr, "qrelief: check failed: {}\n", sentence(failure));
     if (const std::string helps = hint(failure); !helps.empty()) fmt::print(stderr, "  hint: {}\n", helps);
   }
+  for (const Aspect* aspect : {&verdict.solid, &verdict.reads, &verdict.prints})
+    for (const Remedy& remedy : aspect->passed() ? std::vector<Remedy>() : aspect->remedies)
+      fmt::print(stderr, "  may help: {}{}\n", sentence(remedy.message), changeInFlags(remedy));
   return verdict.passed() ? kEngraved : kCheckFailed;
 }
 

@@ -110,6 +110,25 @@ TEST_F(BatchCommandTest, AnOpenMarkWritesTheFilesOfTheMarkThatItTook) {
   EXPECT_EQ(manifest().size(), 1u) << "the row is done";
 }
 
+TEST_F(BatchCommandTest, ARowThatDoesNotReadAsPrintedFailsAndIsRetried) {
+  model_ = writeModel("tag.stl", shapes::box({12, 12, 3}));
+  const auto batch = [&](const char* mayRetry) {
+    return run({"batch", model_, "-o", path("out"), "--at", "0,0,1.5", "--size", "8", "--no-quiet-zone", "--quiet",
+                "--count", "1", "--text", "https://example.com/{n}", mayRetry});
+  };
+  const Outcome first = batch("--reports");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_THAT(first.out, HasSubstr("1 failed"));
+  ASSERT_EQ(manifest().size(), 1u);
+  EXPECT_EQ(manifest()[0]["status"], "failed");
+  EXPECT_EQ(manifest()[0]["verdict"]["passed"], false);
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("does not read as printed"));
+  EXPECT_EQ(batch("--reports").status, 1);
+  EXPECT_EQ(manifest().size(), 1u) << "not tried again";
+  EXPECT_EQ(batch("--retry-failed").status, 1);
+  EXPECT_EQ(manifest().size(), 2u);
+}
+
 TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {
   const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
   ASSERT_EQ(run(arguments({"--list", list})).status, 0);

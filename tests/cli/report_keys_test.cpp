@@ -152,6 +152,8 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(engrave(at({"--mark", "inlay", "--build-up", "code-up"})), "", engraved);
   collect(verify("out.3mf", {"--quick"}), "", verified);
   collect(engrave(at({"--process", "none"}), "out.stl"), "", engraved);
+  plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));
+  collect(engrave({"--mark", "auto"}), "", engraved);  // no shadow can be carved
   Mesh open = shapes::plate({60, 60}, 5, 4, 4);
   open.triangles.pop_back();
   writeModel("open.stl", open);

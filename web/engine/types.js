@@ -121,13 +121,16 @@
 
 /** @typedef {'good' | 'barely' | 'bad'} Level */
 /**
+ * A change of a setting. @typedef {{ setting: string, value: string }} SettingChange
+ */
+/**
  * A remedy: a change of a setting, or, without `change`, moving the code.
  * @typedef {Message & { change?: { setting: string, value: string } }} Remedy
  *   `value`: as in settings files; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
  * @typedef {{ passed: boolean }} ReadingResult
- * @typedef {{ step: 'carve', carving: number, change: { setting: string, value: string } } | { step: 'print' | 'deliver', carving: number }} EngraveStep
+ * @typedef {{ step: 'carve' | 'print' | 'deliver', carving: number, changes: SettingChange[] }} EngraveStep
  *   what to do next for an engraving; `carving`: number of the carving to print or to deliver, or of the best so far
  * @typedef {ReadingResult & { report: Report }} PrintedResult
  *   result of a carving and its print; `report` includes the print
@@ -192,8 +195,8 @@
 
 /**
  * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
- * `fixed`: keys of settings that must not change.
- * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
+ * `fixed`: keys of settings that must not change; `offers`: try other marks as remedies, false by default.
+ * @typedef {{ next?: boolean, print?: boolean, fixed?: string[], offers?: boolean }} PlanOptions
  */
 
 /** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model and the print order */

@@ -112,6 +112,8 @@ export const page = {
     engravedDeeper: 'Engraved deeper than you chose: at that depth the code did not read reliably.',
     carvingForPrint: 'The print would barely read. Engraving deeper',
     engravedInColour: 'Made in a second colour: here a shadow would not read well as printed.',
+    engravedLarger: 'Engraved larger than by default, and turned for it: the default code would not read as printed.',
+    engravedSmallerSymbol: 'Engraved with less error correction and larger modules: else the code would not read.',
     engravedForPrint: 'Engraved deeper than you chose: at that depth the print would barely read.',
     printing: 'Simulating the print…',
     cancelledDeeper: 'Cancelled. The code keeps the depth you chose.',
@@ -253,6 +255,9 @@ export const page = {
     engravedDeeper: 'Tiefer graviert als gewählt: In der gewählten Tiefe war der Code nicht verlässlich lesbar.',
     carvingForPrint: 'Der Druck wäre kaum lesbar. Tiefer gravieren',
     engravedInColour: 'In einer zweiten Farbe: Ein Schatten wäre hier im Druck nicht gut lesbar.',
+    engravedLarger: 'Größer als üblich graviert und dafür gedreht: Der übliche Code wäre gedruckt nicht lesbar.',
+    engravedSmallerSymbol:
+      'Mit weniger Fehlerkorrektur und größeren Modulen graviert: Sonst wäre der Code nicht lesbar.',
     engravedForPrint: 'Tiefer graviert als gewählt: In der gewählten Tiefe wäre der Druck kaum lesbar.',
     printing: 'Druck simulieren …',
     cancelledDeeper: 'Abgebrochen. Der Code behält die gewählte Tiefe.',
