@@ -187,16 +187,10 @@ void EngravePlan::keepCurrent(const Verdict& verdict) {
 }
 
 /// Keeps a finished attempt if it is better, and goes on.
-/// @param print  null: not looked at
-void EngravePlan::settleAttempt(const Verdict& verdict, const PrintedEvidence* print) {
+void EngravePlan::settleAttempt(const Verdict& verdict) {
   lastRank_ = rankOf(verdict);
   if (phase_ != Phase::Offer && lastRank_ > keptRank_.value_or(-1)) keepCurrent(verdict);
-  const bool mayDeepen = phase_ == Phase::Remedy && print;
-  const auto next = mayDeepen ? changeToTryNext(current_.request, verdict, print) : std::nullopt;
-  if (next && !isFixed(next->setting))
-    deepen(*next);
-  else
-    settle();
+  settle();
 }
 
 void EngravePlan::placed(const PlacementRequest& placement) {
@@ -248,7 +242,7 @@ void EngravePlan::printed(const Verdict& verdict, const PrintedEvidence& evidenc
   current().printed = evidence.reading.count;
   current().passed = verdict.passed();
   if (phase_ != Phase::Design && phase_ != Phase::Print) {
-    settleAttempt(verdict, &evidence);
+    settleAttempt(verdict);
     return;
   }
   const bool isMended = phase_ == Phase::Print && evidence.reading.count.enough();
