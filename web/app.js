@@ -127,6 +127,7 @@ function connect(notices) {
   const code = new CodePanel({
     settings: (content) => batching.settings(content),
     symbolOf: (settings) => client.symbol(settings),
+    adviceOn: (content) => client.textAdvice(content),
   });
   const { fields } = form;
   const store = new WorkStore({ ...kNoWork, text: code.initialText, values: fields.defaults });

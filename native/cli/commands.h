@@ -24,6 +24,9 @@ int printError(const Error& error, std::string_view file = {});
 /// Prints "qrelief: warning: FILE: MESSAGE" and the hint to stderr.
 void printWarning(const Message& message, std::string_view file);
 
+/// Prints "qrelief: note: MESSAGE" and the hint to stderr.
+void printNote(const Message& message);
+
 /// Returns the wording of messages in reports.
 Wording commandWording();
 

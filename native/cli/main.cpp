@@ -48,6 +48,8 @@ int printError(const Error& error, std::string_view file) {
 
 void printWarning(const Message& message, std::string_view file) { print("warning", file, message); }
 
+void printNote(const Message& message) { print("note", {}, message); }
+
 Wording commandWording() {
   return {[](const Message& message) { return sentence(message); },
           [](const Message& message) { return hint(message); }};

@@ -86,6 +86,14 @@
  */
 
 /**
+ * Advice on a text that is, or was meant to be, a link. `fixed`: the corrected text, or ''; `shorter`: other ways to
+ * write it that may need a smaller symbol.
+ * @typedef {object} TextAdvice
+ * @property {{ severity: 'warning' | 'note', message: import('./message.js').Message, fixed: string }[]} advice
+ * @property {{ form: 'capitals' | 'www' | 'highlight', text: string }[]} shorter
+ */
+
+/**
  * A centre of the code: the surface point at a position on the canvas, the one nearest to a point, or a spot found last.
  * @typedef {{ at: [number, number] } | { mm: [number, number, number] } | { spot: number }} CentreChoice
  * @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult
