@@ -45,6 +45,8 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
   BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
   Json problems = Json::array();
   for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
+  if (!plan.models().empty())
+    problems.push_back(jsonOf(message<"list-names-models">(with::quoted<"name">(plan.models().begin()->first))));
   Json warnings = Json::array();
   for (const Message& warning : plan.warnings()) warnings.push_back(jsonOf(warning));
   Json json = {{"ok", true},

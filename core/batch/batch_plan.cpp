@@ -13,6 +13,7 @@
 #include "io/write_files.h"
 #include "message_codes/batch.h"
 #include "pipeline/carved_objects.h"
+#include "qr/link_advice.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
@@ -109,6 +110,7 @@ Status BatchPlan::prepare() {
   }
   warnOfRemovedChoices();
   warnOfSpreadsheets();
+  findModels();
   return {};
 }
 
@@ -122,6 +124,19 @@ void BatchPlan::warnOfRemovedChoices() {
     std::size_t row = 0;
     while (row < size() && list_.cell(row, column->column) != removed.choice) ++row;
     if (row < size()) warnings_.push_back(removedWarning(removed, removed.key + " " + removed.choice));
+  }
+}
+
+void BatchPlan::findModels() {
+  const auto column = list_.find(kModel);
+  if (!column) return;
+  needsModel_ = false;
+  for (std::size_t row = 0; row < size(); ++row) {
+    const std::string_view model = list_.cell(row, *column);
+    if (model.empty())
+      needsModel_ = true;
+    else
+      models_.try_emplace(std::string(model), row);
   }
 }
 
@@ -198,7 +213,18 @@ void BatchPlan::add(std::uint32_t line, Message problem) {
     problems_.push_back(message<"list-line">(with::count<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
+/// Adds one warning of each kind about the texts of rows, with the first line that it concerns.
+void BatchPlan::warnOfTexts(const std::vector<TextTrace>& traces) {
+  for (const TextTrace& trace : traces)
+    if (trace.count == 1)
+      warnings_.push_back(message<"list-line">(with::count<"line">(trace.line), with::cause<"problem">(trace.message)));
+    else
+      warnings_.push_back(message<"list-lines">(with::count<"line">(trace.line), with::count<"count">(trace.count - 1),
+                                                with::cause<"problem">(trace.message)));
+}
+
 void BatchPlan::checkRows() {
+  std::vector<TextTrace> traces;
   std::map<std::pair<ErrorCorrection, EciUse>, VersionsByLength> versions;
   int largest = 1;
   for (std::size_t i = 0; i < size(); ++i) {
@@ -206,6 +232,15 @@ void BatchPlan::checkRows() {
     if (!row) {
       add(list_.line(i), row.error().message);
       continue;
+    }
+    for (TextAdvice& advice : adviseText(row->request.code.text)) {
+      if (advice.severity != TextAdvice::Severity::Warning) continue;
+      const auto same = std::find_if(traces.begin(), traces.end(),
+                                     [&](const TextTrace& trace) { return trace.message.code == advice.message.code; });
+      if (same == traces.end())
+        traces.push_back({std::move(advice.message), row->line, 1});
+      else
+        ++same->count;
     }
     const SymbolOptions& symbol = row->request.code.symbol;
     const auto [known, isNew] =
@@ -224,6 +259,7 @@ void BatchPlan::checkRows() {
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }
+  warnOfTexts(traces);
   if (!problems_.empty()) return;
   if (!all_.code.symbol.version) all_.code.symbol.version = largest;
   checkTwice([](const BatchRow& row) { return row.request.code.text; },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,16 +57,28 @@ class BatchPlan {
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
   /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored,
-  /// and about cells that a spreadsheet has changed (batch/spreadsheet_traces.h).
+  /// about cells that a spreadsheet has changed (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
   std::size_t size() const { return list_.size(); }
+  std::size_t firstNumber() const { return firstNumber_; }
+
+  /// Returns the models that rows name (BatchRow::model), each once, with the first row that names it.
+  const std::map<std::string, std::size_t>& models() const { return models_; }
+  /// Returns true if a row names no model of its own.
+  bool needsModel() const { return needsModel_; }
 
   /// Returns a row. Call it only if there are no problems.
   /// @param index  from 0
   BatchRow row(std::size_t index) const;
 
  private:
+  /// Advice on the texts of one or more rows.
+  struct TextTrace {
+    Message message;     ///< of the first
+    std::uint32_t line;  ///< of the first
+    std::size_t count;
+  };
   struct SettingColumn {
     std::size_t column;
     const Setting* setting;
@@ -74,6 +87,8 @@ class BatchPlan {
   Status prepare();
   void warnOfRemovedChoices();
   void warnOfSpreadsheets();
+  void findModels();
+  void warnOfTexts(const std::vector<TextTrace>& traces);
   Status checkNames(const TextTemplate& pattern) const;
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
@@ -89,6 +104,8 @@ class BatchPlan {
   std::vector<SettingColumn> settings_;
   std::vector<std::size_t> filled_;  // columns that go into texts, labels, names and ids
   std::vector<std::string> unused_;
+  std::map<std::string, std::size_t> models_;
+  bool needsModel_ = true;
   std::vector<Message> problems_, warnings_;
 };
 

@@ -180,6 +180,14 @@ TEST(BatchPlan, FindsColumnsAndSettingsWhateverTheirCapitals) {
   EXPECT_EQ(planOf("LOT\n7\n", "lot {lot}").row(0).request.code.text, "lot 7");
 }
 
+TEST(BatchPlan, KnowsTheModelsThatRowsName) {
+  const BatchPlan some = planOf("text,model\na,x.stl\nb,\nc,x.stl\nd,y.stl\n");
+  EXPECT_THAT(some.models(), testing::UnorderedElementsAre(testing::Pair("x.stl", 0u), testing::Pair("y.stl", 3u)));
+  EXPECT_TRUE(some.needsModel());
+  EXPECT_FALSE(planOf("text,model\na,x.stl\n").needsModel());
+  EXPECT_TRUE(planOf("text\na\n").needsModel());
+}
+
 TEST(BatchPlan, SaysThatAListHasNoNames) {
   EXPECT_THAT(problemsOf(planOf("https://example.org/1\nhttps://example.org/2\n")), ElementsAre("list-without-names"));
 }
@@ -216,6 +224,20 @@ TEST(BatchPlan, DoesNotWarnOfOrdinaryValues) {
     EXPECT_THAT(warningsOf({value}), IsEmpty()) << value;
   EXPECT_THAT(warningsOf({"99998", "99999", "100000", "100001", "100002", "100003"}), IsEmpty()) << "a count";
   EXPECT_THAT(warningsOf({"1", "22", "333", "22", "1"}), IsEmpty()) << "short numbers";
+}
+
+TEST(BatchPlan, WarnsOnceOfEachKindOfFaultyLink) {
+  const BatchPlan plan = planOf(
+      "id,text\n1,https://example.com/1\u00A0\n2,https://example.com/2\u200B\n3,https://example.com/3\u00A0\n"
+      "4,\u201Chttps://example.com/4\u201D\n5,example.com/5\n6,https://example.com/6\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  std::vector<std::string> warnings;
+  for (const Message& warning : plan.warnings()) warnings.push_back(sentence(warning));
+  EXPECT_THAT(warnings, ElementsAre("Line 2 and 1 more: There are spaces before or after the link",
+                                    "Line 3: The link has characters that nobody sees, such as zero-width spaces",
+                                    "Line 5: The link is in quotation marks or brackets, which become part of it",
+                                    "Line 6: Many phones open this as a link only if it begins with https://"));
+  EXPECT_EQ(plan.row(0).request.code.text, "https://example.com/1\u00A0") << "the text stays";
 }
 
 TEST(BatchPlan, RefusesTheErrorsOfASpreadsheet) {
