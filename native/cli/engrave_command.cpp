@@ -7,10 +7,13 @@
 #include "cli/commands.h"
 #include "cli/file_flags.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
+#include "cli/unused_flags.h"
 #include "io/sniff_format.h"
+#include "io/write_files.h"
 #include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/engraver.h"
@@ -20,6 +23,7 @@
 #include "native/zxing_decoder.h"
 #include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
+#include "qr/link_advice.h"
 #include "report/report.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -44,11 +48,22 @@ std::string whyNotWritable(const std::string& path) {
                                         : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
 }
 
+Status checkFiles(const EngraveOptions& options) {
+  const MarkRequest& marking = options.request.marking;
+  std::vector<FileUse> outputs;
+  for (const std::string& file : fileNames(options.output, marking.isTwoColoured() || marking.isOpen))
+    outputs.push_back({outputs.empty() ? "-o" : "the second file of -o", file});
+  outputs.push_back({"--report", options.report});
+  outputs.push_back({"--preview", options.preview});
+  const FileUse model = {"MODEL", options.model.path};
+  return checkOutputs(std::span(&model, 1), outputs);
+}
+
 Status completeRequest(EngraveOptions& options) {
   auto request = options.flags.request();
   if (!request) return tl::unexpected(request.error());
   options.request = std::move(*request);
-  if (const Status writable = options.file.check(); !writable) return writable;
+  if (const Status writable = options.file.check(options.output); !writable) return writable;
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
@@ -58,7 +73,7 @@ Status completeRequest(EngraveOptions& options) {
                                                with::term<"mark">(markName(options.request.marking.mark)),
                                                with::term<"output">(options.output)));
   if (!isHeld) return fail(ErrorKind::BadUsage, message<"inlay-is-for-3mf">(with::term<"output">(options.output)));
-  return {};
+  return checkFiles(options);
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
@@ -138,9 +153,22 @@ Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, c
   return {};
 }
 
+/// Prints advice on the text before it is carved.
+void tellOfText(const EngraveOptions& options) {
+  const CodeRequest& code = options.request.code;
+  for (const TextAdvice& advice : adviseText(code.text))
+    if (advice.severity == TextAdvice::Severity::Warning)
+      printWarning(advice.message, {});
+    else if (!options.quiet)
+      printNote(advice.message);
+  if (const auto smaller = adviseCapitals(code.text, code.symbol); smaller && !options.quiet) printNote(*smaller);
+}
+
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  for (const Message& unused : unusedFlags(options.flags, options.request)) printWarning(unused, {});
+  tellOfText(options);
   ReportContext context;
   context.fileName = fileNameOf(options.model.path);
   auto input = loadEngravable(options.model);
@@ -186,6 +214,9 @@ int engraveModel(EngraveOptions& options) {
   if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
+  if (!options.at.empty())
+    if (const auto moved = centreMoved(asked.placement.centreMm, result.placement))
+      printWarning(*moved, context.fileName);
   if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
     if (const Status tried = tryOtherPrints(*engraver, options, result); !tried) return printError(tried.error());
   return printFailed(context.verdict);

@@ -5,6 +5,7 @@
 #include "base/message_json.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 
@@ -57,6 +58,7 @@ void printBodies(const Json& bodies) {
 
 int describe(const InfoOptions& options) {
   const std::string name = fileNameOf(options.model.path);
+  if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const auto input = loadModel(options.model);
   if (!input) return printError(input.error(), name);
   const PreparedModel& model = input->prepared;

@@ -8,6 +8,7 @@
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "generate/command_settings.h"
@@ -129,6 +130,7 @@ void printSpots(const SpotSearchResult& result, std::span<const Body> bodies, do
 int findSpots(PlaceOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const std::string file = fileNameOf(options.model.path);
   auto input = loadEngravable(options.model);
   if (!input) return printError(input.error(), file);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
@@ -55,7 +57,30 @@ Result<VerifyRequest> requestFromFile(const std::string& report) {
   return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
+/// Refuses flags whose values a report gives.
+Status checkFlags(const VerifyOptions& options) {
+  if (options.report.empty()) return {};
+  if (!options.at.empty()) return fail(ErrorKind::BadUsage, message<"report-gives-it">(with::term<"option">("--at")));
+  const auto isAmong = [](const auto& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  for (const std::string& key : options.flags.given()) {
+    const bool isOfPlace = isAmong(kVerifyPlaceKeys, key) || isAmong(kVerifyMarkKeys, key);
+    if (isOfPlace || findSetting(key)->group == kVerifyGroups[0])
+      return fail(ErrorKind::BadUsage, message<"report-gives-it">(with::setting<"option">(key)));
+  }
+  return {};
+}
+
+Status checkFiles(const VerifyOptions& options) {
+  const FileUse inputs[] = {{"MODEL", options.path}, {"--report", options.report}};
+  const FileUse output = {"--json", options.json};
+  return checkOutputs(inputs, std::span(&output, 1));
+}
+
 Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
+  if (const Status good = checkFlags(options); !good) return tl::unexpected(good.error());
+  if (const Status good = checkFiles(options); !good) return tl::unexpected(good.error());
   const auto settings = options.flags.request();
   if (!settings) return tl::unexpected(settings.error());
   auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
