@@ -214,7 +214,7 @@ TEST_F(BatchCommandTest, ARowMayHaveItsOwnModel) {
   const std::string wrong = writeText("w.csv", "id,model,text\n1,thick.stl,a\n2,absent.stl,b\n");
   const Outcome absent = run(arguments({"--list", wrong}, "none"));
   EXPECT_EQ(absent.status, 3);
-  EXPECT_THAT(absent.err, HasSubstr("Line 3: The model “absent.stl”"));
+  EXPECT_THAT(absent.err, HasSubstr("Line 3: The model \"absent.stl\""));
   EXPECT_THAT(filesIn("none"), IsEmpty());
   EXPECT_EQ(run(arguments({"--list", list, "--per-plate", "2"}, "none")).status, 2);
   EXPECT_EQ(run({"batch", "--list", list, "-o", path("none")}).status, 2) << "row 2 has no model";

@@ -114,8 +114,9 @@ class ReportKeys : public CommandTest {
   Json jsonOf(const std::string& name) const { return Json::parse(contentOf(path(name))); }
 
   /// Engraves the plate and returns the report, out.json.
-  Json engrave(const std::vector<std::string>& more, const std::string& output = "out.3mf") const {
-    std::vector<std::string> arguments = {"engrave",    plate_,     "--text",         "HELLO",  "-o",
+  Json engrave(const std::vector<std::string>& more, const std::string& output = "out.3mf",
+               const std::string& text = "HELLO") const {
+    std::vector<std::string> arguments = {"engrave",    plate_,     "--text",         text,     "-o",
                                           path(output), "--report", path("out.json"), "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
@@ -151,7 +152,7 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(engrave(at({"--mark", "paint", "--process", "none"})), "", engraved);
   collect(engrave(at({"--mark", "inlay", "--build-up", "code-up"})), "", engraved);
   collect(verify("out.3mf", {"--quick"}), "", verified);
-  collect(engrave(at({"--process", "none"}), "out.stl"), "", engraved);
+  collect(engrave(at({"--process", "none"}), "out.stl", "Gr\u00FC\u00DFe"), "", engraved);
   plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));
   collect(engrave({"--mark", "auto"}), "", engraved);  // no shadow can be carved
   Mesh open = shapes::plate({60, 60}, 5, 4, 4);
