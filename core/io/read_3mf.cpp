@@ -371,7 +371,7 @@ class Builder {
     if (triangles == 0) return;
     const auto known = volumes_.ranges.find(run.object);
     if (known == volumes_.ranges.end() || !divideMesh(known->second, triangles))
-      return addTriangles(object, run, 0, triangles);
+      return addTriangles(object, run, 0, triangles, partTraits(run));
     const std::vector<VolumeRange>& ranges = known->second;
     std::vector<std::size_t> volumeOf(triangles, ranges.size());  // ranges.size(): in no volume
     for (std::size_t v = 0; v < ranges.size(); ++v)
@@ -379,16 +379,23 @@ class Builder {
                 volumeOf.begin() + static_cast<std::ptrdiff_t>(ranges[v].last + 1), v);
     for (std::size_t first = 0, end = 0; first < triangles; first = end) {
       for (end = first; end < triangles && volumeOf[end] == volumeOf[first];) ++end;
-      const bool isModelVolume = volumeOf[first] == ranges.size() || ranges[volumeOf[first]].isModel;
-      if (isModelVolume)
-        addTriangles(object, run, first, end);
+      const bool isInVolume = volumeOf[first] != ranges.size();
+      if (!isInVolume || ranges[volumeOf[first]].isModel)
+        addTriangles(object, run, first, end, isInVolume ? ranges[volumeOf[first]].traits : VolumeTraits());
       else
         ++modifiers_;
     }
   }
 
+  /// Returns what Bambu Studio or OrcaSlicer says of a run's mesh as a part.
+  VolumeTraits partTraits(const ThreeMfRun& run) const {
+    const auto part = volumes_.parts.find({run.itemObject, run.object});
+    return part == volumes_.parts.end() ? VolumeTraits() : part->second;
+  }
+
   /// Adds triangles `first` to `end` of a mesh, with the positions that they need.
-  void addTriangles(const ThreeMfObject& object, ThreeMfRun run, std::size_t first, std::size_t end) {
+  void addTriangles(const ThreeMfObject& object, ThreeMfRun run, std::size_t first, std::size_t end,
+                    const VolumeTraits& traits) {
     constexpr std::uint32_t kNowhere = 0xffffffffu;
     const bool isWhole = first == 0 && end == object.triangles.size();
     std::vector<std::uint32_t> place(object.positions.size(), kNowhere);
@@ -406,7 +413,8 @@ class Builder {
     run.count = end - first;
     runs_.push_back(run);
     soup_.bodyOf.insert(soup_.bodyOf.end(), end - first, static_cast<std::uint32_t>(soup_.bodies.size()));
-    soup_.bodies.push_back({run.name, static_cast<std::uint32_t>(soup_.parts.size())});
+    soup_.bodies.push_back({traits.name.empty() ? run.name : traits.name,
+                            static_cast<std::uint32_t>(soup_.parts.size()), false, traits.filament});
     for (std::size_t t = first; t < end; ++t) {
       const auto& [a, b, c] = object.triangles[t];
       if (run.mirrored)

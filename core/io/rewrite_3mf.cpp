@@ -156,7 +156,7 @@ class Rewriter {
     return false;
   }
 
-  void setFilament(std::optional<std::string_view> body) { filament_ = numberFrom(body) == 2 ? 1 : 2; }
+  void setFilament(std::optional<std::string_view> body) { filament_ = secondFilament(numberFrom(body)); }
 
   Status changeMesh(const MeshKey& key, const std::vector<const ChangedRun*>& changes) {
     const std::string* text = textOf(key.first);

@@ -22,9 +22,10 @@ struct ModelPart {
 /// One of several bodies that a file names (a mesh, component, volume or part of 3MF; a closed group of OBJ). Bodies
 /// may touch and overlap.
 struct Body {
-  std::string name;        ///< as in the file, UTF-8; may be empty
-  std::uint32_t part = 0;  ///< index of the object that it belongs to (PolygonSoup::parts)
-  bool isShell = false;    ///< found as a closed shell, with its cavities, in a file that names no bodies
+  std::string name;            ///< as in the file, UTF-8; may be empty
+  std::uint32_t part = 0;      ///< index of the object that it belongs to (PolygonSoup::parts)
+  bool isShell = false;        ///< found as a closed shell, with its cavities, in a file that names no bodies
+  std::uint32_t filament = 0;  ///< its number in the file's slicer, from 1; 0: the file says none
 };
 
 /// The unchecked content of a model file: positions in file units and triangles by index (all indices valid), neither

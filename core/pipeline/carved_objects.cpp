@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/filament_code.h"
+
 namespace qrelief {
 namespace {
 
@@ -47,6 +49,9 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   std::vector<std::uint32_t> groupOf;
   for (const std::uint32_t body : result.mesh.bodyOf) groupOf.push_back(groups[body]);
 
+  const bool hasFilaments =
+      std::any_of(result.bodies.begin(), result.bodies.end(), [](const Body& body) { return body.filament != 0; });
+
   std::vector<ModelObject> objects;
   std::optional<std::uint32_t> part;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
@@ -66,13 +71,19 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
     if (bodies.empty() && !apart) written.name.clear();
     const bool isCarved = groups[result.carvedBody] == g;
     const bool hasInlay = isCarved && withInlay && result.inlay;
+    if (apart) written.filament = body.filament;
     if (hasInlay || (isCarved && !painted.empty())) {
       written.colour = kBodyColour;
       written.material = kBodyMaterial;
     }
-    if (isCarved && !painted.empty()) written.paint = FacetPaint{kInlayColour, std::move(painted), kInlayMaterial};
+    const std::uint32_t codeFilament = apart && hasFilaments ? secondFilament(body.filament) : 0;
+    if (isCarved && !painted.empty())
+      written.paint = FacetPaint{kInlayColour, std::move(painted), kInlayMaterial, codeFilament};
     bodies.push_back(std::move(written));
-    if (hasInlay) bodies.push_back(codeBody(*result.inlay));
+    if (hasInlay) {
+      bodies.push_back(codeBody(*result.inlay));
+      bodies.back().filament = codeFilament;
+    }
   }
   return objects;
 }
