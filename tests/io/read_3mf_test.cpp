@@ -257,6 +257,35 @@ TEST(ThreeMfReader, ReadsClosedComponentsOfTypeSurface) {
   EXPECT_EQ(read3mf(threeMf(modelPart(boxes + surfaces, "<item objectid=\"6\"/>")), {})->triangles.size(), 24u);
 }
 
+TEST(ThreeMfReader, ReadsNamesAndFilamentsOfVolumesAndParts) {
+  const auto expectBodies = [](const Result<PolygonSoup>& soup) {
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    ASSERT_EQ(soup->bodies.size(), 2u);
+    EXPECT_EQ(soup->bodies[0].name, "plate");
+    EXPECT_EQ(soup->bodies[0].filament, 3u);
+    EXPECT_EQ(soup->bodies[1].name, "text");
+    EXPECT_EQ(soup->bodies[1].filament, 2u);
+  };
+  const std::string group =
+      "<object id=\"5\"><components><component objectid=\"1\"/><component objectid=\"2\"/></components></object>";
+  expectBodies(
+      read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3) + boxObject(2, 1, 1, 1) + group, "<item objectid=\"5\"/>"),
+                      {{"Metadata/model_settings.config",
+                        "<config><object id=\"5\"><metadata key=\"extruder\" value=\"3\"/>"
+                        "<part id=\"1\"><metadata key=\"name\" value=\"plate\"/></part>"
+                        "<part id=\"2\"><metadata key=\"name\" value=\"text\"/>"
+                        "<metadata key=\"extruder\" value=\"2\"/></part></object></config>"}}),
+              {}));
+  expectBodies(read3mf(
+      threeMf(modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>"),
+              {{"Metadata/Slic3r_PE_model.config",
+                "<config><object id=\"1\"><metadata type=\"object\" key=\"extruder\" value=\"3\"/>"
+                "<volume firstid=\"0\" lastid=\"5\"><metadata type=\"volume\" key=\"name\" value=\"plate\"/></volume>"
+                "<volume firstid=\"6\" lastid=\"11\"><metadata type=\"volume\" key=\"name\" value=\"text\"/>"
+                "<metadata type=\"volume\" key=\"extruder\" value=\"2\"/></volume></object></config>"}}),
+      {}));
+}
+
 TEST(ThreeMfReader, RefusesCirclesAndDeepNestsOfSurfaces) {
   std::string objects = boxObject(1, 1, 1, 1, "type=\"surface\"");
   for (int id = 2; id < 5000; ++id)
