@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "cli/command_fixture.h"
@@ -123,10 +124,12 @@ TEST_F(BatchCommandTest, ARowThatDoesNotReadAsPrintedFailsAndIsRetried) {
   EXPECT_EQ(manifest()[0]["status"], "failed");
   EXPECT_EQ(manifest()[0]["verdict"]["passed"], false);
   EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("does not read as printed"));
+  const std::string lines = contentOf(path("out/manifest.jsonl"));
+  writeText("out/manifest.jsonl", std::regex_replace(lines, std::regex("does not read as printed"), "is known"));
   EXPECT_EQ(batch("--reports").status, 1);
-  EXPECT_EQ(manifest().size(), 1u) << "not tried again";
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("is known")) << "not tried again";
   EXPECT_EQ(batch("--retry-failed").status, 1);
-  EXPECT_EQ(manifest().size(), 2u);
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("does not read as printed"));
 }
 
 TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {

@@ -97,7 +97,7 @@ TEST_F(PlacementTest, TheBestSizeIsNeverSmallerThanTheFreeOne) {
 TEST_F(PlacementTest, TheFreeSizeDoesNotDependOnTheRotation) {
   Mesh wedge = shapes::plate({60, 60}, 8, 8, 8);  // its wall gets thinner towards +x
   for (Vec3f& p : wedge.positions)
-    if (p.z < -1) p.z = -1 - 0.1f * (30 - p.x);
+    if (p.z < -1) p.z = -0.6f - 0.1f * (30 - p.x);
   load(wedge);
   PlacementRequest request;
   request.pockets = {0.8, 1};

@@ -30,8 +30,9 @@ class EngravePlanTest : public testing::Test {
   /// Returns the verdict on a print that so many of 72 tries decoded.
   static Verdict verdictOfPrint(int reads) {
     Verdict verdict = verdictOf(true, reads < 29);
-    if (reads < 12)
-      verdict.prints.failed.emplace_back("unreadable-as-printed", std::initializer_list<const MessageValue*>{});
+    if (reads >= 12) return verdict;
+    verdict.prints.level = Level::Bad;
+    verdict.prints.failed.emplace_back("unreadable-as-printed", std::initializer_list<const MessageValue*>{});
     return verdict;
   }
 
@@ -339,7 +340,7 @@ TEST_F(OpenSettingsTest, ACodeOfTheUsualGreatestSizeMayBeLarger) {
 }
 
 TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedIfTheSymbolIsSmaller) {
-  request_.code.text = "https://example.com/0123456789";  // version 3 at M, version 2 at L
+  request_.code.text = "https://example.com/abcdefghij";  // version 3 at M, version 2 at L
   begin();
   carveAndPrint(0);
   carveAndPrint(0);
