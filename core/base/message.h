@@ -85,8 +85,8 @@ struct NamedValue {
   MessageValue value;
 };
 
-/// The names of the values in the words of the message `kCode`, as `kNames`. Only the headers
-/// message_codes/<catalogue>.h define it, which the build generates from messages/<catalogue>.json.
+/// The names of the values in the words of the message `kCode`, as `kNames`. Its catalogue, say messages/files.json,
+/// has a header that defines it and that the build generates: message_codes/files.h.
 template <ValueName kCode>
 struct ValuesOfMessage;
 

@@ -11,7 +11,7 @@
 namespace qrelief {
 
 /// Returns a warning about a value that a spreadsheet has probably changed: a number shortened to 9,52112E+12 or
-/// rounded after 15 digits, a date made of 2-MAR, a number written as 1001.0; or about an error such as #REF!.
+/// rounded after 15 digits, a date made of 2-MAR, a number written as 1001.0; or about an error such as `#REF!`.
 /// @param line    of the list
 /// @param column  name of the cell's column
 std::optional<Message> spreadsheetTrace(std::string_view value, std::string_view column, std::size_t line);
