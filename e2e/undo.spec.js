@@ -2,7 +2,6 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { saddleFile } from './support/models.js';
-import { poll } from './support/poll.js';
 
 /** @param {import('@playwright/test').Page} page */
 const buttons = (page) => ({
@@ -30,12 +29,12 @@ test('Text, size and centre are undone and redone separately', async ({ page }) 
   await expect(app.placement).toContainText('21.0 mm wide');
   const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
   await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 + 10 } });
-  await poll(() => app.centre()).not.toEqual(centre);
+  await expect.poll(() => app.centre()).not.toEqual(centre);
   await app.expectReady();
   const moved = await app.centre();
 
   await undo.click();
-  await poll(() => app.centre()).toEqual(centre);
+  await expect.poll(() => app.centre()).toEqual(centre);
   await expect(undo).toBeEnabled();
   await expect(app.setting('Width (mm)')).toHaveValue('21');
   await undo.click();
@@ -54,7 +53,7 @@ test('Text, size and centre are undone and redone separately', async ({ page }) 
     await expect(redo).toBeEnabled();
     await redo.click();
   }
-  await poll(() => app.centre()).toEqual(moved);
+  await expect.poll(() => app.centre()).toEqual(moved);
   await expect(redo).toBeDisabled();
   await expect(app.placement).toContainText('21.0 mm wide');
   await expect(app.text).toHaveValue('second');
@@ -65,7 +64,7 @@ test('Undoing a carving shows the uncarved model, and redoing it restores the re
 }) => {
   const app = new Engraver(page);
   const { undo, redo } = buttons(page);
-  await app.open('?sample=saddle&text=one&process=none');
+  await app.open('?sample=saddle&text=one');
   await app.expectReady();
   await app.engrave();
   const carved = page.getByRole('button', { name: 'With code' });
@@ -125,7 +124,7 @@ test('Undo restores the previous model with unit and centre; Start over restores
   await undo.click();
   await expect(app.facts).toContainText('Vase');
   await expect(app.sample).toHaveValue('vase');
-  await poll(() => app.centre()).toEqual(centre);
+  await expect.poll(() => app.centre()).toEqual(centre);
   await expect(redo).toBeEnabled();
   await redo.click();
   await expect(app.facts).toContainText('my saddle.stl');

@@ -14,10 +14,8 @@
 namespace qrelief {
 namespace {
 
-Json jsonOf(const std::vector<SettingChange>& changes) {
-  Json json = Json::array();
-  for (const SettingChange& change : changes) json.push_back({{"setting", change.setting}, {"value", change.value}});
-  return json;
+Json jsonOf(const std::optional<SettingChange>& change) {
+  return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
 }
 
 }  // namespace
@@ -32,7 +30,7 @@ std::string Engine::nextStep() const {
   return textOf({{"ok", true},
                  {"step", step},
                  {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
-                 {"changes", jsonOf(plan->changes())}});
+                 {"change", plan->step() == EngravePlan::Step::Carve ? jsonOf(plan->change()) : Json()}});
 }
 
 bool Engine::useCarving(int number) {

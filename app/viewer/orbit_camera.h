@@ -74,8 +74,6 @@ class OrbitCamera {
   /// Shows the whole scene, upright, from the current side; `fitFromDefaultSide` from the front, slightly raised.
   void fit();
   void fitFromDefaultSide();
-  /// Shows a part of the scene from the current side, upright.
-  void fitTo(const Box3& part);
   void lookFrom(StandardView side);
   /// Looks from the code's eye: a square of `extentMm` on the frame's plane fills the view.
   void lookThrough(const ProjectionFrame& frame, double extentMm);
@@ -99,7 +97,7 @@ class OrbitCamera {
     std::optional<double> startMs;  // set by the first frame
   };
   Vec3 fromTurntable(Vec3 v) const;
-  CameraPose fitted(CameraPose pose, const Box3& box) const;
+  CameraPose fitted(CameraPose pose) const;
   void interrupt() { glide_.reset(); }
   void keepInLimits();
 

@@ -42,10 +42,8 @@ class DepthSolver {
   /// other.
   virtual double doneFraction() const = 0;
   virtual const DepthField& depths() const = 0;
-  /// Returns the number of submodules that are not dark enough: those at a limit and, once finished, unfinishedCount().
+  /// Returns the number of submodules that a limit keeps from being dark enough.
   virtual std::size_t limitedCount() const = 0;
-  /// Returns the number of submodules that the end of a finished search left too bright, although they may be deeper.
-  virtual std::size_t unfinishedCount() const = 0;
 };
 
 }  // namespace qrelief

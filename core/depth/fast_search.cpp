@@ -189,11 +189,7 @@ double FastSearch::doneFraction() const {
 }
 
 std::size_t FastSearch::limitedCount() const {
-  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited)) + unfinishedCount();
-}
-
-std::size_t FastSearch::unfinishedCount() const {
-  return finished_ ? static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::TooBright)) : 0;
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited));
 }
 
 }  // namespace qrelief

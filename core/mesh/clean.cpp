@@ -7,7 +7,6 @@
 
 #include "math/tolerance.h"
 #include "mesh/collinear.h"
-#include "mesh/touching_shells.h"
 
 namespace qrelief {
 namespace {
@@ -209,7 +208,6 @@ Cleaning cleanTriangles(Mesh& mesh) {
 
   EdgeTable edges = buildEdgeTable(mesh.triangles);
   if (!mayHaveDuplicates(mesh.triangles, edges)) return report;
-  if (separateTouchingShells(mesh, edges) > 0) edges = buildEdgeTable(mesh.triangles);
   removeDuplicates(mesh, edges, report);
   edges = buildEdgeTable(mesh.triangles);
   removeFlaps(mesh, edges, kFlapHeight * boundingBox(mesh).diagonal(), report);

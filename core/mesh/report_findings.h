@@ -32,6 +32,9 @@ class FindingList {
 };
 
 /// Reports what each repair found and did, and which defects remain.
-void reportRepairs(const Repaired& repaired, const RepairOptions& options, FindingList& findings);
+/// @param parts           of the soup
+/// @param partOfTriangle  of the repaired mesh, empty: one part
+void reportRepairs(const Repaired& repaired, const RepairOptions& options, std::span<const ModelPart> parts,
+                   std::span<const std::uint32_t> partOfTriangle, FindingList& findings);
 
 }  // namespace qrelief

@@ -2,7 +2,6 @@
 #include "mesh/untangle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "math/tolerance.h"
@@ -15,7 +14,6 @@ namespace {
 
 constexpr std::size_t kMaxCounted = 1000;
 constexpr std::size_t kMaxMended = 100;      // more pairs mean overlapping parts, not scanner errors
-constexpr int kHalvings = 7;                 // of the largest move; below 40 nm 32-bit floats differ by chance
 constexpr std::size_t kMaxWork = 1'000'000;  // triangles tested in all tries together: about 2 s
 
 struct Move {
@@ -64,12 +62,12 @@ struct Surroundings {
   }
 };
 
-Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle) {
+Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach) {
   Box3 box;
   for (const Triangle& t : mesh.triangles)
     if (usesAny(t, tangle))
       for (const std::uint32_t v : t) box.add(Vec3(mesh.positions[v]));
-  const double margin = 1.01 * kMaxRepairMoveMm;  // a hundredth more, for rounding
+  const double margin = 1.01 * reach;  // a hundredth more, for rounding
   const FloatBox region{Vec3f(box.min - margin), Vec3f(box.max + margin)};
   Surroundings around;
   for (const Triangle& t : mesh.triangles)
@@ -88,7 +86,7 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
 
 /// Adds the possible moves of one vertex of the tangle: towards the mean of its neighbours, in space and along its
 /// normal.
-void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, std::vector<Move>& moves) {
+void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std::vector<Move>& moves) {
   const Vec3 from(mesh.positions[v]);
   Vec3 sum(0);
   double lengths = 0;
@@ -103,22 +101,20 @@ void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, std::vector<Move>&
     }
   }
   const Vec3 toMean = sum / n - from;
-  const double limit = std::min(kUntangleEdgeFraction * lengths / n, kMaxRepairMoveMm);
+  const double limit = std::min(kUntangleEdgeFraction * lengths / n, reach);
   for (const Vec3 way : {toMean, normal * glm::dot(toMean, normal)})
-    if (const double whole = glm::length(way); whole > 0)
-      for (int halvings = 0; halvings < kHalvings; ++halvings) {
-        const double wanted = std::ldexp(std::min(whole, limit), -halvings);
-        const Vec3f to(from + way * (wanted / whole));
-        const double length = glm::distance(Vec3(to), from);
-        if (length > 0) moves.push_back({v, to, length});
-      }
+    for (double fraction = 1; fraction > 1.0 / 100; fraction /= 2) {
+      const Vec3f to(from + way * fraction);
+      const double length = glm::distance(Vec3(to), from);
+      if (length > 0 && length <= limit) moves.push_back({v, to, length});
+    }
 }
 
 /// Returns all moves, the shortest first; ties by vertex.
-std::vector<Move> movesOf(const Surroundings& around) {
+std::vector<Move> movesOf(const Surroundings& around, double reach) {
   const std::vector<Vec3f> normals = vertexNormals(around.mesh);
   std::vector<Move> moves;
-  for (const std::uint32_t v : around.tangle) addMoves(around.mesh, v, Vec3(normals[v]), moves);
+  for (const std::uint32_t v : around.tangle) addMoves(around.mesh, v, Vec3(normals[v]), reach, moves);
   std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.length < b.length; });
   return moves;
 }
@@ -136,8 +132,8 @@ bool isTooCrowded(const Result<std::vector<TrianglePair>>& pairs) {
 /// Separates the tangle by the shortest move that removes all its pairs and creates no other.
 /// @param work  triangles tested so far, in all tries
 /// @returns true if there is such a move
-Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::size_t& work) {
-  Surroundings around = surroundingsOf(mesh, tangle);
+Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach, std::size_t& work) {
+  Surroundings around = surroundingsOf(mesh, tangle, reach);
   auto others = findSelfIntersections(around.mesh);
   if (isTooCrowded(others)) return false;
   if (!others) return tl::unexpected(others.error());
@@ -149,7 +145,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::siz
   if (end == others->end()) return true;  // already separated together with another tangle
   others->erase(end, others->end());
 
-  for (const Move& move : movesOf(around)) {
+  for (const Move& move : movesOf(around, reach)) {
     work += around.mesh.triangles.size();
     if (work > kMaxWork) return false;
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
@@ -180,10 +176,11 @@ Result<Untangling> untangle(Mesh& mesh) {
   if (pairs->size() > kMaxMended) return result;
 
   const std::vector<Vec3f> before = mesh.positions;
+  const double reach = kUntangleDiagonalFraction * boundingBox(mesh).diagonal();
   std::size_t work = 0;
   while (!pairs->empty()) {
     const std::vector<std::uint32_t> tangle = firstTangle(mesh, *pairs);
-    const Result<bool> parted = part(mesh, tangle, work);
+    const Result<bool> parted = part(mesh, tangle, reach, work);
     if (!parted || !*parted) {
       mesh.positions = before;
       return parted ? Result<Untangling>(result) : tl::unexpected(parted.error());

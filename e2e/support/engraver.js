@@ -2,7 +2,6 @@
 // The page as its user knows it, by roles and names.
 import { readFile } from 'node:fs/promises';
 import { expect } from '@playwright/test';
-import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
@@ -36,8 +35,8 @@ export class Engraver {
 
   /** Waits until a model is loaded and its code is placed. */
   async expectReady() {
-    await poll(() => this.placement.textContent()).toContain('mm wide');
-    await poll(() => this.status.textContent()).toBe('Ready.');
+    await expect(this.placement).toContainText('mm wide');
+    await expect(this.status).toHaveText('Ready.');
     await expect(this.engraveButton).toBeEnabled();
   }
 
@@ -70,7 +69,7 @@ export class Engraver {
   /** Asks for suggested spots and waits for them. */
   async suggest() {
     await this.page.getByRole('button', { name: 'Suggest spots' }).click();
-    await poll(() => this.status.textContent()).toBe('Choose a spot, or click the model.');
+    await expect(this.status).toHaveText('Choose a spot, or click the model.');
   }
 
   /** Clicks Engrave and waits for the result. */
@@ -81,7 +80,7 @@ export class Engraver {
 
   /** Waits until the engraving in progress has ended. */
   async expectResult() {
-    await poll(() => this.status.textContent(), { timeout: 240_000 }).toMatch(/^Engraved/);
+    await expect(this.status).toHaveText(/^Engraved/, { timeout: 240_000 });
     await expect(this.result).toBeVisible();
     await expect(this.alert).toHaveCount(0);
   }

@@ -10,7 +10,8 @@ namespace qrelief {
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
   command.add_option("MODEL", flags.path, kModelFormats)->required();
   command.add_option("--scale", flags.scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  command.add_option("--units", flags.units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
+  command.add_option("--units", flags.units, "unit of the file; replaces --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   addRepairFlags(command, flags.repair);
 }
 

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "message_codes/command.h"
-
 namespace qrelief {
 namespace {
 
@@ -19,7 +17,7 @@ Result<std::optional<double>> millimetresOrAuto(const std::string& text, const c
   } catch (const std::exception&) {
   }
   return fail(ErrorKind::BadUsage,
-              message<"tolerance-not-a-length">(with::term<"option">(option), with::quoted<"given">(text)));
+              message("tolerance-not-a-length", with::term<"option">(option), with::quoted<"given">(text)));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "base/message_json.h"
 #include "math/vec.h"
-#include "support/paths.h"
 
 namespace qrelief {
 namespace {
@@ -19,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json cases() {
-  std::ifstream stream(sourceFolder() / "tests/messages/cases.json");
+  std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/messages/cases.json");
   return Json::parse(stream);
 }
 

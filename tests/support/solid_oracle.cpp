@@ -9,7 +9,7 @@
 #include <map>
 
 #include "math/box.h"
-#include "math/orientation.h"
+#include "projection/orientation.h"
 
 namespace qrelief {
 namespace {

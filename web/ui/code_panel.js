@@ -18,7 +18,6 @@ import { showStep } from './steps.js';
  * @typedef {object} CodeOptions
  * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
  * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
- * @property {(content: string) => Promise<import('../engine/types.js').TextAdvice>} adviceOn
  */
 
 /**
@@ -30,7 +29,7 @@ import { showStep } from './steps.js';
 
 export class CodePanel {
   /** @param {CodeOptions} options */
-  constructor({ settings, symbolOf, adviceOn }) {
+  constructor({ settings, symbolOf }) {
     /** @type {CodeListener | undefined} */ this.listener_ = undefined;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
@@ -46,7 +45,6 @@ export class CodePanel {
     this.symbol_ = new SymbolPanel({
       settings,
       symbolOf,
-      adviceOn,
       otherForms: () => this.otherForms_(),
       onReplace: (content) => this.replace_(content),
     });
