@@ -9,6 +9,7 @@
 #include "math/tolerance.h"
 #include "mesh/prepare.h"
 #include "mesh/ray.h"
+#include "message_codes/pipeline.h"
 #include "projection/silhouette.h"
 #include "projection/size.h"
 #include "qr/module_pattern.h"
@@ -26,7 +27,7 @@ inline Result<Spot> findSpot(const PreparedModel& model, Vec3 centreMm, int modu
   constexpr double kLargestMm = 35;
   const double outer = (modules + 8.0) / modules;
   const auto surface = closestPoint(model.mesh, centreMm);
-  if (!surface) return badInput(message("no-surface"));
+  if (!surface) return badInput(message<"no-surface">());
   Vec3 normal = triangleNormal(model.mesh, surface->triangle);
   Spot best;
   for (int round = 0; round < 2; ++round) {

@@ -47,6 +47,7 @@ class Counted final : public DepthSolver {
   double doneFraction() const override { return solver_.doneFraction(); }
   const DepthField& depths() const override { return solver_.depths(); }
   std::size_t limitedCount() const override { return solver_.limitedCount(); }
+  std::size_t unfinishedCount() const override { return solver_.unfinishedCount(); }
 
  private:
   std::size_t carved_;

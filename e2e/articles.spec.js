@@ -3,6 +3,8 @@ import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
 
+test.use({ deviceScaleFactor: 1 }); // on a phone, too: no test here looks at the screen’s pixels
+
 /** @typedef {import('@playwright/test').Page} Page */
 
 /** Collects the page's errors. @param {Page} page */

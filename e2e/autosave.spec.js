@@ -3,6 +3,7 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
 import { saddleFile } from './support/models.js';
+import { poll } from './support/poll.js';
 
 test('Work is offered and restored after a reload, but not if nothing changed or it was discarded', async ({
   page,
@@ -47,7 +48,7 @@ test('Work is offered and restored after a reload, but not if nothing changed or
     const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
     const proposed = await app.centre();
     await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 } });
-    await expect.poll(() => app.centre()).not.toEqual(proposed);
+    await poll(() => app.centre()).not.toEqual(proposed);
     await app.expectReady();
     const centre = await app.centre();
     await untilKept(

@@ -6,6 +6,7 @@ import { volume } from '../web/samples/solid.js';
 import { readStl } from '../web/samples/stl.js';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
 import { freeze, freezeAt, holdWorkers, thaw } from './support/workers.js';
 
@@ -113,7 +114,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
     await expect(page.getByText(/^\d of 5 parts of plate\.stl are engraved\. Go on\?/)).toBeVisible();
     await page.getByRole('button', { name: 'Go on' }).click();
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
-    await expect.poll(finished).toBeGreaterThanOrEqual(before);
+    await poll(finished).toBeGreaterThanOrEqual(before);
     await expect(state).toHaveText('4 engraved, 1 failed');
     await expect(rows.filter({ hasText: 'Done' })).toHaveCount(4);
     for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);
@@ -215,9 +216,9 @@ test('Numbered parts are placed on plates, and the ZIP is written to the chosen 
   await expect(app.status).toHaveText('Das ZIP ist gespeichert.');
   const bytes = await page.evaluate(async () => {
     const file = await (await (await navigator.storage.getDirectory()).getFileHandle('plate-qr-parts.zip')).getFile();
-    return [...new Uint8Array(await file.arrayBuffer())];
+    return new Uint8Array(await file.arrayBuffer());
   });
-  const files = filesOf(Uint8Array.from(bytes));
+  const files = filesOf(bytes);
   expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'plate-001.3mf', 'plate-002.3mf']);
   const namesOn = (/** @type {string} */ plate) => {
     const model = unzip(/** @type {Buffer} */ (files.get(plate))).get('3D/3dmodel.model') ?? '';

@@ -53,6 +53,13 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     await expect(app.result).toContainText(/Reads up to about \d+ cm away, at [\d.]+ pixels per module/);
   });
 
+  await test.step('Words and numbers follow the page’s language', async () => {
+    await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+    await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/);
+    await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
+    await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
+  });
+
   await test.step('After a change the result is marked as outdated', async () => {
     await expect(app.result).not.toContainText('Engrave again');
     await app.text.fill('another text');

@@ -6,6 +6,7 @@ import { readStl } from '../web/samples/stl.js';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { isDark, shareOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
 import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
@@ -17,23 +18,22 @@ const isLight = (red) => red > 180;
 /** Where the materials bleed into each other. @type {import('./support/pixels.js').Colour} */
 const isBetween = (red) => red > 90 && red < 165;
 
-/** Opens the plate with a short code, made by `mark`. @param {import('@playwright/test').Page} page @param {string} mark */
-async function open(page, mark) {
+/** Opens the plate with a short code. @param {import('@playwright/test').Page} page */
+async function open(page) {
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();
   const plate = readStl(new Uint8Array(await (await page.request.get('samples/plate.stl')).body()));
-  await app.setting('Made by').selectOption(mark);
-  await app.expectReady();
   return { app, plate };
 }
 
 test('A painted code keeps the model’s shape and has the second filament', async ({ page }) => {
-  const { app, plate } = await open(page, 'Second colour, painted');
+  const { app, plate } = await open(page);
   const choice = page.locator('#step-carve');
+  await app.setting('Made by').selectOption('Second colour, painted');
+  await app.engrave(); // at once: a choice made just before Engrave is engraved, too
   await expect(choice).toContainText('about one filament change per layer');
   await expect(app.setting('How deep')).toBeHidden();
-  await app.engrave();
 
   await test.step('The numbers say what the colour costs, and no depth', async () => {
     await expect(app.result).toContainText('Reads as A');
@@ -45,14 +45,14 @@ test('A painted code keeps the model’s shape and has the second filament', asy
 
   await test.step('The view shows the code in its colours', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
-    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+    await poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
   });
 
   await test.step('The print is shown beside the design, in both colours and with softer borders', async () => {
     const print = page.locator('.print-picture');
     await page.getByRole('button', { name: 'As printed' }).click();
     await expect(page.getByRole('group', { name: 'Phone view' })).toContainText('reads');
-    await expect.poll(async () => decodePng(await print.screenshot())).toBe('A');
+    await poll(async () => decodePng(await print.screenshot())).toBe('A');
     const [dark, light, between] = await Promise.all([isDark, isLight, isBetween].map((tone) => shareOf(print, tone)));
     expect(dark).toBeGreaterThan(0.1);
     expect(light).toBeGreaterThan(0.5);
@@ -98,8 +98,10 @@ test('A painted code keeps the model’s shape and has the second filament', asy
 });
 
 test('An inlaid code and its model are two solids that fill the model exactly', async ({ page }) => {
-  const { app, plate } = await open(page, 'Second colour, inlaid');
-  await app.engrave();
+  const { app, plate } = await open(page);
+  await app.setting('Made by').selectOption('Second colour, inlaid');
+  await app.engrave(); // at once, as above
+  await expect(app.result).toContainText('Reads as A');
   await expect(app.result).toContainText(/Depth\s*[\d.]+ mm/);
   await expect(app.result).toContainText(kCost);
   const { name, bytes } = await app.download();
@@ -117,24 +119,6 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
 
   await test.step('The view shows the inlay in its colour', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();
-    await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
+    await poll(async () => decodePng(await app.canvas.screenshot())).toBe('A');
   });
-});
-
-test('A colour chosen just before Engrave is engraved', async ({ page }) => {
-  const app = new Engraver(page);
-  for (const [mark, addition] of [
-    ['Second colour, inlaid', 'inlay'],
-    ['Second colour, painted', 'paint'],
-  ]) {
-    await app.open('?sample=plate&text=A');
-    await app.expectReady();
-    await app.setting('Made by').selectOption(mark);
-    await app.engrave();
-    await expect(app.result).toContainText('Reads as A');
-    await expect(app.result).toContainText(kCost);
-    const { name, bytes } = await app.download();
-    expect(name).toMatch(new RegExp(`-${addition}\\.3mf$`));
-    expect(coloursOf(modelsOf(unzip(bytes))).size).toBe(2);
-  }
 });

@@ -3,6 +3,7 @@
 import { expect, test } from '@playwright/test';
 import { decodePath } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
@@ -18,17 +19,15 @@ const advice = (page) => page.getByRole('list', { name: 'Advice' });
  * @param {string} text
  */
 async function expectSymbol(page, text) {
-  await expect
-    .poll(async () => {
-      const svg = symbol(page);
-      if ((await svg.count()) === 0) return '';
-      const [box, path] = await svg.evaluate((element) => [
-        element.getAttribute('viewBox'),
-        element.lastElementChild?.getAttribute('d'),
-      ]);
-      return decodePath(path ?? '', Number(box?.split(' ')[2]));
-    })
-    .toBe(text);
+  await poll(async () => {
+    const svg = symbol(page);
+    if ((await svg.count()) === 0) return '';
+    const [box, path] = await svg.evaluate((element) => [
+      element.getAttribute('viewBox'),
+      element.lastElementChild?.getAttribute('d'),
+    ]);
+    return decodePath(path ?? '', Number(box?.split(' ')[2]));
+  }).toBe(text);
 }
 
 /** @param {Page} page @param {string} kind */
@@ -75,7 +74,7 @@ const kCases = [
 
 test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle');
+  await app.open('?sample=saddle&process=none');
   await app.expectReady();
   await choose(page, 'Wi-Fi access');
   const [network, password] = [page.getByLabel('Network name'), page.getByLabel('Password', { exact: true })];

@@ -8,6 +8,7 @@ import { readStl } from '../web/samples/stl.js';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { saddleFile, saddleMesh } from './support/models.js';
+import { poll } from './support/poll.js';
 import { bodiesOf, extrudersOf, itemsOf, unzip } from './support/three_mf.js';
 
 /** @typedef {import('../web/samples/solid.js').Mesh} Mesh */
@@ -73,7 +74,7 @@ test('The engraved bunny decodes inside and outside the page and downloads as a 
   expectEngravedSolid(readStl(new Uint8Array(stl)), readStl(bytes), report);
 
   await page.getByRole('button', { name: 'Phone view' }).click();
-  await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
+  await poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
 
   // One core and one set of shaders on two renderers: the results must agree within a tolerance.
   await test.step('The page and the command carve the same', async () => {
@@ -116,7 +117,7 @@ test('With the user’s own file, a picked point and changed settings, the resul
   const proposed = await app.centre();
   const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
   await app.canvas.click({ position: { x: box.width / 2 + 40, y: box.height / 2 } });
-  await expect.poll(() => app.centre()).not.toEqual(proposed);
+  await poll(() => app.centre()).not.toEqual(proposed);
   await app.expectReady();
 
   await app.openSettings();

@@ -4,6 +4,7 @@ import { expect, test } from '@playwright/test';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { saddleFile } from './support/models.js';
+import { poll } from './support/poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
@@ -38,9 +39,9 @@ async function screenshotOf(page, bytes, type) {
   await other.setContent(
     `<body style="margin:0"><img style="width:400px" src="data:${type};base64,${Buffer.from(bytes).toString('base64')}">`,
   );
-  await expect
-    .poll(() => other.locator('img').evaluate((img) => /** @type {HTMLImageElement} */ (img).naturalWidth))
-    .toBeGreaterThan(0);
+  await poll(() =>
+    other.locator('img').evaluate((img) => /** @type {HTMLImageElement} */ (img).naturalWidth),
+  ).toBeGreaterThan(0);
   const png = await other.locator('img').screenshot();
   await other.close();
   return png;
@@ -71,7 +72,7 @@ test('The symbol as SVG and PNG decodes, and its file names the content', async 
     await app.setting('Finder patterns').selectOption('Full');
     await app.expectReady();
     await page.getByRole('button', { name: 'Phone view' }).click();
-    await expect.poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
+    await poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
     const picture = await app.download('Save picture');
     expect(picture.name).toMatch(/^saddle-qr-PICTURE-1-\d+mm-view\.png$/);
     expect(await decodePng(picture.bytes)).toBe('PICTURE 1');

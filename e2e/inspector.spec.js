@@ -2,6 +2,9 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
+import { countOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
+import { readPng } from './support/read_png.js';
 
 /** @typedef {import('../web/engine/types.js').InspectorState} State */
 /** @typedef {NonNullable<State['selected']>} Selected */
@@ -12,20 +15,13 @@ test.use({ viewport: { width: 1280, height: 800 } });
 
 const kBalancedContrast = 0.3;
 
-/** Counts the pixels far from grey, which belong to a map and not to the model. @param {number[]} rgba */
-function colourful(rgba) {
-  let count = 0;
-  for (let i = 0; i < rgba.length; i += 4) {
-    const [r, g, b] = rgba.slice(i, i + 3);
-    count += Number(Math.max(r, g, b) - Math.min(r, g, b) > 60);
-  }
-  return count;
-}
+/** Far from grey: belongs to a map and not to the model. @type {import('./support/pixels.js').Colour} */
+const isColourful = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 60;
 
 /** Presses the dark middle of the upper left finder pattern. @param {Inspector} inspector */
 async function pressDark(inspector) {
   await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 }); // 29 modules and a margin of 4 on each side
-  await expect.poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
+  await poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
   return /** @type {Selected} */ ((await inspector.state())?.selected);
 }
 
@@ -35,7 +31,7 @@ const contrastOf = ({ LS, AL, G }) => 1 - (LS - Number(G)) / Number(AL);
 test('The inspector covers only the view, shows an engraving, and closes without a trace', async ({ page }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
-  await app.open(`?sample=bumpy-sphere&contrast=${kBalancedContrast}`); // for finder patterns, too
+  await app.open(`?sample=bumpy-sphere&contrast=${kBalancedContrast}&process=none`); // for finder patterns, too
   await app.expectReady();
   await inspector.open();
 
@@ -54,7 +50,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
     const before = await app.centre();
     const box = /** @type {Clip} */ (await app.canvas.boundingBox());
     await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.4);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
   });
 
@@ -62,7 +58,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
   await inspector.expectState((state) => state.passes > 1 && state.pass === state.passes, true);
   const clip = await inspector.clipOf('Map');
   await test.step('an engraving is shown', async () => {
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBeGreaterThan(5000);
   });
 
   await test.step('a click on a submodule in the map shows its quantities', async () => {
@@ -79,12 +75,12 @@ test('The inspector covers only the view, shows an engraving, and closes without
 
   await test.step('every pass shows its own depths', async () => {
     const { passes } = /** @type {State} */ (await inspector.state());
-    const last = await inspector.pixels(clip);
+    const last = await inspector.picture(clip);
     await inspector.press('Earlier pass');
     await inspector.expectState((state) => state.pass, passes - 1);
     await inspector.press('Pass', { x: 0.03, y: 0.5 });
     await inspector.expectState((state) => state.pass, 1);
-    await expect.poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
+    await poll(async () => (await inspector.picture(clip)).equals(last)).toBe(false);
     await inspector.openTab('Search');
     await inspector.openTab('Timing');
   });
@@ -106,10 +102,10 @@ test('The inspector covers only the view, shows an engraving, and closes without
 
   await test.step('closed, it leaves no trace', async () => {
     await inspector.openTab('Maps');
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBeGreaterThan(5000);
     await inspector.button.click();
-    await expect.poll(() => inspector.state()).toBeUndefined();
-    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
+    await poll(() => inspector.state()).toBeUndefined();
+    await poll(async () => countOf(readPng(await inspector.picture(clip)), isColourful)).toBe(0);
   });
 });
 
@@ -118,7 +114,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
 }) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
-  await app.open('?sample=bumpy-sphere&lang=de');
+  await app.open('?sample=bumpy-sphere&lang=de&process=none');
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');
@@ -127,10 +123,10 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
 
   await test.step('its language follows the page’s', async () => {
     const clip = await inspector.clipOf('Engrave again');
-    const german = await inspector.pixels(clip);
+    const german = await inspector.picture(clip);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
     await inspector.expectState((state) => state.overrides, 'Contrast 0.31');
-    await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
+    await poll(async () => (await inspector.picture(clip)).equals(german)).toBe(false);
   });
 
   await test.step('typed', async () => {
@@ -147,7 +143,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
     await inspector.press('Engrave again');
     await expect(app.status).toContainText('Contrast 0.25', { timeout: 240_000 });
     await inspector.openTab('Maps');
-    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
+    await poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
   });
 
   await test.step('stepped and reset', async () => {
@@ -161,6 +157,6 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
   await test.step('not for the page’s', async () => {
     await inspector.openTab('Maps');
     await app.engrave();
-    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
+    await poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
   });
 });

@@ -3,22 +3,15 @@ import { expect, test } from '@playwright/test';
 import { writeStl } from '../web/samples/stl.js';
 import { Engraver } from './support/engraver.js';
 import { saddleMesh, truncatedFile } from './support/models.js';
+import { poll } from './support/poll.js';
+import { readPng } from './support/read_png.js';
 
-/**
- * Returns the mean brightness in the view's lower left corner, 0 … 255.
- * @param {import('@playwright/test').Page} page
- */
+/** Returns the mean brightness in the view's lower left corner, 0 … 255. @param {import('@playwright/test').Page} page */
 async function cornerBrightness(page) {
-  const picture = await page.screenshot({ clip: { x: 4, y: 540, width: 40, height: 40 } });
-  return page.evaluate(async (base64) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${base64}`;
-    await image.decode();
-    const context = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, 40, 40);
-    return data.reduce((sum, value, i) => (i % 4 === 3 ? sum : sum + value), 0) / (40 * 40 * 3);
-  }, picture.toString('base64'));
+  const { width, height, channels, data } = readPng(
+    await page.screenshot({ clip: { x: 4, y: 540, width: 40, height: 40 } }),
+  );
+  return data.reduce((sum, value, i) => (i % channels === 3 ? sum : sum + value), 0) / (3 * width * height);
 }
 
 test('Another language applies at once, also to numbers, and is kept', async ({ page }) => {
@@ -34,14 +27,6 @@ test('Another language applies at once, also to numbers, and is kept', async ({ 
   await expect(page.getByRole('combobox', { name: 'Beispielmodell' })).toHaveValue('saddle');
   await expect(page).toHaveTitle(/einen QR-Code/);
 
-  await page.getByRole('button', { name: 'Gravieren' }).click();
-  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/, {
-    timeout: 240_000,
-  });
-  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
-  await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
-
-  await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
   await page.reload();
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
 });
@@ -116,8 +101,8 @@ test('A chosen appearance overrides the device’s, also in the 3D view, and is 
   expect(await ground()).toBe('rgb(255, 255, 255)');
   expect(await cornerBrightness(page)).toBeGreaterThan(180);
   await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
-  await expect.poll(ground).toBe('rgb(30, 33, 37)');
-  await expect.poll(() => cornerBrightness(page)).toBeLessThan(80);
+  await poll(ground).toBe('rgb(30, 33, 37)');
+  await poll(() => cornerBrightness(page)).toBeLessThan(80);
 
   await page.reload();
   await expect(page.getByRole('combobox', { name: 'Appearance' })).toHaveValue('dark');

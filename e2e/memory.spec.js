@@ -5,9 +5,9 @@ import { askWorker, holdWorkers } from './support/workers.js';
 
 /** @typedef {import('../web/engine/types.js').MemoryUse} MemoryUse */
 
-const kCarves = 16;
+const kCarves = 12;
 const kWarmUp = 2; // carves until everything made on demand exists, also the stored carving for undo
-const kSeen = 5; // carves compared at the beginning and at the end
+const kSeen = 4; // carves compared at the beginning and at the end
 const kCarvesBetween = kCarves - kWarmUp - kSeen; // from a carve at the beginning to its counterpart at the end
 
 // Growth of the memory in use. Every map of a carve has a number per submodule, at least 105 × 105 × 4 bytes = 44 kB

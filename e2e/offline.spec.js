@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 import { Site } from './support/site.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -13,8 +14,7 @@ test.afterEach(() => site.close());
 test.use({ serviceWorkers: 'allow' });
 
 /** Waits until the page is kept on the device. @param {Page} page */
-const untilKept = (page) =>
-  expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
+const untilKept = (page) => poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
 
 test('The page opens, engraves and decodes below any path and offline', async ({ page, context }) => {
   const app = new Engraver(page);
@@ -24,7 +24,7 @@ test('The page opens, engraves and decodes below any path and offline', async ({
   await site.close();
   await context.setOffline(true);
 
-  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network`);
+  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network&process=none`);
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as without a network');

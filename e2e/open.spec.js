@@ -2,6 +2,8 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
+test.use({ deviceScaleFactor: 1 }); // on a phone, too: no test here looks at the screen’s pixels
+
 test('The page opens with the bunny and a placed code, ready to engrave', async ({ page, baseURL }) => {
   /** @type {string[]} */ const complaints = [];
   /** @type {string[]} */ const elsewhere = [];

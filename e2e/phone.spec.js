@@ -2,6 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
+import { poll } from './support/poll.js';
 
 test('On a phone, fingers place, move and turn the code, and the result is reachable', async ({ page }) => {
   const app = new Engraver(page);
@@ -38,7 +39,7 @@ test('On a phone, fingers place, move and turn the code, and the result is reach
     await touch('touchMove', [x + 20, y + 12]);
     await expect(app.chip).toContainText('mm wide');
     await touch('touchEnd');
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
 
     const moved = await app.centre();
@@ -48,7 +49,7 @@ test('On a phone, fingers place, move and turn the code, and the result is reach
     await touch('touchStart', first, [first[0] + 80, first[1]]);
     await touch('touchMove', first, [first[0] + 60, first[1] - 60]);
     await touch('touchEnd');
-    await expect.poll(() => app.rotation()).toBeGreaterThan(40);
+    await poll(() => app.rotation()).toBeGreaterThan(40);
     expect(await app.rotation()).toBeLessThan(50);
     expect(await app.centre()).toEqual(moved);
   });
@@ -62,7 +63,7 @@ test('On a phone, fingers place, move and turn the code, and the result is reach
     expect(await app.centre()).toEqual(before);
 
     await page.touchscreen.tap(x + 10, y + 10);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
   });
 

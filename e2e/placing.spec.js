@@ -2,6 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { isOrange, shareOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
 
 /** @typedef {[number, number]} Point */
 
@@ -41,7 +42,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
 
     await page.mouse.down();
     await page.mouse.up();
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
     expect(await app.width()).toBeCloseTo(promised, 1);
     await page.mouse.move(5, 700); // next to the model
@@ -57,14 +58,12 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     ]);
     await expect(app.chip).toContainText('mm wide');
     await page.mouse.up();
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
-    await expect
-      .poll(async () => {
-        const after = await middleOf(app.moveHandle);
-        return Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25);
-      })
-      .toBeLessThan(6); // the handles follow with the next frame
+    await poll(async () => {
+      const after = await middleOf(app.moveHandle);
+      return Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25);
+    }).toBeLessThan(6); // the handles follow with the next frame
   });
 
   await test.step('a drag turns the model but keeps the centre; a click then hits elsewhere on the sphere', async () => {
@@ -77,7 +76,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     expect(await app.centre()).toEqual(before);
 
     await page.mouse.click(x - 60, y - 60);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
     const [cx, cy, cz] = await app.centre();
     expect(Math.abs(Math.hypot(cx, cy, cz - 50) - 48)).toBeLessThan(2.6); // on the bumpy sphere
@@ -87,7 +86,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     let before = await app.centre();
     await app.canvas.focus();
     for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', '+', 'Enter']) await page.keyboard.press(key);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
 
     before = await app.centre();
@@ -95,18 +94,18 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     await page.keyboard.press('Tab');
     await expect(app.moveHandle).toBeFocused();
     for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
 
     await expect(app.turnHandle).toBeVisible();
     await page.keyboard.press('Tab');
     await expect(app.turnHandle).toBeFocused();
     for (const key of ['PageUp', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
-    await expect.poll(() => app.rotation()).toBe(16);
+    await poll(() => app.rotation()).toBe(16);
     await app.expectReady();
     await page.keyboard.press('Home');
     await page.keyboard.press('Enter');
-    await expect.poll(() => app.rotation()).toBe(0);
+    await poll(() => app.rotation()).toBe(0);
     await app.expectReady();
 
     const width = await app.width();
@@ -114,7 +113,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     await page.keyboard.press('Tab');
     await expect(app.sizeHandle).toBeFocused();
     for (const key of ['PageDown', 'Enter']) await page.keyboard.press(key);
-    await expect.poll(() => app.width()).toBeLessThan(width - 6);
+    await poll(() => app.width()).toBeLessThan(width - 6);
   });
 
   await test.step('Shift and the wheel turn the code in steps of five degrees', async () => {
@@ -122,7 +121,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     await page.keyboard.down('Shift');
     for (let notch = 0; notch < 3; notch += 1) await page.mouse.wheel(0, -100);
     await page.keyboard.up('Shift');
-    await expect.poll(() => app.rotation()).toBe(15);
+    await poll(() => app.rotation()).toBe(15);
   });
 });
 
@@ -136,16 +135,16 @@ test('The turning handle turns the code and snaps near upright, and a button set
   await drag(page, handle, [[middle[0] + dx * 0.8 + dy * 0.6, middle[1] + dy * 0.8 - dx * 0.6]]);
   await expect(app.chip).toContainText('mm wide');
   await page.mouse.up();
-  await expect.poll(async () => Math.abs(await app.rotation())).toBeGreaterThan(15);
+  await poll(async () => Math.abs(await app.rotation())).toBeGreaterThan(15);
   await app.expectReady();
   const turned = await app.rotation();
   await expect(app.turnHandle).toHaveAttribute('aria-valuenow', String(turned));
   await page.getByRole('button', { name: 'Upright' }).click();
-  await expect.poll(() => app.rotation()).toBe(0);
+  await poll(() => app.rotation()).toBe(0);
   await app.expectReady();
 
   const awayFromUpright = async () => Math.abs((await middleOf(app.turnHandle))[0] - handle[0]);
-  await expect.poll(awayFromUpright).toBeLessThan(2); // the handles follow with the next frame
+  await poll(awayFromUpright).toBeLessThan(2); // the handles follow with the next frame
   const again = await middleOf(app.turnHandle);
   await drag(page, again, [[again[0] + 3, again[1]]]);
   await page.mouse.up();
@@ -163,18 +162,18 @@ test('The corner handle resizes the code, warns beyond the model, and Escape rev
   const at = (factor) => [middle[0] + (corner[0] - middle[0]) * factor, middle[1] + (corner[1] - middle[1]) * factor];
   await drag(page, corner, [at(2.2)]);
   await expect(app.chip).toContainText(/\d+ % overhangs or is hidden/);
-  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+  await poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await app.expectReady();
   expect(await app.width()).toBe(before);
 
   const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
-  await expect.poll(fromCorner).toBeLessThan(2); // the handles follow with the next frame
+  await poll(fromCorner).toBeLessThan(2); // the handles follow with the next frame
   await drag(page, corner, [at(0.6)]);
   await page.mouse.up();
   await expect(app.setting('Size of the code')).toHaveValue('fixed');
-  await expect.poll(() => app.width()).toBeLessThan(0.75 * before);
+  await poll(() => app.width()).toBeLessThan(0.75 * before);
   await app.expectReady();
   expect(Number(await app.setting('Width (mm)').inputValue())).toBe(await app.width());
 });
@@ -201,20 +200,20 @@ test('Each drag of a handle is undone and redone separately', async ({ page }) =
     const from = await middleOf(handle);
     await drag(page, from, [by(from)]);
     await page.mouse.up();
-    await expect.poll(state).not.toEqual(states.at(-1));
+    await poll(state).not.toEqual(states.at(-1));
     await app.expectReady();
     states.push(await state());
   }
   for (let i = states.length - 2; i >= 0; i -= 1) {
     await undo.click();
-    await expect.poll(state).toEqual(states[i]);
+    await poll(state).toEqual(states[i]);
     await app.expectReady();
   }
   await expect(undo).toBeDisabled();
   for (const after of states.slice(1)) {
     await expect(redo).toBeEnabled();
     await redo.click();
-    await expect.poll(state).toEqual(after);
+    await poll(state).toEqual(after);
     await app.expectReady();
   }
   await expect(redo).toBeDisabled();

@@ -28,7 +28,11 @@ export default defineConfig({
   use: {
     baseURL: address,
     serviceWorkers: 'block', // except in tests of service workers: cached files would hide the served ones
-    trace: 'retain-on-failure',
+    // A trace with pictures makes the browser compress each frame, and a trace with the page's state reads it before and
+    // after each action, also in tests that pass.
+    trace: { mode: 'retain-on-failure', screenshots: false, snapshots: false },
+    screenshot: 'only-on-failure',
+    contextOptions: { reducedMotion: 'reduce' }, // a moving progress bar is painted 60 times a second
     launchOptions: {
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
       args: [

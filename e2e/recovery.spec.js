@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 import { holdWorkers } from './support/workers.js';
 
 /** Returns the number of engine workers created so far. @param {import('@playwright/test').Page} page */
@@ -9,7 +10,7 @@ const workersOf = (page) => page.evaluate(() => /** @type {any} */ (window).work
 test('A worker that crashes or runs out of memory is replaced, and nothing is lost', async ({ page }) => {
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=kept');
+  await app.open('?sample=saddle&text=kept&process=none');
   await app.expectReady();
   await app.openSettings();
   await app.setting('Rotation (°)').fill('10');
@@ -23,7 +24,7 @@ test('A worker that crashes or runs out of memory is replaced, and nothing is lo
       worker.dispatchEvent(new ErrorEvent('error', { message: 'out of memory', cancelable: true }));
     });
     await expect(app.alert).toContainText('The engraving module stopped');
-    await expect.poll(() => workersOf(page)).toBe(2);
+    await poll(() => workersOf(page)).toBe(2);
     await app.expectReady();
     expect(await app.centre()).toEqual(centre);
     await expect(app.text).toHaveValue('kept');
@@ -36,7 +37,7 @@ test('A worker that crashes or runs out of memory is replaced, and nothing is lo
     );
     await app.text.fill('more');
     await expect(app.alert).toContainText('no more memory');
-    await expect.poll(() => workersOf(page)).toBe(3);
+    await poll(() => workersOf(page)).toBe(3);
     await app.expectReady();
     await expect(app.text).toHaveValue('more');
   });
@@ -50,11 +51,11 @@ test('A worker that crashes or runs out of memory is replaced, and nothing is lo
 test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) => {
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=and%20again');
+  await app.open('?sample=saddle&text=and%20again&process=none');
   await app.expectReady();
   const session = await browser.newBrowserCDPSession();
   await session.send('Browser.crashGpuProcess').catch(() => {}); // fails, since the browser reports the crash
-  await expect.poll(() => workersOf(page)).toBeGreaterThan(1);
+  await poll(() => workersOf(page)).toBeGreaterThan(1);
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as and again');
@@ -65,7 +66,7 @@ test('Without a worker, a lost WebGL context is rebuilt too', async ({ page }) =
     delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen); // the page holds the context
   });
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=again');
+  await app.open('?sample=saddle&text=again&process=none');
   await app.expectReady();
   await app.canvas.evaluate((canvas) => {
     canvas.setAttribute('data-lost', '');

@@ -2,12 +2,13 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { isOrange, isTeal, shareOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
 
 test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours assume this size
 
 test('The view shows every side, a section, the carving, and the phone’s view', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=HELLO');
+  await app.open('?sample=saddle&text=HELLO&process=none');
   await app.expectReady();
 
   const reader = page.getByRole('button', { name: 'Phone view' });
@@ -24,16 +25,16 @@ test('The view shows every side, a section, the carving, and the phone’s view'
   await test.step('a section opens the model across the code, and its position can be moved', async () => {
     const section = page.getByRole('button', { name: 'Section' });
     const position = page.getByRole('slider', { name: 'Position of the section' });
-    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+    await poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
     await section.click();
     await expect(position).toBeVisible();
-    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.01);
+    await poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.01);
     await position.fill('0.9');
     await position.press('ArrowLeft');
-    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.002);
+    await poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.002);
     await section.click();
     await expect(position).toBeHidden();
-    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+    await poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
   });
 
   await test.step('by menu, by keys and by the cube', async () => {
@@ -44,7 +45,7 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await views.click();
     await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();
     await expect(views).toHaveAttribute('aria-expanded', 'false');
-    await expect.poll(seen).toEqual(['top']);
+    await poll(seen).toEqual(['top']);
 
     await app.canvas.focus();
     for (const [key, name] of [
@@ -55,12 +56,12 @@ test('The view shows every side, a section, the carving, and the phone’s view'
       ['6', 'bottom'],
     ]) {
       await page.keyboard.press(key);
-      await expect.poll(seen).toEqual([name]);
+      await poll(seen).toEqual([name]);
     }
     await page.keyboard.press('7');
     await expect(faces).toHaveCount(3);
     await page.locator('.view-cube [data-view="right"]').click();
-    await expect.poll(seen).toEqual(['right']);
+    await poll(seen).toEqual(['right']);
   });
 
   await test.step('the phone’s view', async () => {
@@ -72,10 +73,10 @@ test('The view shows every side, a section, the carving, and the phone’s view'
 
   await test.step('the depths in mm, and the uncarved model', async () => {
     const legend = page.getByLabel('Colours of the model');
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.getByRole('button', { name: 'Depths' }).click();
     await expect(legend).toContainText(/Depth of the engraving\s*0 mm\s*[\d.]+ mm\s*≥ [\d.]+ mm/);
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     const { depth } = await app.report();
     const top = Number(/≥ ([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
     expect(top).toBeGreaterThanOrEqual(depth.p95Mm - 1e-3);
@@ -85,9 +86,9 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await before.focus();
     await page.keyboard.down('Space');
     await expect(before).toHaveAttribute('aria-pressed', 'true');
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.keyboard.up('Space');
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     await page.getByRole('button', { name: 'With code' }).click();
     await expect(legend).toBeHidden();
     await expect(before).toBeDisabled();

@@ -6,7 +6,7 @@ test('Shortcuts work from text to download, but not while typing or under the he
   page,
 }) => {
   const app = new Engraver(page);
-  await app.open('?sample=saddle&text=start');
+  await app.open('?sample=saddle&text=start&process=none');
   await app.expectReady();
 
   await test.step('a question mark opens the help sheet, Escape closes it, and the focus returns', async () => {

@@ -2,6 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { shareOf } from './support/pixels.js';
+import { poll } from './support/poll.js';
 
 test('A suggested spot fits a code of the promised size and is engraved', async ({ page }) => {
   const app = new Engraver(page);
@@ -18,10 +19,10 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
     await app.openSettings();
     await app.setting('At most (mm)').fill('15');
     await app.setting('At most (mm)').press('Tab');
-    await expect.poll(degrees).toBeGreaterThan(before + 2);
+    await poll(degrees).toBeGreaterThan(before + 2);
     await app.expectReady();
     await page.getByRole('button', { name: 'Undo' }).click();
-    await expect.poll(degrees).toBe(before);
+    await poll(degrees).toBe(before);
     await expect(page.getByRole('button', { name: 'Redo' })).toBeEnabled();
   });
 
@@ -41,7 +42,7 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
   const [, promised, aside] = (/up to ([\d.]+) mm, (\d+)°/.exec(await spot.innerText()) ?? []).map(Number);
   await spot.click();
   await expect(spot).toHaveAttribute('aria-pressed', 'true');
-  await expect.poll(() => app.centre()).not.toEqual(proposed);
+  await poll(() => app.centre()).not.toEqual(proposed);
   await app.expectReady();
   const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
   expect(width).toBeGreaterThanOrEqual(promised);

@@ -2,6 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { saddleFile } from './support/models.js';
+import { poll } from './support/poll.js';
 
 /** @param {import('@playwright/test').Page} page */
 const buttons = (page) => ({
@@ -29,12 +30,12 @@ test('Text, size and centre are undone and redone separately', async ({ page }) 
   await expect(app.placement).toContainText('21.0 mm wide');
   const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
   await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 + 10 } });
-  await expect.poll(() => app.centre()).not.toEqual(centre);
+  await poll(() => app.centre()).not.toEqual(centre);
   await app.expectReady();
   const moved = await app.centre();
 
   await undo.click();
-  await expect.poll(() => app.centre()).toEqual(centre);
+  await poll(() => app.centre()).toEqual(centre);
   await expect(undo).toBeEnabled();
   await expect(app.setting('Width (mm)')).toHaveValue('21');
   await undo.click();
@@ -53,7 +54,7 @@ test('Text, size and centre are undone and redone separately', async ({ page }) 
     await expect(redo).toBeEnabled();
     await redo.click();
   }
-  await expect.poll(() => app.centre()).toEqual(moved);
+  await poll(() => app.centre()).toEqual(moved);
   await expect(redo).toBeDisabled();
   await expect(app.placement).toContainText('21.0 mm wide');
   await expect(app.text).toHaveValue('second');
@@ -64,7 +65,7 @@ test('Undoing a carving shows the uncarved model, and redoing it restores the re
 }) => {
   const app = new Engraver(page);
   const { undo, redo } = buttons(page);
-  await app.open('?sample=saddle&text=one');
+  await app.open('?sample=saddle&text=one&process=none');
   await app.expectReady();
   await app.engrave();
   const carved = page.getByRole('button', { name: 'With code' });
@@ -124,7 +125,7 @@ test('Undo restores the previous model with unit and centre; Start over restores
   await undo.click();
   await expect(app.facts).toContainText('Vase');
   await expect(app.sample).toHaveValue('vase');
-  await expect.poll(() => app.centre()).toEqual(centre);
+  await poll(() => app.centre()).toEqual(centre);
   await expect(redo).toBeEnabled();
   await redo.click();
   await expect(app.facts).toContainText('my saddle.stl');

@@ -13,6 +13,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "message_codes/batch.h"
+#include "message_codes/command.h"
 #include "native/files.h"
 #include "native/sha256.h"
 
@@ -32,7 +34,7 @@ bool isManifest(const std::string& name) { return name.starts_with("manifest.") 
 
 tl::unexpected<Error> notWritten(const std::string& path) {
   return fail(ErrorKind::BadInput,
-              message("file-not-written", with::term<"path">(path), with::term<"why">(std::strerror(errno))));
+              message<"file-not-written">(with::term<"path">(path), with::term<"why">(std::strerror(errno))));
 }
 
 Status writeWhole(int file, std::string_view text, const std::string& path) {
@@ -70,7 +72,7 @@ bool mayHaveRowsOf(const std::string& name, const Shard& shard) {
 
 tl::unexpected<Error> notRead(const std::string& name, Message problem) {
   return fail(ErrorKind::BadInput,
-              message("manifest-not-read", with::quoted<"name">(name), with::cause<"problem">(std::move(problem))));
+              message<"manifest-not-read">(with::quoted<"name">(name), with::cause<"problem">(std::move(problem))));
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shar
   folder.file_ = ::open(own.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (folder.file_ < 0) return notWritten(own);
   if (::flock(folder.file_, LOCK_EX | LOCK_NB) != 0)
-    return fail(ErrorKind::BadInput, message("batch-folder-in-use", with::quoted<"name">(own)));
+    return fail(ErrorKind::BadInput, message<"batch-folder-in-use">(with::quoted<"name">(own)));
   if (const Status dropped = dropUnfinishedLine(folder.file_, own); !dropped) return tl::unexpected(dropped.error());
   if (const Status read = folder.readManifests(shard); !read) return tl::unexpected(read.error());
   return folder;
@@ -111,13 +113,13 @@ Status BatchFolder::readManifests(const Shard& shard) {
     const std::string name = entry.path().filename().string();
     if (!isManifest(name) || !mayHaveRowsOf(name, shard)) continue;
     std::ifstream stream(entry.path(), std::ios::binary);
-    if (!stream) return notRead(name, message("file-not-opened", with::term<"why">(std::strerror(errno))));
+    if (!stream) return notRead(name, message<"file-not-opened">(with::term<"why">(std::strerror(errno))));
     ManifestIndex& index = manifests_[name];
     while (stream) {
       stream.read(block.data(), static_cast<std::streamsize>(block.size()));
       index.read(std::string_view(block.data(), static_cast<std::size_t>(stream.gcount())));
       if (const std::size_t line = index.firstBadLine(); line > 0)
-        return notRead(name, message("manifest-line", with::count<"line">(line)));
+        return notRead(name, message<"manifest-line">(with::count<"line">(line)));
     }
   }
   return {};
@@ -130,9 +132,9 @@ Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& 
   const ssize_t n = file < 0 ? -1 : ::pread(file, text.data(), text.size(), static_cast<off_t>(line.begin));
   const std::string why = n < 0 ? std::strerror(errno) : "";
   if (file >= 0 && file != file_) ::close(file);
-  if (n < 0) return notRead(name, message("file-not-opened", with::term<"why">(why)));
+  if (n < 0) return notRead(name, message<"file-not-opened">(with::term<"why">(why)));
   auto entry = readManifestLine(std::string_view(text).substr(0, static_cast<std::size_t>(n)));
-  if (!entry) return notRead(name, message("file-changed"));
+  if (!entry) return notRead(name, message<"file-changed">());
   return std::move(*entry);
 }
 

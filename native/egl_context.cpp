@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "message_codes/command.h"
+
 namespace qrelief {
 namespace {
 
@@ -63,7 +65,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create(bool onlyGpu) {
     owner->context_ = context;
     return owner;
   }
-  return fail(ErrorKind::Internal, message("no-gl-context"));
+  return fail(ErrorKind::Internal, message<"no-gl-context">());
 }
 
 EglContext::~EglContext() {

@@ -4,7 +4,9 @@
 #include <map>
 
 #include "base/clock.h"
+#include "message_codes/stages.h"
 #include "native/read_carving.h"
+#include "pipeline/best_spot.h"
 
 namespace qrelief {
 namespace {
@@ -42,7 +44,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
 Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
   const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  tell({message("finding-direction-and-size"), 0});
+  tell({message<"finding-direction-and-size">(), 0});
   if (const Status good = checkEngraving(*model_, request, *symbol); !good) return tl::unexpected(good.error());
   const auto place = placeOf(request, symbol->size);
   if (!place) return tl::unexpected(place.error());
@@ -79,7 +81,7 @@ Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Me
 /// Adds the print of a carving, which may be running already.
 Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
   Engraved& engraved = carving.engraved;
-  tell({message("printing"), 1});
+  tell({message<"printing">(), 1});
   auto print = carving.print.valid()
                    ? carving.print.get()
                    : printed(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh);
@@ -90,28 +92,50 @@ Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
   return {};
 }
 
+Result<PlacementRequest> Engraver::spotFor(const EngraveRequest& request, const Tell& tell) const {
+  const auto spot = bestSpot(model_, request, {.scaleToMm = model_->prepared.scaleToMm, .tell = tell});
+  if (!spot) return tl::unexpected(spot.error());
+  return placedAt(*spot, request.placement);
+}
+
 Result<Engraved> Engraver::follow(EngravePlan plan, const Tell& tell) const {
   std::map<int, Carving> carvings;  // by attempt: the kept one and the current one
   std::optional<Error> failure;     // of the carving as requested
+  double spotMs = 0;
+  const auto fail = [&](const Error& error) {
+    if (plan.attempt() == 0) failure = error;
+    plan.notCarved(error);
+  };
   while (plan.step() != EngravePlan::Step::Deliver) {
     const int attempt = plan.attempt();
     if (plan.step() == EngravePlan::Step::Print) {
       Carving& carving = carvings.at(attempt);
       if (const Status added = addPrint(carving, tell); !added) return tl::unexpected(added.error());
       plan.printed(carving.engraved.verdict, *carving.engraved.printed);
+    } else if (plan.step() == EngravePlan::Step::Place) {
+      const auto start = Clock::now();
+      const auto placement = spotFor(plan.request(), tell);
+      spotMs += millisecondsSince(start);
+      if (placement)
+        plan.placed(*placement);
+      else
+        fail(placement.error());
     } else if (auto carved = carve(plan.request(), tell, plan.expectsPrint())) {
-      plan.carved(carvings.emplace(attempt, std::move(*carved)).first->second.engraved.verdict);
-    } else if (!plan.mayFail()) {
-      return tl::unexpected(carved.error());
+      const Engraved& engraved = carvings.emplace(attempt, std::move(*carved)).first->second.engraved;
+      plan.carved(engraved.verdict, engraved.reading.count, engraved.result.placement.symbolMm);
     } else {
-      if (attempt == 0) failure = carved.error();
-      plan.notCarved();
+      fail(carved.error());
     }
     std::erase_if(carvings, [&](const auto& one) { return one.first != plan.kept() && one.first != plan.attempt(); });
   }
   const auto delivered = carvings.find(plan.attempt());
-  if (delivered == carvings.end()) return tl::unexpected(*failure);
-  return std::move(delivered->second.engraved);
+  if (delivered == carvings.end()) return tl::unexpected(withOffer(std::move(*failure), plan.tried()));
+  Engraved engraved = std::move(delivered->second.engraved);
+  engraved.tried = plan.tried();
+  engraved.attempt = plan.attempt();
+  engraved.spotMs = spotMs;
+  engraved.verdict = withRemediesLeft(std::move(engraved.verdict), engraved.tried);
+  return engraved;
 }
 
 Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell& tell) const {

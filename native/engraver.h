@@ -22,7 +22,10 @@ struct Engraved {
   EngraveResult result;
   ReadingEvidence reading;
   std::optional<PrintedEvidence> printed;  ///< none: the request names no process, or the print was not simulated
-  Verdict verdict;
+  Verdict verdict;                         ///< with the remedies that are left
+  std::vector<TriedCarving> tried = {};    ///< all attempts; the first is the carving as requested
+  int attempt = 0;                         ///< the one that this carving is
+  double spotMs = 0;                       ///< time to find spots
 };
 
 /// Engraves one code after another into one model, with all checks. Shares work between codes: the shader programs, and
@@ -35,7 +38,8 @@ class Engraver {
   /// @param model  checked: see PreparedModel::engravable()
   static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
 
-  /// Carves as requested or, where that does not decode well, with changed settings: see EngravePlan.
+  /// Carves as requested or, where that does not decode well, with changed settings: see EngravePlan. An error is that
+  /// of the carving as requested, with the offer that would do as its hint.
   /// @param options  simulating the print, the default, takes two fifths of the time
   Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell,
                            const EngravePlan::Options& options = {}) const;
@@ -64,6 +68,7 @@ class Engraver {
 
   Engraver() = default;
   Result<Place*> placeOf(const EngraveRequest& request, int modules) const;
+  Result<PlacementRequest> spotFor(const EngraveRequest& request, const Tell& tell) const;
   Result<Carving> carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const;
   static Result<Print> printed(const VerifyRequest& request, const Mesh& carved);
   Status addPrint(Carving& carving, const Tell& tell) const;

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "io/read_model.h"
+#include "message_codes/command.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -21,13 +23,13 @@ constexpr std::size_t kWaitingBytes = 1 << 20;  // size of a write
 
 Result<std::ifstream> openFile(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return fail(ErrorKind::BadInput, message("path-is-folder"));
+  if (std::filesystem::is_directory(path, error)) return fail(ErrorKind::BadInput, message<"path-is-folder">());
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return fail(ErrorKind::BadInput, message("file-not-opened", with::term<"why">(std::strerror(errno))));
+  if (!stream) return fail(ErrorKind::BadInput, message<"file-not-opened">(with::term<"why">(std::strerror(errno))));
   const auto size = std::filesystem::file_size(path, error);
   if (!error && size > ReadLimits{}.maxBytes)
     return fail(ErrorKind::BadInput,
-                message("file-too-large", with::count<"bytes">(size), with::count<"limit">(ReadLimits{}.maxBytes)));
+                message<"file-too-large">(with::count<"bytes">(size), with::count<"limit">(ReadLimits{}.maxBytes)));
   return stream;
 }
 
@@ -39,8 +41,8 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
   stream->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (static_cast<std::size_t>(stream->gcount()) != bytes.size())
-    return fail(ErrorKind::BadInput, message("file-ended-early", with::count<"read">(stream->gcount()),
-                                             with::count<"announced">(bytes.size())));
+    return fail(ErrorKind::BadInput, message<"file-ended-early">(with::count<"read">(stream->gcount()),
+                                                                 with::count<"announced">(bytes.size())));
   return bytes;
 }
 
@@ -61,7 +63,7 @@ AtomicFile::~AtomicFile() {
 
 tl::unexpected<Error> AtomicFile::failed() const {
   return fail(ErrorKind::BadInput,
-              message("file-not-written", with::term<"path">(path_), with::term<"why">(std::strerror(errno))));
+              message<"file-not-written">(with::term<"path">(path_), with::term<"why">(std::strerror(errno))));
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {

@@ -4,6 +4,8 @@
 #include <png.h>
 #include <string>
 
+#include "message_codes/command.h"
+
 namespace qrelief {
 
 Result<std::vector<std::uint8_t>> encodePng(const GreyImage& image) {
@@ -22,7 +24,7 @@ Result<std::vector<std::uint8_t>> encodePng(const GreyImage& image) {
       return bytes;
     }
   }
-  return fail(ErrorKind::Internal, message("png-not-written", with::term<"why">(header.message)));
+  return fail(ErrorKind::Internal, message<"png-not-written">(with::term<"why">(header.message)));
 }
 
 }  // namespace qrelief

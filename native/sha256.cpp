@@ -10,6 +10,8 @@
 #include <openssl/evp.h>
 #include <vector>
 
+#include "message_codes/command.h"
+
 namespace qrelief {
 namespace {
 
@@ -44,7 +46,7 @@ std::string sha256(std::string_view text) {
 
 Result<std::string> sha256OfFile(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return fail(ErrorKind::BadInput, message("file-not-opened", with::term<"why">(std::strerror(errno))));
+  if (!stream) return fail(ErrorKind::BadInput, message<"file-not-opened">(with::term<"why">(std::strerror(errno))));
   Sha256 hash;
   std::vector<char> piece(1 << 18);
   while (stream) {

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "io/read_model.h"
+#include "message_codes/batch.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -11,7 +13,7 @@ namespace {
 constexpr std::size_t kBlockBytes = 1 << 16;
 
 tl::unexpected<Error> lineTooLong(std::size_t line, std::size_t limit) {
-  return badInput(message("list-line-too-long", with::count<"line">(line), with::count<"limit">(limit)));
+  return badInput(message<"list-line-too-long">(with::count<"line">(line), with::count<"limit">(limit)));
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ Result<std::vector<std::uint8_t>> readText(std::istream& stream, std::size_t mos
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
     if (bytes.size() > ReadLimits{}.maxBytes)
       return badInput(
-          message("file-too-large", with::count<"bytes">(bytes.size()), with::count<"limit">(ReadLimits{}.maxBytes)));
+          message<"file-too-large">(with::count<"bytes">(bytes.size()), with::count<"limit">(ReadLimits{}.maxBytes)));
   }
   return bytes;
 }

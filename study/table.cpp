@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "message_codes/command.h"
 #include "native/files.h"
 
 namespace qrelief::study {
@@ -50,7 +51,7 @@ Result<Table> Table::open(const Experiment& experiment, std::string path) {
   for (bool first = true; std::getline(lines, line); first = false) {
     Row values = cut(line);
     if (first && values != table.columns_)
-      return badInput(message("study-other-columns", with::term<"path">(table.path_)));
+      return badInput(message<"study-other-columns">(with::term<"path">(table.path_)));
     if (first || values.size() != table.columns_.size()) continue;
     const auto keys = static_cast<std::ptrdiff_t>(experiment.keys.size());
     table.rows_[Row(values.begin(), values.begin() + keys)] = Row(values.begin() + keys, values.end());

@@ -127,6 +127,7 @@ function connect(notices) {
   const code = new CodePanel({
     settings: (content) => batching.settings(content),
     symbolOf: (settings) => client.symbol(settings),
+    adviceOn: (content) => client.textAdvice(content),
   });
   const { fields } = form;
   const store = new WorkStore({ ...kNoWork, text: code.initialText, values: fields.defaults });
@@ -160,7 +161,7 @@ function connect(notices) {
   const undo = new Undo({ ...carved, spots, editing, continuing });
   new Viewing({ ...carved, ...panels, tools, inspecting, editing });
   const session = new Session({ ...carved, spots, undo, code, batchPanel, workPanel, tools });
-  const opening = new Opening({ ...carved, editing, exporting, undo, code, panel: panels.modelPanel });
+  const opening = new Opening({ ...carved, editing, exporting, undo, code, tools, panel: panels.modelPanel });
   const { view } = panels;
   const parts = { view, theme, inspecting, batchCarving, exporting, continuing, opening, session };
   const starting = new Starting({ ...carved, ...parts });

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "message_codes/engine.h"
+
 namespace qrelief {
 namespace {
 
@@ -27,6 +29,10 @@ Json besides(Json json, const Message& message) {
 }
 
 }  // namespace
+
+const Error kNoModel = {ErrorKind::BadUsage, message<"no-model">()};
+const Error kNoCode = {ErrorKind::BadUsage, message<"no-code-placed">()};
+const Error kNoResult = {ErrorKind::BadUsage, message<"nothing-engraved">()};
 
 std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 

@@ -34,9 +34,7 @@ double numberOf(const Json& json);
 
 Json jsonOf(Vec3 v);
 
-inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};
-inline const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
-inline const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
+extern const Error kNoModel, kNoCode, kNoResult;
 
 /// Lists the parser's warnings, then the findings about the model, each as {"severity", "code", "values"}.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);

@@ -85,7 +85,10 @@ Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, c
     current_.ms += prepared->ms;
   } else {
     auto job = makeJob(ground, current_.request, placed, std::exchange(measured_, nullptr));
-    if (!job) return tl::unexpected(job.error());
+    if (!job) {
+      if (plan_) plan_->notCarved(job.error());
+      return tl::unexpected(job.error());
+    }
     job_ = std::move(*job);
   }
   if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
@@ -101,10 +104,7 @@ Result<Progress> Carvings::advance() {
   if (passTimings_) passTimings_->stopListening();
   if (!progress) {
     forgetCurrent();
-    if (plan_ && plan_->mayFail())
-      plan_->notCarved();
-    else
-      plan_.reset();
+    if (plan_) plan_->notCarved(progress.error());
     return progress;
   }
   if (progress->done) {
@@ -188,6 +188,10 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
   context.reading = current_.reading;
   context.printed = current_.printed;
   context.verdict = verdict();
+  if (plan_) {
+    context.tried = plan_->tried();
+    context.delivered = plan_->kept();
+  }
   context.reader = current_.reader;
   context.gl = gl;
   context.loadMs = model.loadMs;
@@ -216,13 +220,16 @@ Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::
   Verdict judged = verdict();
   if (plan_ && plan_->step() == EngravePlan::Step::Carve) {
     const int attempt = plan_->attempt();
-    plan_->carved(judged);
+    plan_->carved(judged, current_.reading.count, current_.result->placement.symbolMm);
     if (plan_->kept() == attempt) kept_ = current_.number;
   }
   return judged;
 }
 
-Verdict Carvings::verdict() const { return judge(current_.request, *current_.result, current_.reading, printed()); }
+Verdict Carvings::verdict() const {
+  Verdict judged = judge(current_.request, *current_.result, current_.reading, printed());
+  return plan_ ? withRemediesLeft(std::move(judged), plan_->tried()) : judged;
+}
 
 Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
   auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
@@ -302,8 +309,8 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
                                      {.title = model.fileName, .slicer = slicer});
     return file ? file->bytes : std::vector<std::uint8_t>();
   }
-  const auto bytes =
-      writeChecked(carvedObjects(result, model.partNames, withInlay), written, {.title = model.fileName});
+  const auto bytes = writeChecked(carvedObjects(result, model.partNames, withInlay, written == ModelFormat::ThreeMf),
+                                  written, {.title = model.fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 

@@ -7,6 +7,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/model_file.h"
+#include "message_codes/engine.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
@@ -38,7 +39,7 @@ std::string Engine::capabilities() const {
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (hasGl_ && (!pass_ || !scene_.isOpen()))
-    return answer(ErrorKind::Internal, message("no-graphics", with::cause<"why">(problems_.front())));
+    return answer(ErrorKind::Internal, message<"no-graphics">(with::cause<"why">(problems_.front())));
   auto model = loadedModel(pass_, std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();

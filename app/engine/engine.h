@@ -35,9 +35,9 @@ class Engine {
   /// context the renderer is "processor".
   std::string capabilities() const;
 
-  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings,
-  /// centre}}. `centre` is the surface point in the middle of the view, and stays the centre until another one is
-  /// chosen. After an error the old model stays.
+  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name,
+  /// triangles}], engravable, findings, centre}}. `centre` is the surface point in the middle of the view, and stays
+  /// the centre until another one is chosen. After an error the old model stays.
   /// @param bytes      the file; freed as soon as it is parsed
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
@@ -73,7 +73,8 @@ class Engine {
   ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
   ///                 each step with the pictures of pictures(). Returns {tried, all}
   /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
-  ///                    [keys of settings that must not change]}; all may be missing: false, true, none
+  ///                    [keys of settings that must not change], "offers": try other marks as remedies}; all may be
+  ///                    missing: false, true, none, false
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
   ///                    empty: as configured
   std::string startJob(const std::string& job, const std::string& options = "{}",
@@ -96,9 +97,11 @@ class Engine {
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots".
   void cancelJob(const std::string& job);
-  /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
-  /// {step: "deliver", carving}. `carving` is the number of the carving to print or to deliver, or of the best one so
-  /// far. Call it after setReadings(), after setPrintedReadings(), or if a carving fails.
+  /// Returns the plan's next step: {step: "carve", "print" or "deliver", carving, changes: [{setting, value}]}.
+  /// `carving` is the number of the carving to print or to deliver, or of the best one so far; `changes` are all
+  /// changes of the step's carving from the one as requested. Call it after setReadings(), after setPrintedReadings(),
+  /// or if a carving fails. If nothing could be carved, the plan ends with "deliver" and a `carving` that does not
+  /// exist.
   std::string nextStep() const;
   /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }
@@ -172,6 +175,7 @@ class Engine {
   std::string show(const std::string& what);
   /// Moves the camera.
   /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
+  ///                {"kind": "body", "index"}: to one body of the model, from 0,
   ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
   ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the viewer's side, with the
   ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible

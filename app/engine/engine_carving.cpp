@@ -14,8 +14,10 @@
 namespace qrelief {
 namespace {
 
-Json jsonOf(const std::optional<SettingChange>& change) {
-  return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
+Json jsonOf(const std::vector<SettingChange>& changes) {
+  Json json = Json::array();
+  for (const SettingChange& change : changes) json.push_back({{"setting", change.setting}, {"value", change.value}});
+  return json;
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ std::string Engine::nextStep() const {
   return textOf({{"ok", true},
                  {"step", step},
                  {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
-                 {"change", plan->step() == EngravePlan::Step::Carve ? jsonOf(plan->change()) : Json()}});
+                 {"changes", jsonOf(plan->changes())}});
 }
 
 bool Engine::useCarving(int number) {

@@ -5,6 +5,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "message_codes/engine.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
@@ -31,19 +32,20 @@ std::string Engine::startEngrave(const std::string& options,
   if (!parsed) return answer(parsed.error());
   const bool isNext = parsed->value("next", false);
   if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
-    return answer(ErrorKind::BadUsage, message("not-engraving"));
+    return answer(ErrorKind::BadUsage, message<"not-engraving">());
   scene_.show(Scene::Surface::Sizes, false);
   scene_.show(Scene::Surface::Carved, false);
   carvings_.setAside();
   updateView();
   if (!model_) return answer(kNoModel);
-  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
+  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message<"no-centre">());
   EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
   if (overridden) request = overridden(std::move(request));
   if (!isNext)
     carvings_.follow({request,
                       {.looksAtPrint = parsed->value("print", true),
                        .mayChange = !overridden,
+                       .offersMarks = parsed->value("offers", false),
                        .fixed = parsed->value("fixed", std::vector<std::string>())}});
   const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
   const auto started = carvings_.start(ground(), std::move(request), placed);
@@ -69,7 +71,7 @@ std::string Engine::advancePreparation() {
 }
 
 std::string Engine::advanceEngrave() {
-  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
+  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message<"not-engraving">());
   const Result<Progress> progress = carvings_.advance();
   if (!progress) return answer(progress.error());
   if (progress->done) {
@@ -81,7 +83,7 @@ std::string Engine::advanceEngrave() {
 }
 
 std::string Engine::advanceSpotSearch() {
-  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
+  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message<"not-finding-spots">());
   const Result<Progress> progress = offers_.advance();
   if (!progress) return answer(progress.error());
   if (!progress->done) return answer(*progress);

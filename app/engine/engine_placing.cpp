@@ -6,6 +6,7 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "math/angle.h"
+#include "message_codes/engine.h"
 #include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 
@@ -18,7 +19,7 @@ bool Engine::takesCode() const {
 
 Status Engine::placeCode() {
   if (!model_) return tl::unexpected(kNoModel);
-  if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message("no-centre"));
+  if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message<"no-centre">());
   if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
   return preview_.place(task());
@@ -107,8 +108,8 @@ std::string Engine::adjustCode(const std::string& change) {
 std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   if (!preview_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
-    return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm<"size">(symbolMm),
-                                               with::angleDeg<"rotation">(rotateDeg)));
+    return answer(ErrorKind::BadUsage, message<"code-size-unusable">(with::lengthMm<"size">(symbolMm),
+                                                                     with::angleDeg<"rotation">(rotateDeg)));
   const int modules = wanted_.symbol()->size;
   preview_.adjust(rotateDeg, symbolMm, roomFactor(modules, searchedPlacement(settings(), modules)));
   scene_.setDecal(preview_.code());
@@ -117,7 +118,7 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
 
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
-    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count<"index">(index)));
+    return answer(ErrorKind::BadUsage, message<"no-such-spot">(with::count<"index">(index)));
   const Spot& spot = offers_.spots()[index];
   const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);

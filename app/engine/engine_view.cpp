@@ -3,6 +3,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "message_codes/engine.h"
 #include "viewer/depth_colours.h"
 
 namespace qrelief {
@@ -11,6 +12,13 @@ namespace {
 constexpr double kHiddenByMm = 0.01;  // a point is hidden if the surface is nearer to the reader by more than this
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
+
+Box3 boxOfBody(const Mesh& mesh, std::uint32_t body) {
+  Box3 box;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; mesh.body(t) == body && k < 3; ++k) box.add(mesh.corner(t, k));
+  return box;
+}
 
 /// Returns the corners on the screen; null if one of them lies behind the camera.
 Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
@@ -83,6 +91,8 @@ std::string Engine::look(const std::string& action) {
     zoom(number("factor"), number("x"), number("y"));
   else if (kind == "fit")
     scene_.camera().fit();
+  else if (kind == "body" && model_)
+    scene_.camera().fitTo(boxOfBody(model_->engravable->prepared.mesh, parsed->at("index").get<std::uint32_t>()));
   else if (kind == "standard")
     scene_.standardView(parsed->at("name"));
   else if (kind == "readerView" && placement && code)
@@ -133,7 +143,7 @@ std::string Engine::viewState() const {
 Result<BackDistanceMap> Engine::backDistances() const {
   const EngraveResult* result = carvings_.result();
   const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->surfaceMaps() : nullptr;
-  if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
+  if (!result || !maps) return fail(ErrorKind::BadUsage, message<"nothing-engraved">());
   return model_->engravable->gpu->backMap(result->placement.frame, maps->window);
 }
 

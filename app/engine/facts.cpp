@@ -3,8 +3,10 @@
 
 #include <utility>
 
+#include "engine/answers.h"
 #include "engine/model_file.h"
 #include "engine/symbol_facts.h"
+#include "qr/link_advice.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
@@ -19,6 +21,17 @@ std::string Facts::model(std::vector<std::uint8_t> bytes, const std::string& fil
 std::string Facts::symbol(const std::string& settings) const {
   const auto request = requestFromJson(settings);
   return request ? describeSymbol(*request) : answer(request.error());
+}
+
+std::string Facts::textAdvice(const std::string& text) const {
+  Json advice = Json::array(), shorter = Json::array();
+  for (const TextAdvice& one : adviseText(text))
+    advice.push_back({{"severity", one.severity == TextAdvice::Severity::Warning ? "warning" : "note"},
+                      {"message", jsonOf(one.message)},
+                      {"fixed", one.fixed}});
+  for (const ShorterForm& form : shorterForms(text))
+    shorter.push_back({{"form", shorterFormName(form.kind)}, {"text", form.text}});
+  return textOf({{"ok", true}, {"advice", std::move(advice)}, {"shorter", std::move(shorter)}});
 }
 
 }  // namespace qrelief

@@ -16,6 +16,9 @@ class Facts {
   std::string model(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) const;
   /// Describes the symbol for some settings, see describeSymbol.
   std::string symbol(const std::string& settings) const;
+  /// Advises on a text that is, or was meant to be, a link (qr/link_advice.h). Returns {advice: [{severity: "warning"
+  /// or "note", message, fixed}], shorter: [{form, text}]}.
+  std::string textAdvice(const std::string& text) const;
 };
 
 }  // namespace qrelief

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "engine/answers.h"
+#include "message_codes/engine.h"
 
 namespace qrelief {
 
@@ -12,9 +13,9 @@ std::string guarded(const std::function<std::string()>& verb) {
   try {
     return verb();
   } catch (const std::bad_alloc&) {
-    return answer(ErrorKind::Internal, message("out-of-memory"));
+    return answer(ErrorKind::Internal, message<"out-of-memory">());
   } catch (const std::exception& exception) {
-    return answer(ErrorKind::Internal, message("internal-fault", with::term<"detail">(exception.what())));
+    return answer(ErrorKind::Internal, message<"internal-fault">(with::term<"detail">(exception.what())));
   }
 }
 

@@ -6,12 +6,13 @@
 
 #include "base/clock.h"
 #include "io/read_model.h"
+#include "message_codes/engine.h"
 
 namespace qrelief {
 
 Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return fail(ErrorKind::BadUsage, message("scale-unusable", with::number<"scale">(scaleToMm)));
+    return fail(ErrorKind::BadUsage, message<"scale-unusable">(with::number<"scale">(scaleToMm)));
   const auto start = Clock::now();
   auto soup = readModel(bytes, fileName);
   if (!soup) return tl::unexpected(soup.error());
@@ -31,6 +32,19 @@ Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::stri
   return file;
 }
 
+namespace {
+
+/// Lists the bodies as [{name, triangles}].
+Json bodiesOf(const PreparedModel& prepared) {
+  const std::vector<std::size_t> triangles = prepared.bodySizes();
+  Json bodies = Json::array();
+  for (std::size_t b = 0; b < triangles.size(); ++b)
+    bodies.push_back({{"name", prepared.bodies[b].name}, {"triangles", triangles[b]}});
+  return bodies;
+}
+
+}  // namespace
+
 Json describeModel(const std::string& format, double scaleToMm, const std::vector<Message>& warnings,
                    const PreparedModel& prepared) {
   return {{"format", format},
@@ -39,6 +53,7 @@ Json describeModel(const std::string& format, double scaleToMm, const std::vecto
           {"vertices", prepared.mesh.positions.size()},
           {"sizeMm", jsonOf(boundingBox(prepared.mesh).size())},
           {"shells", prepared.shells},
+          {"bodies", bodiesOf(prepared)},
           {"engravable", prepared.engravable().has_value()},
           {"findings", jsonOf(warnings, prepared.findings)}};
 }

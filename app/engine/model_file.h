@@ -25,7 +25,7 @@ struct ModelFile {
 /// @returns BadUsage for any other scale that is not above zero
 Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
-/// Returns {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings}.
+/// Returns {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name, triangles}], engravable, findings}.
 Json describeModel(const std::string& format, double scaleToMm, const std::vector<Message>& warnings,
                    const PreparedModel& prepared);
 

@@ -7,12 +7,13 @@
 #include "batch/batch_list.h"
 #include "batch/manifest.h"
 #include "engine/answers.h"
+#include "message_codes/batch.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
 namespace {
 
-const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
+const Error kNoRow = {ErrorKind::BadUsage, message<"no-such-row">()};
 
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
 Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
@@ -44,6 +45,8 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
   BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
   Json problems = Json::array();
   for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
+  if (!plan.models().empty())
+    problems.push_back(jsonOf(message<"list-names-models">(with::quoted<"name">(plan.models().begin()->first))));
   Json warnings = Json::array();
   for (const Message& warning : plan.warnings()) warnings.push_back(jsonOf(warning));
   Json json = {{"ok", true},

@@ -17,7 +17,7 @@ void Plate::start(const LoadedModel& model, std::size_t copies) {
 void Plate::add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
                 const std::string& id) {
   if (place >= offsets_.size()) return;
-  for (ModelObject& object : copyOnPlate(carvedObjects(result, model.partNames, request.marking.hasInlay()), id,
+  for (ModelObject& object : copyOnPlate(carvedObjects(result, model.partNames, request.marking.hasInlay(), true), id,
                                          request.code.text, offsets_[place]))
     objects_.push_back(std::move(object));
 }

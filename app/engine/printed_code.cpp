@@ -6,6 +6,7 @@
 
 #include "base/parse_json.h"
 #include "io/read_model.h"
+#include "message_codes/engine.h"
 #include "verification/frontal_reading.h"
 
 namespace qrelief {
@@ -95,7 +96,7 @@ std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string&
 }
 
 std::string PrintedCode::advance() {
-  if (!job_) return answer(ErrorKind::BadUsage, message("nothing-engraved"));
+  if (!job_) return answer(ErrorKind::BadUsage, message<"nothing-engraved">());
   const auto progress = job_->advance();
   if (!progress || progress->done) {
     carved_ = {};

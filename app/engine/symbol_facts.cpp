@@ -26,8 +26,8 @@ int dataBits(int version, ErrorCorrection level) {
 }
 
 /// Returns the number of bytes that can be added, by bisection: more bytes take more bits.
-int roomIn(int version, ErrorCorrection level, const std::string& text) {
-  const int most = dataBits(version, level);
+int roomIn(int version, ErrorCorrection level, bool hasEci, const std::string& text) {
+  const int most = dataBits(version, level) - (hasEci ? kEciBits : 0);
   const auto fits = [&](int count) {
     const std::string longer = text + std::string(static_cast<std::size_t>(count), 'a');
     return segmentBits(segmentText(longer, version), version) <= most;
@@ -48,16 +48,17 @@ std::string describeSymbol(const EngraveRequest& request) {
   const Result<Symbol> symbol = encodeSymbol(request.code.text, request.code.symbol);
   if (!symbol) return answer(symbol.error());
   const bool isPrinter = isSize(request.print.printer.nozzleMm) && isSize(request.print.printer.layerMm);
-  return textOf({{"ok", true},
-                 {"symbol",
-                  {{"version", symbol->version},
-                   {"ecc", errorCorrectionName(symbol->errorCorrection)},
-                   {"mask", symbol->mask},
-                   {"size", symbol->size},
-                   {"rows", rowsOf(*symbol)},
-                   {"bytes", request.code.text.size()},
-                   {"room", roomIn(symbol->version, request.code.symbol.errorCorrection, request.code.text)},
-                   {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request)) : Json()}}}});
+  return textOf(
+      {{"ok", true},
+       {"symbol",
+        {{"version", symbol->version},
+         {"ecc", errorCorrectionName(symbol->errorCorrection)},
+         {"mask", symbol->mask},
+         {"size", symbol->size},
+         {"rows", rowsOf(*symbol)},
+         {"bytes", request.code.text.size()},
+         {"room", roomIn(symbol->version, request.code.symbol.errorCorrection, symbol->hasEci, request.code.text)},
+         {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request)) : Json()}}}});
 }
 
 }  // namespace qrelief

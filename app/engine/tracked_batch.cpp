@@ -6,6 +6,7 @@
 
 #include "base/parse_json.h"
 #include "engine/answers.h"
+#include "message_codes/batch.h"
 
 namespace qrelief {
 namespace {
@@ -84,7 +85,7 @@ std::string TrackedBatch::lose(double row) {
 
 std::string TrackedBatch::manifestLine(const std::string& entry) const {
   const auto read = readManifestLine(entry);
-  if (!read) return answer(ErrorKind::BadUsage, message("no-manifest-line"));
+  if (!read) return answer(ErrorKind::BadUsage, message<"no-manifest-line">());
   return textOf({{"ok", true}, {"line", qrelief::manifestLine(*read)}});
 }
 

@@ -110,18 +110,18 @@ Vec3 OrbitCamera::onTargetPlane(double x, double y) const {
   return through.origin + through.direction * (pose_.distance / -glm::dot(through.direction, view().back));
 }
 
-CameraPose OrbitCamera::fitted(CameraPose pose) const {
+CameraPose OrbitCamera::fitted(CameraPose pose, const Box3& box) const {
   pose.roll = 0;
   pose.fieldOfView = CameraPose{}.fieldOfView;
   pose.yaw = std::remainder(pose.yaw, 2 * kPi);
-  if (scene_.empty()) return pose;
-  pose.target = scene_.centre();
+  if (box.empty()) return pose;
+  pose.target = box.centre();
   const Axes axes = axesOf(pose);
   const double tanY = std::tan(pose.fieldOfView / 2), tanX = tanY * width_ / height_;
   double needed = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 sign(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
-    const Vec3 p = toTurntable(sign * scene_.size());
+    const Vec3 p = toTurntable(sign * box.size());
     const double sideways = std::max(std::abs(glm::dot(p, axes.right)) / tanX, std::abs(glm::dot(p, axes.up)) / tanY);
     needed = std::max(needed, sideways * kFitMargin + glm::dot(p, axes.back));
   }
@@ -129,11 +129,13 @@ CameraPose OrbitCamera::fitted(CameraPose pose) const {
   return pose;
 }
 
-void OrbitCamera::fit() { glide_ = Glide{pose_, fitted(pose_), {}}; }
+void OrbitCamera::fit() { fitTo(scene_); }
+
+void OrbitCamera::fitTo(const Box3& part) { glide_ = Glide{pose_, fitted(pose_, part), {}}; }
 
 void OrbitCamera::fitFromDefaultSide() {
   interrupt();
-  pose_ = fitted(CameraPose{});
+  pose_ = fitted(CameraPose{}, scene_);
 }
 
 void OrbitCamera::lookFrom(StandardView side) {
@@ -153,7 +155,7 @@ void OrbitCamera::lookFrom(StandardView side) {
   CameraPose to = pose_;
   to.yaw = kSides[static_cast<std::size_t>(side)].yaw;
   to.pitch = kSides[static_cast<std::size_t>(side)].pitch;
-  to = fitted(to);
+  to = fitted(to, scene_);
   to.yaw = wrappedNear(to.yaw, pose_.yaw);
   glide_ = Glide{pose_, to, {}};
 }

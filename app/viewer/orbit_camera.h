@@ -74,6 +74,8 @@ class OrbitCamera {
   /// Shows the whole scene, upright, from the current side; `fitFromDefaultSide` from the front, slightly raised.
   void fit();
   void fitFromDefaultSide();
+  /// Shows a part of the scene from the current side, upright.
+  void fitTo(const Box3& part);
   void lookFrom(StandardView side);
   /// Looks from the code's eye: a square of `extentMm` on the frame's plane fills the view.
   void lookThrough(const ProjectionFrame& frame, double extentMm);
@@ -97,7 +99,7 @@ class OrbitCamera {
     std::optional<double> startMs;  // set by the first frame
   };
   Vec3 fromTurntable(Vec3 v) const;
-  CameraPose fitted(CameraPose pose) const;
+  CameraPose fitted(CameraPose pose, const Box3& box) const;
   void interrupt() { glide_.reset(); }
   void keepInLimits();
 

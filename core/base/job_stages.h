@@ -19,6 +19,9 @@ struct StageStep {
 };
 inline constexpr StageStep kStageDone{1, true};
 
+/// Returns the error of a step after the last one.
+tl::unexpected<Error> advancedAfterDone();
+
 /// The stages of a job in their order, and its progress through them: the weights of the finished stages and the done
 /// fraction of the current one, never less than before, 1 only at the end.
 /// @tparam State  the job's state; a stage is one of its members
@@ -49,7 +52,7 @@ class JobStages {
 
   /// Does the next step. Do not call it again after an error or `done`.
   Result<Progress> advance(State& state) {
-    if (done()) return fail(ErrorKind::Internal, message("advance-after-done"));
+    if (done()) return advancedAfterDone();
     const Result<StageStep> step = (state.*stages_[current_].step)();
     if (!step) return tl::unexpected(step.error());
     if (step->isLast) ++current_;

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "message_codes.h"
 
 namespace qrelief {
 
@@ -86,42 +85,25 @@ struct NamedValue {
   MessageValue value;
 };
 
-/// Returns true if `names` are the names in `values` (MessageCodeEntry), in any order.
-consteval bool hasValues(std::string_view values, std::initializer_list<std::string_view> names) {
-  std::size_t expected = 0;
-  while (!values.empty()) {
-    const std::size_t end = values.find('}');
-    if (std::find(names.begin(), names.end(), values.substr(1, end - 1)) == names.end()) return false;
-    values.remove_prefix(end + 1);
-    ++expected;
-  }
-  return expected == names.size();
+/// The names of the values in the words of the message `kCode`, as `kNames`. Its catalogue, say messages/files.json,
+/// has a header that defines it and that the build generates: message_codes/files.h.
+template <ValueName kCode>
+struct ValuesOfMessage;
+
+/// Returns true if both lists have the same names, in any order. No name occurs twice in a list.
+consteval bool sameNames(std::span<const std::string_view> a, std::span<const std::string_view> b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](std::string_view name) {
+           return std::find(b.begin(), b.end(), name) != b.end();
+         });
 }
 
-/// Code of a message with these values. Only a code in messages/ compiles, with exactly the values in its words.
-template <class... Values>
-struct MessageCode {
-  const char* text;
-
-  consteval MessageCode(const char* code) : text(code) {
-    for (const MessageCodeEntry& entry : kMessageCodes) {
-      if (entry.code != code) continue;
-      if (!hasValues(entry.values, {Values::kName...})) valuesDifferFromItsWords();
-      return;
-    }
-    unknownCode();
-  }
-
- private:
-  // They are no constant expressions, so calling one is an error whose text names it.
-  static void unknownCode() {}
-  static void valuesDifferFromItsWords() {}
-};
-
-/// Makes a message: `message("stl-cut-off", with::count<"bytes">(83))`.
-template <class... Values>
-Message message(std::type_identity_t<MessageCode<Values...>> code, const Values&... values) {
-  return {code.text, {&values.value...}};
+/// Makes a message: `message<"stl-cut-off">(with::count<"bytes">(83))`. Only a code in an included catalogue compiles,
+/// with exactly the values in its words.
+template <ValueName kCode, class... Values>
+Message message(const Values&... values) {
+  constexpr std::array<std::string_view, sizeof...(Values)> kNames = {Values::kName...};
+  static_assert(sameNames(ValuesOfMessage<kCode>::kNames, kNames), "the message's words have other values");
+  return {kCode.text, {&values.value...}};
 }
 
 /// Functions that make values. The name occurs in the sentence of the message or in its hint.

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "message_codes/files.h"
+
 namespace qrelief {
 namespace {
 
@@ -14,14 +16,16 @@ using Json = nlohmann::ordered_json;
 /// Builds a value from the events of nlohmann's parser, which does not recurse. Stops at the first fault.
 class Builder : public nlohmann::json_sax<Json> {
  public:
+  explicit Builder(JsonNumbers numbers) : numbers_(numbers) {}
+
   Json take() { return std::move(root_); }
   Message takeProblem() { return std::move(problem_); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  bool number_integer(number_integer_t value) override { return add(value); }
-  bool number_unsigned(number_unsigned_t value) override { return add(value); }
-  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return addNumber(value, std::to_string(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return addNumber(value, std::to_string(value)); }
+  bool number_float(number_float_t value, const string_t& text) override { return addNumber(value, text); }
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t& value) override { return add(Json(std::move(value))); }
 
@@ -32,7 +36,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool key(string_t& name) override {
     if (!open_.back().keys.insert(name).second) {
-      problem_ = message("json-key-twice", with::quoted<"key">(name));
+      problem_ = message<"json-key-twice">(with::quoted<"key">(name));
       return false;
     }
     key_ = std::move(name);
@@ -40,7 +44,7 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) override {
-    problem_ = message("json-malformed", with::count<"byte">(byte));
+    problem_ = message<"json-malformed">(with::count<"byte">(byte));
     return false;
   }
 
@@ -64,9 +68,14 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  bool addNumber(Json value, const std::string& text) {
+    if (numbers_ == JsonNumbers::Values) return add(std::move(value));
+    return add(Json(Json::binary_t({text.begin(), text.end()})));
+  }
+
   bool open(Json value) {
     if (open_.size() == kMaxJsonDepth) {
-      problem_ = message("json-too-deep", with::count<"limit">(kMaxJsonDepth));
+      problem_ = message<"json-too-deep">(with::count<"limit">(kMaxJsonDepth));
       return false;
     }
     open_.push_back({&place(std::move(value)), {}});
@@ -78,6 +87,7 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  JsonNumbers numbers_;
   Json root_;
   std::vector<Open> open_;
   std::string key_;
@@ -86,10 +96,15 @@ class Builder : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Result<Json> parseJson(std::string_view text) {
-  Builder builder;
+Result<Json> parseJson(std::string_view text, JsonNumbers numbers) {
+  Builder builder(numbers);
   if (!Json::sax_parse(text.begin(), text.end(), &builder)) return badInput(builder.takeProblem());
   return builder.take();
+}
+
+std::string numberText(const Json& number) {
+  const Json::binary_t& text = number.get_binary();
+  return {text.begin(), text.end()};
 }
 
 }  // namespace qrelief

@@ -27,7 +27,7 @@ template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 
-/// Makes an error to return from any function that returns a Result: `return badInput(message("stl-empty"));`.
+/// Makes an error to return from any function that returns a Result: `return badInput(message<"stl-empty">());`.
 inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
   return tl::unexpected<Error>(Error{kind, std::move(message)});
 }

@@ -17,6 +17,10 @@ std::size_t BatchLayout::rowsOf(const Shard& share) const {
   return own;
 }
 
-std::string BatchLayout::plate(std::size_t unit) const { return perPlate > 0 ? plateName(unit, count()) : ""; }
+std::string BatchLayout::plate(std::size_t unit) const {
+  if (perPlate == 0) return "";
+  if (firstNumber == 1) return plateName(unit, count());
+  return plateName(firstNumber + begin(unit) - 1, firstNumber + rows - 1);
+}
 
 }  // namespace qrelief

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parse_json.h"
+#include "base/unicode.h"
 #include "base/utf8.h"
 #include "io/sniff_format.h"
+#include "message_codes/batch.h"
 
 namespace qrelief {
 namespace {
@@ -19,24 +21,22 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Refuses bytes that are not plain text, such as UTF-16 or a spreadsheet.
-Status checkIsText(std::span<const std::uint8_t> bytes, std::string_view text) {
-  if (text.empty()) return badInput(message("list-empty"));
-  if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty())
-    return badInput(message("list-encoding", with::term<"encoding">(wide)));
+/// Refuses bytes that are no text, such as a spreadsheet.
+Status checkIsText(std::string_view text) {
+  if (text.empty()) return badInput(message<"list-empty">());
   if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0"))
-    return badInput(message("list-spreadsheet"));
+    return badInput(message<"list-spreadsheet">());
   return {};
 }
 
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
-    return badInput(message("list-line-too-long", with::count<"line">(number), with::count<"limit">(kMostLineBytes)));
+    return badInput(message<"list-line-too-long">(with::count<"line">(number), with::count<"limit">(kMostLineBytes)));
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
-    return badInput(message("list-holds-nul", with::count<"line">(number), with::count<"byte">(nul + 1)));
+    return badInput(message<"list-holds-nul">(with::count<"line">(number), with::count<"byte">(nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
-    return badInput(message("list-no-utf8", with::count<"line">(number), with::count<"byte">(broken + 1)));
+    return badInput(message<"list-no-utf8">(with::count<"line">(number), with::count<"byte">(broken + 1)));
   return {};
 }
 
@@ -52,23 +52,46 @@ std::string_view withoutEnd(std::string_view line) {
   return line;
 }
 
-Message tooManyColumns() { return message("list-too-many-columns", with::count<"limit">(kMostColumns)); }
+/// Returns a name without the spaces at its ends, also those that nobody sees: no-break and zero-width spaces, byte
+/// order marks.
+std::string trimmedName(std::string_view name) {
+  std::u32string characters = charactersOf(name);
+  const auto isBlank = [](char32_t c) {
+    return c == U' ' || c == U'\t' || c == U'\u00A0' || (c >= U'\u200B' && c <= U'\u200D') || c == U'\uFEFF';
+  };
+  while (!characters.empty() && isBlank(characters.back())) characters.pop_back();
+  const auto begin = std::find_if_not(characters.begin(), characters.end(), isBlank);
+  std::string trimmed;
+  for (auto it = begin; it != characters.end(); ++it) appendUtf8(trimmed, *it);
+  return trimmed;
+}
+
+Message tooManyColumns() { return message<"list-too-many-columns">(with::count<"limit">(kMostColumns)); }
 
 Status checkColumns(std::span<const std::string> columns) {
   if (columns.size() > kMostColumns) return badInput(tooManyColumns());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].empty()) return badInput(message("list-column-unnamed", with::count<"column">(i + 1)));
-    if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
-        columns.begin() + static_cast<std::ptrdiff_t>(i))
-      return badInput(message("list-column-twice", with::quoted<"name">(columns[i])));
+    const auto isSame = [&](const std::string& other) { return caseFolded(other) == caseFolded(columns[i]); };
+    if (std::any_of(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), isSame))
+      return badInput(message<"list-column-twice">(with::quoted<"name">(columns[i])));
   }
   return {};
 }
 
+/// Returns the separator that the first line names for Excel, as "sep=;"; none if it is a row.
+std::optional<char> namedSeparator(std::string_view line) {
+  constexpr std::string_view kStart = "sep=";
+  if (line.size() <= kStart.size() || caseFolded(line.substr(0, kStart.size())) != kStart) return std::nullopt;
+  const char separator = line[kStart.size()];
+  constexpr std::string_view kPossible = ",;\t|:";
+  const bool isAlone = line.find_first_not_of(separator, kStart.size()) == line.npos;
+  return isAlone && kPossible.find(separator) != kPossible.npos ? std::optional(separator) : std::nullopt;
+}
+
 /// Returns the separator that occurs most often in the first line, outside quotes.
 char separatorOf(std::string_view line) {
-  constexpr std::array kSeparators = {',', ';', '\t'};
-  std::array<int, 3> counts{};
+  constexpr std::array kSeparators = {',', ';', '\t', '|'};
+  std::array<int, kSeparators.size()> counts{};
   bool isQuoted = false;
   for (const char c : line) {
     if (c == '"') isQuoted = !isQuoted;
@@ -85,22 +108,24 @@ class CsvReader {
   CsvReader& operator=(const CsvReader&) = delete;
 
   Result<BatchList> read(std::string_view text) {
-    csv_set_delim(&parser_, static_cast<unsigned char>(separatorOf(firstLine(text))));
-    for (std::uint32_t line = 1; !text.empty(); ++line) {
+    const auto named = namedSeparator(withoutEnd(firstLine(text)));
+    if (named) text.remove_prefix(firstLine(text).size());
+    csv_set_delim(&parser_, static_cast<unsigned char>(named ? *named : separatorOf(firstLine(text))));
+    for (std::uint32_t line = named ? 2 : 1; !text.empty(); ++line) {
       const std::string_view whole = firstLine(text);
       if (const Status good = checkLine(withoutEnd(whole), line); !good) return tl::unexpected(good.error());
       if (parser_.pstate == kBetweenRows) rowLine_ = line;
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
       if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
-        return badInput(message("list-quote", with::count<"line">(line), with::count<"byte">(taken + 1)));
+        return badInput(message<"list-quote">(with::count<"line">(line), with::count<"byte">(taken + 1)));
       if (parser_.entry_pos > kMostCellBytes)
         return badInput(cellTooLong(parser_.entry_pos));  // a quotation that does
                                                           // not end
       text.remove_prefix(whole.size());
     }
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
-      return badInput(message("list-quote-open", with::count<"line">(rowLine_)));
+      return badInput(message<"list-quote-open">(with::count<"line">(rowLine_)));
     if (problem_) return badInput(std::move(*problem_));
     return std::move(list_);
   }
@@ -118,13 +143,13 @@ class CsvReader {
     if (cell.size() > kMostCellBytes)
       problem_ = cellTooLong(cell.size());
     else if (cell.starts_with('='))
-      problem_ = message("list-cell-formula", with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1));
+      problem_ = message<"list-cell-formula">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1));
     cells_.emplace_back(problem_ ? std::string_view() : cell);
   }
 
   Message cellTooLong(std::size_t bytes) const {
-    return message("list-cell-too-long", with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1),
-                   with::count<"count">(bytes), with::count<"limit">(kMostCellBytes));
+    return message<"list-cell-too-long">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1),
+                                         with::count<"count">(bytes), with::count<"limit">(kMostCellBytes));
   }
 
   void endRow() {
@@ -134,20 +159,49 @@ class CsvReader {
   }
 
   void take() {
-    if (list_.columns().empty()) {
-      if (const Status good = checkColumns(cells_); !good) problem_ = good.error().message;
-      list_ = BatchList(cells_);
-      return;
-    }
-    if (cells_.size() != list_.columns().size())
-      problem_ = message("list-row-length", with::count<"line">(rowLine_), with::count<"count">(cells_.size()),
-                         with::count<"columns">(list_.columns().size()));
+    if (named_.empty())
+      takeNames();
     else
-      list_.addRow(rowLine_, cells_);
+      takeCells();
+  }
+
+  /// Takes the columns' names. Spreadsheets write columns that are empty but were touched; these have no name.
+  void takeNames() {
+    std::vector<std::string> names;
+    columnCount_ = cells_.size();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      std::string name = trimmedName(cells_[i]);
+      if (name.empty()) continue;
+      names.push_back(std::move(name));
+      named_.push_back(i);
+    }
+    if (const Status good = checkColumns(names); !good) problem_ = good.error().message;
+    list_ = BatchList(std::move(names));
+  }
+
+  void takeCells() {
+    while (cells_.size() > columnCount_ && cells_.back().empty()) cells_.pop_back();
+    if (cells_.size() > columnCount_ || cells_.size() <= named_.back()) return refuseLength();
+    std::vector<std::string> named;
+    for (const std::size_t i : named_) named.push_back(std::move(cells_[i]));
+    for (std::size_t i = 0, next = 0; i < cells_.size(); ++i) {
+      if (next < named_.size() && i == named_[next])
+        ++next;
+      else if (!cells_[i].empty())
+        problem_ = message<"list-column-unnamed">(with::count<"line">(rowLine_), with::count<"column">(i + 1));
+    }
+    list_.addRow(rowLine_, named);
+  }
+
+  void refuseLength() {
+    problem_ = message<"list-row-length">(with::count<"line">(rowLine_), with::count<"count">(cells_.size()),
+                                          with::count<"columns">(columnCount_));
   }
 
   csv_parser parser_{};
   BatchList list_;
+  std::vector<std::size_t> named_;  // places of the columns with names
+  std::size_t columnCount_ = 0;     // with those without names
   std::vector<std::string> cells_;
   std::uint32_t rowLine_ = 1;
   std::optional<Message> problem_;
@@ -158,49 +212,123 @@ std::optional<std::string> cellOf(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  if (value.is_number()) return value.dump();
+  if (value.is_binary()) return numberText(value);
   if (!value.is_array()) return std::nullopt;
   std::string list;
   for (const Json& part : value) {
-    if (!part.is_number()) return std::nullopt;
-    list += (list.empty() ? "" : ",") + part.dump();
+    if (!part.is_binary()) return std::nullopt;
+    list += (list.empty() ? "" : ",") + numberText(part);
   }
   return list;
 }
 
+/// Rows of JSON objects, whose keys are the columns.
+class JsonRows {
+ public:
+  /// @param line  in which the object begins
+  Status add(std::string_view object, std::uint32_t line) {
+    const Result<Json> parsed = parseJson(object, JsonNumbers::AsWritten);
+    if (!parsed && parsed.error().message.code != "json-malformed")
+      return badInput(message<"list-line">(with::count<"line">(line), with::cause<"problem">(parsed.error().message)));
+    if (!parsed || !parsed->is_object()) return badInput(message<"list-no-object">(with::count<"line">(line)));
+    auto& cells = rows_.emplace_back(line, std::vector<std::string>(columns_.size())).second;
+    for (const auto& [key, value] : parsed->items()) {
+      const auto at = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), key) - columns_.begin());
+      if (at == kMostColumns) return badInput(tooManyColumns());
+      if (key.empty())
+        return badInput(message<"list-column-unnamed">(with::count<"line">(line), with::count<"column">(at + 1)));
+      if (at == columns_.size()) columns_.push_back(key), cells.emplace_back();
+      const auto cell = cellOf(value);
+      if (!cell) return badInput(message<"list-value-kind">(with::count<"line">(line), with::quoted<"name">(key)));
+      if (cell->size() > kMostCellBytes)
+        return badInput(message<"list-cell-too-long">(with::count<"line">(line), with::count<"column">(at + 1),
+                                                      with::count<"count">(cell->size()),
+                                                      with::count<"limit">(kMostCellBytes)));
+      cells[at] = *cell;
+    }
+    return {};
+  }
+
+  Result<BatchList> list() && {
+    if (const Status good = checkColumns(columns_); !good) return tl::unexpected(good.error());
+    BatchList list(columns_);
+    for (auto& [line, cells] : rows_) {
+      cells.resize(columns_.size());
+      list.addRow(line, cells);
+    }
+    return list;
+  }
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::pair<std::uint32_t, std::vector<std::string>>> rows_;
+};
+
 Result<BatchList> readJsonLines(std::string_view text) {
-  std::vector<std::string> columns;
-  std::vector<std::pair<std::uint32_t, std::vector<std::string>>> rows;
+  JsonRows rows;
   for (std::uint32_t number = 1; !text.empty(); ++number) {
     const std::string_view whole = firstLine(text), line = withoutEnd(whole);
     text.remove_prefix(whole.size());
     if (const Status good = checkLine(line, number); !good) return tl::unexpected(good.error());
     if (line.find_first_not_of(" \t") == line.npos) continue;
-    const Result<Json> parsed = parseJson(line);
-    if (!parsed && parsed.error().message.code != "json-malformed")
-      return badInput(
-          message("list-line", with::count<"line">(number), with::cause<"problem">(parsed.error().message)));
-    if (!parsed || !parsed->is_object()) return badInput(message("list-no-object", with::count<"line">(number)));
-    auto& cells = rows.emplace_back(number, std::vector<std::string>(columns.size())).second;
-    for (const auto& [key, value] : parsed->items()) {
-      const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), key) - columns.begin());
-      if (at == kMostColumns) return badInput(tooManyColumns());
-      if (at == columns.size()) columns.push_back(key), cells.emplace_back();
-      const auto cell = cellOf(value);
-      if (!cell) return badInput(message("list-value-kind", with::count<"line">(number), with::quoted<"name">(key)));
-      if (cell->size() > kMostCellBytes)
-        return badInput(message("list-cell-too-long", with::count<"line">(number), with::count<"column">(at + 1),
-                                with::count<"count">(cell->size()), with::count<"limit">(kMostCellBytes)));
-      cells[at] = *cell;
+    if (const Status added = rows.add(line, number); !added) return tl::unexpected(added.error());
+  }
+  return std::move(rows).list();
+}
+
+/// Returns the length of the value at the start of a JSON text: up to the comma or bracket that ends it outside its own
+/// brackets and quotation marks.
+std::size_t jsonValueLength(std::string_view text) {
+  std::size_t depth = 0;
+  bool isQuoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (isQuoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      isQuoted = !isQuoted;
+    } else if (!isQuoted) {
+      if (depth == 0 && (c == ',' || c == ']' || c == '}')) return i;
+      if (c == '{' || c == '[') ++depth;
+      if (c == '}' || c == ']') --depth;
     }
   }
-  if (const Status good = checkColumns(columns); !good) return tl::unexpected(good.error());
-  BatchList list(columns);
-  for (auto& [line, cells] : rows) {
-    cells.resize(columns.size());
-    list.addRow(line, cells);
+  return text.size();
+}
+
+/// Reads an array of objects, as programs write lists. @param text  from its bracket on
+Result<BatchList> readJsonArray(std::string_view text) {
+  std::uint32_t line = 1;
+  std::string_view left = text;
+  for (std::uint32_t number = 1; !left.empty(); ++number) {
+    const std::string_view whole = firstLine(left);
+    left.remove_prefix(whole.size());
+    if (const Status good = checkLine(withoutEnd(whole), number); !good) return tl::unexpected(good.error());
   }
-  return list;
+  const auto skip = [&](std::size_t count) {
+    line +=
+        static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(count), '\n'));
+    text.remove_prefix(count);
+  };
+  const auto skipSpace = [&] { skip(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
+  const auto broken = [&] { return badInput(message<"list-array">(with::count<"line">(line))); };
+  JsonRows rows;
+  skipSpace();
+  skip(1);
+  for (bool isFirst = true;; isFirst = false) {
+    skipSpace();
+    if (isFirst && text.starts_with(']')) break;
+    const std::size_t length = jsonValueLength(text);
+    if (const Status added = rows.add(text.substr(0, length), line); !added) return tl::unexpected(added.error());
+    skip(length);
+    if (text.starts_with(']')) break;
+    if (!text.starts_with(',')) return broken();
+    skip(1);
+  }
+  skip(1);
+  skipSpace();
+  if (!text.empty()) return broken();
+  return std::move(rows).list();
 }
 
 }  // namespace
@@ -215,7 +343,10 @@ void BatchList::addRow(std::uint32_t line, std::span<const std::string> cells) {
 }
 
 std::optional<std::size_t> BatchList::find(std::string_view column) const {
-  const auto it = std::find(columns_.begin(), columns_.end(), column);
+  auto it = std::find(columns_.begin(), columns_.end(), column);
+  if (it == columns_.end())
+    it = std::find_if(columns_.begin(), columns_.end(),
+                      [&](const std::string& name) { return caseFolded(name) == caseFolded(column); });
   if (it == columns_.end()) return std::nullopt;
   return static_cast<std::size_t>(it - columns_.begin());
 }
@@ -228,11 +359,18 @@ std::string_view BatchList::cell(std::size_t row, std::size_t column) const {
 
 Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes) {
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (const Status good = checkIsText(bytes, text); !good) return tl::unexpected(good.error());
+  std::optional<std::string> narrow;
+  if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty()) {
+    narrow = utf8FromUtf16(bytes, wide.ends_with("BE"));
+    if (!narrow) return badInput(message<"list-encoding">(with::term<"encoding">(wide)));
+    text = *narrow;
+  }
+  if (const Status good = checkIsText(text); !good) return tl::unexpected(good.error());
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  auto list = first != text.npos && text[first] == '{' ? readJsonLines(text) : CsvReader().read(text);
-  if (list && list->size() == 0) return badInput(message("list-no-rows"));
+  const char start = first == text.npos ? '\0' : text[first];
+  auto list = start == '{' ? readJsonLines(text) : start == '[' ? readJsonArray(text) : CsvReader().read(text);
+  if (list && list->size() == 0) return badInput(message<"list-no-rows">());
   return list;
 }
 

@@ -16,7 +16,7 @@ namespace qrelief {
 /// for a million rows.
 class BatchList {
  public:
-  /// @param columns  unique names
+  /// @param columns  unique names, whatever their capitals
   explicit BatchList(std::vector<std::string> columns = {}) : columns_(std::move(columns)) {}
 
   /// Adds a row.
@@ -25,6 +25,7 @@ class BatchList {
   void addRow(std::uint32_t line, std::span<const std::string> cells);
 
   const std::vector<std::string>& columns() const { return columns_; }
+  /// Returns the column of that name. Capitals do not count.
   std::optional<std::size_t> find(std::string_view column) const;
   std::size_t size() const { return lines_.size(); }
   std::uint32_t line(std::size_t row) const { return lines_[row]; }
@@ -46,10 +47,14 @@ inline constexpr std::size_t kMostColumns = 1000;
 /// Limit for a line. Longer lines are not rows.
 inline constexpr std::size_t kMostLineBytes = 1 << 20;
 
-/// Reads a list in one of two formats: CSV [RFC 4180], separated by commas, semicolons or tabs, with the columns' names
-/// in the first row; or JSON lines, with one object per line, whose keys are columns and whose values are texts,
-/// numbers, switches or lists of numbers (a missing key gives an empty cell). The first character tells which format it
-/// is. UTF-8, with or without a byte order mark. Skips spaces around cells and empty lines.
+/// Reads a list as spreadsheets and programs write it. The first character tells which format it is:
+///
+/// - CSV [RFC 4180], separated by commas, semicolons, tabs or bars, or as a first line such as "sep=;" says. The first
+///   row has the columns' names. Columns without a name must be empty.
+/// - JSON lines, with one object per line, or a JSON array of objects. Keys are columns, and values are texts, numbers,
+///   switches or lists of numbers; a missing key gives an empty cell. A number keeps its characters.
+///
+/// UTF-8, with or without a byte order mark, or UTF-16. Skips spaces around cells and empty lines.
 ///
 /// Cost: linear.
 /// @returns BadInput, with line and column, for a malformed list; for cells that hold a formula instead of its value;

@@ -5,31 +5,42 @@
 #include <array>
 #include <cassert>
 #include <functional>
+#include <set>
 
+#include "base/unicode.h"
+#include "batch/spreadsheet_traces.h"
 #include "io/sniff_format.h"
 #include "io/write_files.h"
+#include "message_codes/batch.h"
 #include "pipeline/carved_objects.h"
+#include "qr/link_advice.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
 
-constexpr std::string_view kId = "id", kText = "text", kFile = "file", kNumber = "n";
+constexpr std::string_view kId = "id", kText = "text", kFile = "file", kNumber = "n", kModel = "model";
 constexpr std::size_t kMostNameBytes = 200;  // file systems allow 255, and our names may get a suffix
 
-std::string lowered(std::string_view text) {
-  std::string low(text);
-  for (char& c : low)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return low;
+/// Returns the setting that a column sets. Capitals do not count.
+const Setting* settingOfColumn(std::string_view column) {
+  if (const Setting* setting = findSetting(column)) return setting;
+  for (const Setting& setting : settings())
+    if (caseFolded(setting.key) == caseFolded(column)) return &setting;
+  return nullptr;
 }
 
 /// Returns true for names that Windows reserves for devices, whatever their extension.
 bool isDeviceName(std::string_view name) {
-  const std::string stem = lowered(name.substr(0, name.find('.')));
-  if (stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt"))) return stem[3] >= '1' && stem[3] <= '9';
-  constexpr std::array<std::string_view, 4> kDevices = {"con", "prn", "aux", "nul"};
+  std::string stem = caseFolded(name.substr(0, name.find('.')));
+  while (stem.ends_with(' ')) stem.pop_back();
+  if (stem.starts_with("com") || stem.starts_with("lpt")) {
+    const std::string_view number = std::string_view(stem).substr(3);
+    return (number.size() == 1 && number[0] >= '0' && number[0] <= '9') || number == "\u00B9" || number == "\u00B2" ||
+           number == "\u00B3";
+  }
+  constexpr std::array<std::string_view, 6> kDevices = {"con", "prn", "aux", "nul", "conin$", "conout$"};
   return std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end();
 }
 
@@ -40,13 +51,13 @@ std::vector<std::string> BatchRow::files() const {
 }
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
-  if (name.empty()) return message("name-empty");
+  if (name.empty()) return message<"name-empty">();
   const bool hasControls = std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; });
   if (hasControls || name.find_first_of("/\\<>:\"|?*\x7f") != name.npos || name.starts_with('.') || isDeviceName(name))
-    return message("name-no-plain-name", with::quoted<"name">(name));
+    return message<"name-no-plain-name">(with::quoted<"name">(name));
   if (name.size() > kMostNameBytes)
-    return message("name-too-long", with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
-  if (!isWritable(formatOfName(name))) return message("name-not-writable", with::quoted<"name">(name));
+    return message<"name-too-long">(with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
+  if (!isWritable(formatOfName(name))) return message<"name-not-writable">(with::quoted<"name">(name));
   return std::nullopt;
 }
 
@@ -82,19 +93,24 @@ Status BatchPlan::prepare() {
   const std::vector<std::string>& columns = list_.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto names = [&](const TextTemplate& in) {
-      return std::find(in.names().begin(), in.names().end(), columns[i]) != in.names().end();
+      return std::any_of(in.names().begin(), in.names().end(),
+                         [&](const std::string& name) { return list_.find(name) == i; });
     };
     const bool isNamed = names(text_) || names(name_) || names(label_);
-    const Setting* setting = findSetting(columns[i]);
+    const Setting* setting = settingOfColumn(columns[i]);
     if (setting && setting->key == kText) setting = nullptr;
     if (setting) settings_.push_back({i, setting});
-    if (isNamed || setting || columns[i] == kId) continue;
+    const bool isId = list_.find(kId) == i;
+    if (isNamed || isId) filled_.push_back(i);
+    if (isNamed || setting || isId || list_.find(kModel) == i) continue;
     if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
       warnings_.push_back(removedWarning(*removed, columns[i]));
     else
       unused_.push_back(columns[i]);
   }
   warnOfRemovedChoices();
+  warnOfSpreadsheets();
+  findModels();
   return {};
 }
 
@@ -111,14 +127,44 @@ void BatchPlan::warnOfRemovedChoices() {
   }
 }
 
+void BatchPlan::findModels() {
+  const auto column = list_.find(kModel);
+  if (!column) return;
+  needsModel_ = false;
+  for (std::size_t row = 0; row < size(); ++row) {
+    const std::string_view model = list_.cell(row, *column);
+    if (model.empty())
+      needsModel_ = true;
+    else
+      models_.try_emplace(std::string(model), row);
+  }
+}
+
+/// Adds one warning of each kind for each column that goes into texts and names.
+void BatchPlan::warnOfSpreadsheets() {
+  for (const std::size_t column : filled_) {
+    const std::string& name = list_.columns()[column];
+    std::set<std::string> kinds;
+    for (std::size_t row = 0; row < size(); ++row)
+      if (auto trace = spreadsheetTrace(list_.cell(row, column), name, list_.line(row)))
+        if (kinds.insert(trace->code).second)
+          (trace->code == "cell-error" ? problems_ : warnings_).push_back(std::move(*trace));
+    if (auto lost = lostZeros(list_, column)) warnings_.push_back(std::move(*lost));
+  }
+}
+
 Status BatchPlan::checkNames(const TextTemplate& pattern) const {
   for (const std::string& name : pattern.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
-    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted<"name">(name)));
+    if (list_.columns().empty()) return badInput(message<"template-without-list">(with::quoted<"name">(name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    if (name == kText) return badInput(message("list-without-text", with::quoted<"columns">(columns)));
-    return badInput(message("list-without-column", with::quoted<"name">(name), with::quoted<"columns">(columns)));
+    const auto isLink = [](const std::string& column) { return column.find("://") != column.npos; };
+    const auto link = std::find_if(list_.columns().begin(), list_.columns().end(), isLink);
+    if (name == kText && link != list_.columns().end())
+      return badInput(message<"list-without-names">(with::quoted<"first">(*link)));
+    if (name == kText) return badInput(message<"list-without-text">(with::quoted<"columns">(columns)));
+    return badInput(message<"list-without-column">(with::quoted<"name">(name), with::quoted<"columns">(columns)));
   }
   return {};
 }
@@ -135,12 +181,13 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
                .line = list_.line(index),
                .id = valueOf(index, kId),
                .file = {},
+               .model = {},
                .request = all_};
-  if (row.id.empty()) return badInput(message("row-without-id"));
+  if (row.id.empty()) return badInput(message<"row-without-id">());
   const auto value = [&](std::string_view name) { return valueOf(index, name); };
   auto text = text_.filled(value);
   if (!text) return tl::unexpected(text.error());
-  if (text->empty()) return badInput(message("row-without-text"));
+  if (text->empty()) return badInput(message<"row-without-text">());
   row.request.code.text = std::move(*text);
   auto label = label_.filled(value);
   if (!label) return tl::unexpected(label.error());
@@ -149,6 +196,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   if (!file) return tl::unexpected(file.error());
   if (auto why = whyNoPlainName(*file)) return badInput(std::move(*why));
   row.file = std::move(*file);
+  if (const auto model = list_.find(kModel)) row.model = list_.cell(index, *model);
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));
     if (cell.empty() || findRemovedChoice(setting->key, cell)) continue;
@@ -162,11 +210,22 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
 
 void BatchPlan::add(std::uint32_t line, Message problem) {
   if (problems_.size() < kMostProblems)
-    problems_.push_back(message("list-line", with::count<"line">(line), with::cause<"problem">(std::move(problem))));
+    problems_.push_back(message<"list-line">(with::count<"line">(line), with::cause<"problem">(std::move(problem))));
+}
+
+/// Adds one warning of each kind about the texts of rows, with the first line that it concerns.
+void BatchPlan::warnOfTexts(const std::vector<TextTrace>& traces) {
+  for (const TextTrace& trace : traces)
+    if (trace.count == 1)
+      warnings_.push_back(message<"list-line">(with::count<"line">(trace.line), with::cause<"problem">(trace.message)));
+    else
+      warnings_.push_back(message<"list-lines">(with::count<"line">(trace.line), with::count<"count">(trace.count - 1),
+                                                with::cause<"problem">(trace.message)));
 }
 
 void BatchPlan::checkRows() {
-  std::map<ErrorCorrection, VersionsByLength> versions;
+  std::vector<TextTrace> traces;
+  std::map<std::pair<ErrorCorrection, EciUse>, VersionsByLength> versions;
   int largest = 1;
   for (std::size_t i = 0; i < size(); ++i) {
     const auto row = made(i);
@@ -174,9 +233,19 @@ void BatchPlan::checkRows() {
       add(list_.line(i), row.error().message);
       continue;
     }
+    for (TextAdvice& advice : adviseText(row->request.code.text)) {
+      if (advice.severity != TextAdvice::Severity::Warning) continue;
+      const auto same = std::find_if(traces.begin(), traces.end(),
+                                     [&](const TextTrace& trace) { return trace.message.code == advice.message.code; });
+      if (same == traces.end())
+        traces.push_back({std::move(advice.message), row->line, 1});
+      else
+        ++same->count;
+    }
     const SymbolOptions& symbol = row->request.code.symbol;
-    const int needed = versions.try_emplace(symbol.errorCorrection, symbol.errorCorrection)
-                           .first->second.smallest(row->request.code.text);
+    const auto [known, isNew] =
+        versions.try_emplace({symbol.errorCorrection, symbol.eci}, symbol.errorCorrection, symbol.eci);
+    const int needed = known->second.smallest(row->request.code.text);
     if (needed == 0 || (symbol.version && needed > *symbol.version)) {
       const auto encoded = encodeSymbol(row->request.code.text, symbol);
       if (!encoded) add(row->line, encoded.error().message);
@@ -184,26 +253,27 @@ void BatchPlan::checkRows() {
       largest = std::max(largest, needed);
     }
     if (row->request.marking.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
-      add(row->line, message("colour-has-no-file", with::quoted<"name">(row->file)));
+      add(row->line, message<"colour-has-no-file">(with::quoted<"name">(row->file)));
     if (!row->request.code.label.text.empty())
       if (const auto label = layOutLabel(row->request.code.label, 21); !label) add(row->line, label.error().message);
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }
+  warnOfTexts(traces);
   if (!problems_.empty()) return;
   if (!all_.code.symbol.version) all_.code.symbol.version = largest;
   checkTwice([](const BatchRow& row) { return row.request.code.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("text-twice", with::quoted<"text">(row.request.code.text), with::count<"other">(other));
+               return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::count<"other">(other));
              });
-  checkTwice([](const BatchRow& row) { return lowered(row.file); },
+  checkTwice([](const BatchRow& row) { return caseFolded(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("name-twice", with::quoted<"name">(row.file), with::count<"other">(other));
+               return message<"name-twice">(with::quoted<"name">(row.file), with::count<"other">(other));
              });
   checkSecondFiles();
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("id-twice", with::quoted<"id">(row.id), with::count<"other">(other));
+               return message<"id-twice">(with::quoted<"id">(row.id), with::count<"other">(other));
              });
 }
 
@@ -231,7 +301,7 @@ void BatchPlan::checkSecondFiles() {
     const std::vector<std::string> files = made(i)->files();
     isAnySecond |= files.size() > 1;
     if (i == 0 && !isAnySecond && settings_.empty()) return;  // no row has a second file
-    for (const std::string& file : files) names.emplace_back(lowered(file), i);
+    for (const std::string& file : files) names.emplace_back(caseFolded(file), i);
   }
   if (!isAnySecond) return;
   std::sort(names.begin(), names.end());
@@ -239,7 +309,7 @@ void BatchPlan::checkSecondFiles() {
     const std::size_t row = names[i].second, before = names[i - 1].second;
     if (names[i].first != names[i - 1].first || row == before) continue;
     add(list_.line(row),
-        message("name-twice", with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
+        message<"name-twice">(with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
   }
 }
 

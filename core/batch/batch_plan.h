@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct BatchRow {
   std::uint32_t line = 1;  ///< line of the list in which the row begins
   std::string id;          ///< the column `id`, or else the number
   std::string file;        ///< a plain name, without a folder
+  std::string model;       ///< path of the row's own model, as in the column `model`; empty: the model of all rows
   EngraveRequest request;
 
   /// Returns the names of all files that this row may have, `file` first (io/write_files.h).
@@ -36,11 +38,11 @@ struct BatchRow {
 
 /// The rows that a list requests, all checked before the first one is carved.
 ///
-/// Columns are `id`, `text`, `file`, keys of settings (an empty cell keeps the value that all rows have), and any names
-/// used in templates; `{n}` is the row's number. The plan refuses: a column that a template names and the list lacks; a
-/// value that a setting does not accept; a text, a name or an id that two rows share (capitals in names do not count,
-/// because some file systems ignore them); a text that no symbol of the version holds; a name that is not a plain name
-/// of a model file.
+/// Columns are `id`, `text`, `file`, `model`, keys of settings (an empty cell keeps the value that all rows have), and
+/// any names used in templates; `{n}` is the row's number. Capitals in names of columns do not count. The plan refuses:
+/// a column that a template names and the list lacks; a value that a setting does not accept; a text, a name or an id
+/// that two rows share (names that differ only in capitals or in the composition of their letters are one name for some
+/// file systems); a text that no symbol of the version holds; a name that is not a plain name of a model file.
 class BatchPlan {
  public:
   /// Makes the plan. Cost: some 2 µs per row.
@@ -54,16 +56,29 @@ class BatchPlan {
   /// Returns the columns that nothing uses; a misspelt setting would be among them.
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
-  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored.
+  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored,
+  /// about cells that a spreadsheet has changed (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
   std::size_t size() const { return list_.size(); }
+  std::size_t firstNumber() const { return firstNumber_; }
+
+  /// Returns the models that rows name (BatchRow::model), each once, with the first row that names it.
+  const std::map<std::string, std::size_t>& models() const { return models_; }
+  /// Returns true if a row names no model of its own.
+  bool needsModel() const { return needsModel_; }
 
   /// Returns a row. Call it only if there are no problems.
   /// @param index  from 0
   BatchRow row(std::size_t index) const;
 
  private:
+  /// Advice on the texts of one or more rows.
+  struct TextTrace {
+    Message message;     ///< of the first
+    std::uint32_t line;  ///< of the first
+    std::size_t count;
+  };
   struct SettingColumn {
     std::size_t column;
     const Setting* setting;
@@ -71,6 +86,9 @@ class BatchPlan {
 
   Status prepare();
   void warnOfRemovedChoices();
+  void warnOfSpreadsheets();
+  void findModels();
+  void warnOfTexts(const std::vector<TextTrace>& traces);
   Status checkNames(const TextTemplate& pattern) const;
   Result<BatchRow> made(std::size_t index) const;
   std::string valueOf(std::size_t index, std::string_view name) const;
@@ -84,7 +102,10 @@ class BatchPlan {
   std::size_t firstNumber_ = 1;
   TextTemplate text_, name_, label_;
   std::vector<SettingColumn> settings_;
+  std::vector<std::size_t> filled_;  // columns that go into texts, labels, names and ids
   std::vector<std::string> unused_;
+  std::map<std::string, std::size_t> models_;
+  bool needsModel_ = true;
   std::vector<Message> problems_, warnings_;
 };
 

@@ -57,7 +57,7 @@ void BatchProgress::set(std::size_t row, RowState state, std::string reason) {
 }
 
 void BatchProgress::note(const ManifestEntry& entry) {
-  const std::size_t row = entry.number - 1;  // of number 0: beyond all rows
+  const std::size_t row = layout_.rowOf(entry.number);
   if (row >= layout_.rows || !share_.has(layout_.of(row))) return;
   set(row, entry.status == RowStatus::Done ? RowState::Done : RowState::Failed, entry.reason);
 }

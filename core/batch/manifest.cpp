@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/parse_json.h"
+#include "base/version.h"
 #include "pipeline/engrave.h"
 #include "settings/setting_json.h"
 
@@ -112,8 +113,8 @@ std::string manifestCsvLine(const ManifestEntry& entry) {
 
 std::string settingsToHash(const BatchRow& row, std::string_view others) {
   const Vec3 centre = row.request.placement.centreMm;
-  return fmt::format("qrelief {}\n{}\n{} {} {}\n{}\n{}\n", QRELIEF_VERSION, settingsJson(row.request), centre.x,
-                     centre.y, centre.z, row.file, others);
+  return fmt::format("qrelief {}\n{}\n{} {} {}\n{}\n{}\n", kVersion, settingsJson(row.request), centre.x, centre.y,
+                     centre.z, row.file, others);
 }
 
 std::string describeRow(const CarvedRow& row) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "message_codes/batch.h"
+
 namespace qrelief {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr std::size_t kMostDigits = 20;
 bool isDigits(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
 
 tl::unexpected<Error> broken(std::string_view text, std::size_t at) {
-  return fail(ErrorKind::BadUsage, message("template-brace", with::quoted<"text">(text), with::count<"byte">(at + 1)));
+  return fail(ErrorKind::BadUsage, message<"template-brace">(with::quoted<"text">(text), with::count<"byte">(at + 1)));
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ Result<std::string> TextTemplate::filled(const std::function<std::string(std::st
     std::string value = valueOf(piece.text);
     if (piece.digits > 0) {
       if (!isDigits(value))
-        return badInput(message("template-no-number", with::quoted<"name">(piece.text), with::quoted<"value">(value)));
+        return badInput(message<"template-no-number">(with::quoted<"name">(piece.text), with::quoted<"value">(value)));
       if (value.size() < piece.digits) value.insert(0, piece.digits - value.size(), '0');
     }
     text += value;

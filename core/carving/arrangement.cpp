@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "carving/constrained_delaunay.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -26,7 +27,7 @@ struct Constraint {
 
 Error leavesSurface(Vec2 where) {
   return {ErrorKind::NoSolution,
-          message("carving-leaves-surface", with::lengthMm<"right">(where.x), with::lengthMm<"up">(where.y))};
+          message<"carving-leaves-surface">(with::lengthMm<"right">(where.x), with::lengthMm<"up">(where.y))};
 }
 
 std::vector<Arrangement::Crossing> findCrossings(const Footprint& footprint, EdgeGrid& edges,
@@ -137,7 +138,8 @@ std::optional<Error> addEdgeConstraints(std::vector<Constraint>& constraints, co
     }
     cutAt(edge.b);
     if (within && edge.right == kNoFacet) return leavesSurface(arrangement.points[edge.b]);
-    if (within != static_cast<bool>(replaced[edge.b])) return Error{ErrorKind::Internal, message("edge-on-wrong-side")};
+    if (within != static_cast<bool>(replaced[edge.b]))
+      return Error{ErrorKind::Internal, message<"edge-on-wrong-side">()};
   }
   return std::nullopt;
 }
@@ -299,7 +301,7 @@ Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const O
   if (!cdt) return tl::unexpected(cdt.error());
   const Labels labels = labelTriangles(*cdt, constraints, result.points.size());
   if (auto leak = findLeak(*cdt, labels, constraints, result.points)) return tl::unexpected(std::move(*leak));
-  if (!labels.consistent) return fail(ErrorKind::Internal, message("arrangement-contradicts-itself"));
+  if (!labels.consistent) return fail(ErrorKind::Internal, message<"arrangement-contradicts-itself">());
   for (std::size_t t = 0; t < cdt->triangles.size(); ++t) {
     if (labels.facets[t] == kNoFacet) continue;
     result.triangles.push_back(cdt->triangles[t]);

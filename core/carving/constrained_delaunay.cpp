@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "message_codes/place.h"
+
 namespace qrelief {
 namespace {
 
@@ -62,14 +64,14 @@ Result<PlaneTriangulation> triangulateConstrained(std::span<const Vec2> points,
     Triangulation cdt;
     cdt.insert(sites.begin(), sites.end());
     if (cdt.number_of_vertices() != points.size())
-      return fail(ErrorKind::Internal, message("arrangement-points-coincide",
-                                               with::count<"count">(points.size() - cdt.number_of_vertices())));
+      return fail(ErrorKind::Internal, message<"arrangement-points-coincide">(
+                                           with::count<"count">(points.size() - cdt.number_of_vertices())));
     std::vector<Triangulation::Vertex_handle> vertices(points.size());
     for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v) vertices[v->info()] = v;
     for (const auto& [a, b] : constraints) cdt.insert_constraint(vertices[a], vertices[b]);
     return toArrays(cdt);
   } catch (const std::exception& e) {  // Intersection_of_constraints_exception, or a failed check inside CGAL
-    return fail(ErrorKind::Internal, message("arrangement-not-triangulated", with::term<"reason">(e.what())));
+    return fail(ErrorKind::Internal, message<"arrangement-not-triangulated">(with::term<"reason">(e.what())));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "carving/lift.h"
 #include "carving/needle.h"
 #include "mesh/collinear.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -152,13 +153,36 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are only a risk, which the final check judges. Collinear ones always do harm.
       if (low.collinear == 0) return carving;
-      return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count<"count">(low.collinear)));
+      return fail(ErrorKind::NoSolution, message<"facets-too-fine">(with::count<"count">(low.collinear)));
     }
     clearance.placeAgain(low.nodes);
   }
 }
 
-EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving, bool paint) {
+/// Returns the origin of a new triangle of the surface.
+FacetOrigin originOf(const Footprint& footprint, const Carving& carving, std::size_t triangle, double symbolMm,
+                     bool paint) {
+  using Kind = FacetOrigin::Kind;
+  const Arrangement& arrangement = carving.arrangement;
+  const auto isOutside = [&](std::uint32_t vertex) {
+    const Vec2 p = arrangement.points[carving.surface.vertices[vertex].point];
+    return std::max(std::abs(p.x), std::abs(p.y)) > symbolMm / 2;
+  };
+  const Triangle& corners = carving.surface.triangles[triangle];
+  FacetOrigin origin;
+  if (triangle >= carving.surface.firstWall) {
+    origin.kind = Kind::Wall;
+  } else {
+    origin.kind = !paint && arrangement.levels[triangle] > 0 ? Kind::Floor : Kind::Piece;
+    if (const std::uint32_t f = arrangement.facets[triangle]; f != Arrangement::kGridFacet)
+      origin.facet = footprint.facets[f];
+  }
+  origin.isOfLabel = origin.kind != Kind::Piece && std::any_of(corners.begin(), corners.end(), isOutside);
+  return origin;
+}
+
+EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving, double symbolMm,
+                     bool paint) {
   const std::vector<char>& untouched = carving.untouched;
   std::vector<char> isKept(mesh.triangles.size(), 1);
   for (std::size_t f = 0; f < footprint.facets.size(); ++f) isKept[footprint.facets[f]] = untouched[f];
@@ -191,7 +215,10 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
 
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& corners = mesh.triangles[t];
-    if (isKept[t]) result.mesh.triangles.push_back({place[corners[0]], place[corners[1]], place[corners[2]]});
+    if (!isKept[t]) continue;
+    result.mesh.triangles.push_back({place[corners[0]], place[corners[1]], place[corners[2]]});
+    result.origins.push_back({FacetOrigin::Kind::Kept, false, static_cast<std::uint32_t>(t)});
+    if (!mesh.bodyOf.empty()) result.mesh.bodyOf.push_back(mesh.bodyOf[t]);
   }
   result.keptTriangles = result.mesh.triangles.size();
   const auto placeOf = [&](std::uint32_t v) { return modelVertex(v) ? *modelVertex(v) : newPlace[v]; };
@@ -202,11 +229,21 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
       result.painted.push_back(static_cast<std::uint32_t>(result.mesh.triangles.size()));
     result.newTriangles.push_back(static_cast<std::uint32_t>(result.mesh.triangles.size()));
     result.mesh.triangles.push_back({placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2])});
+    result.origins.push_back(originOf(footprint, carving, t, symbolMm, paint));
+    // The patch is connected by edges, so all its facets are of one body.
+    if (!mesh.bodyOf.empty()) result.mesh.bodyOf.push_back(mesh.bodyOf[footprint.facets.front()]);
   }
   return result;
 }
 
-EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}, {}, {}}; }
+EmbedResult unchanged(const Mesh& mesh) {
+  EmbedResult result;
+  result.mesh = mesh;
+  result.keptTriangles = mesh.triangles.size();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    result.origins.push_back({FacetOrigin::Kind::Kept, false, t});
+  return result;
+}
 
 /// Returns the submodules whose facets are affected: with a resampled surface all, even uncarved ones.
 DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
@@ -230,14 +267,14 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   const Result<Footprint> footprint =
       findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4, options.label);
   if (!footprint) return tl::unexpected(footprint.error());
-  if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message("nothing-under-code"));
+  if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message<"nothing-under-code">());
   const int longest = longestOutline(*footprint, levels.submoduleMm(), snapMm);
   OutlineGraph graph = options.surface == SurfaceMode::Resampled ? buildGridOutlines(levels, chamferMm)
                                                                  : buildOutlines(levels, chamferMm, longest);
   addOutlines(graph, options.label, longest * levels.submoduleMm());
   const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm, options.paint);
   if (!carving) return tl::unexpected(carving.error());
-  EmbedResult result = assemble(mesh, *footprint, *carving, options.paint);
+  EmbedResult result = assemble(mesh, *footprint, *carving, levels.symbolMm, options.paint);
   if (options.inlay) result.inlay = inlayMesh(carving->arrangement, carving->surface);
   return result;
 }

@@ -12,8 +12,23 @@
 
 namespace qrelief {
 
+/// Where a facet of a carved mesh comes from.
+struct FacetOrigin {
+  static constexpr std::uint32_t kNoFacet = 0xffffffffu;
+  enum class Kind : std::uint8_t {
+    Kept,   ///< a facet of the model, unchanged bit for bit
+    Piece,  ///< a piece of a facet that an outline or the square of a resampled surface cuts
+    Floor,  ///< of a pocket
+    Wall    ///< of a pocket
+  };
+  Kind kind = Kind::Kept;
+  bool isOfLabel = false;          ///< a floor or wall of the label or the frame, outside the symbol's square
+  std::uint32_t facet = kNoFacet;  ///< of the model; over a floor; none for walls and the grid of a resampled surface
+};
+
 struct EmbedResult {
   Mesh mesh;                                ///< kept facets first, in their old order; then the new ones
+  std::vector<FacetOrigin> origins;         ///< of the triangles of `mesh`
   std::size_t keptTriangles = 0;            ///< facets of the input that are unchanged bit for bit
   std::vector<std::uint32_t> newTriangles;  ///< indices of facets created by carving
   Mesh inlay;                               ///< fills the pockets (inlay.h); empty unless requested

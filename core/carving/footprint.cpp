@@ -6,6 +6,7 @@
 
 #include "carving/needle.h"
 #include "mesh/topology.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -76,8 +77,9 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
       if (isTouched(t)) footprint.facets.push_back(facet);
     } else if (inFront && isTouched({t[0], t[2], t[1]})) {
-      return fail(ErrorKind::NoSolution, message("facet-from-behind", with::count<"facet">(facet),
-                                                 with::lengthMm<"right">(t[0].x), with::lengthMm<"up">(t[0].y)));
+      return fail(ErrorKind::NoSolution,
+                  message<"facet-from-behind">(with::count<"facet">(facet), with::lengthMm<"right">(t[0].x),
+                                               with::lengthMm<"up">(t[0].y)));
     }
   }
   std::sort(footprint.facets.begin(), footprint.facets.end());

@@ -81,7 +81,11 @@ double DepthSearch::doneFraction() const {
 }
 
 std::size_t DepthSearch::limitedCount() const {
-  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Limited));
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Limited)) + unfinishedCount();
+}
+
+std::size_t DepthSearch::unfinishedCount() const {
+  return finished_ ? static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Searching)) : 0;
 }
 
 }  // namespace qrelief

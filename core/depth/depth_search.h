@@ -39,6 +39,7 @@ class DepthSearch final : public DepthSolver {
   const DepthField& depths() const override { return depths_; }
   const std::vector<DepthState>& states() const { return states_; }
   std::size_t limitedCount() const override;
+  std::size_t unfinishedCount() const override;
   /// Returns the greatest remaining G, 0 if none: the excess brightness of the worst submodule.
   double worstExcess() const { return worstExcess_; }
 

@@ -42,8 +42,10 @@ class DepthSolver {
   /// other.
   virtual double doneFraction() const = 0;
   virtual const DepthField& depths() const = 0;
-  /// Returns the number of submodules that a limit keeps from being dark enough.
+  /// Returns the number of submodules that are not dark enough: those at a limit and, once finished, unfinishedCount().
   virtual std::size_t limitedCount() const = 0;
+  /// Returns the number of submodules that the end of a finished search left too bright, although they may be deeper.
+  virtual std::size_t unfinishedCount() const = 0;
 };
 
 }  // namespace qrelief

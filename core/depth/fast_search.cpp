@@ -189,7 +189,11 @@ double FastSearch::doneFraction() const {
 }
 
 std::size_t FastSearch::limitedCount() const {
-  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited));
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited)) + unfinishedCount();
+}
+
+std::size_t FastSearch::unfinishedCount() const {
+  return finished_ ? static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::TooBright)) : 0;
 }
 
 }  // namespace qrelief

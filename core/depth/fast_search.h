@@ -46,6 +46,7 @@ class FastSearch final : public DepthSolver {
   double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
+  std::size_t unfinishedCount() const override;
 
  private:
   enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };

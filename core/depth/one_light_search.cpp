@@ -145,8 +145,15 @@ double OneLightSearch::doneFraction() const {
 }
 
 std::size_t OneLightSearch::limitedCount() const {
-  return static_cast<std::size_t>(
-      std::count_if(floors_.begin(), floors_.end(), [](const Floor& floor) { return floor.state == State::Limited; }));
+  return static_cast<std::size_t>(std::count_if(floors_.begin(), floors_.end(),
+                                                [](const Floor& floor) { return floor.state == State::Limited; })) +
+         unfinishedCount();
+}
+
+std::size_t OneLightSearch::unfinishedCount() const {
+  if (!finished_) return 0;
+  return static_cast<std::size_t>(std::count_if(floors_.begin(), floors_.end(),
+                                                [](const Floor& floor) { return floor.state == State::TooBright; }));
 }
 
 }  // namespace qrelief

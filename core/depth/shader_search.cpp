@@ -131,18 +131,17 @@ std::vector<SearchRecord::Pass> ShaderSearch::advance() {
 void ShaderSearch::take(const SearchRecord::Pass& last) {
   constexpr int kQuiet = kN * kQuietZoneModules;
   const int edge = depths_.size + 2 * kQuiet;
-  std::size_t tooBright = 0;
-  limited_ = 0;
+  limited_ = tooBright_ = 0;
   for (std::size_t k = 0; k < carved_.size(); ++k) {
     const int row = static_cast<int>(carved_[k]) / depths_.size, column = static_cast<int>(carved_[k]) % depths_.size;
     depths_.depthMm[carved_[k]] = inFiles(last.depthMm[k]);
     place_.luminance[static_cast<std::size_t>((row + kQuiet) * edge + column + kQuiet)] =
         static_cast<double>(last.luminance[k]);
     if (last.luminance[k] <= targets_[k].greatestFraction * targets_[k].around) continue;
-    ++(last.depthMm[k] < targets_[k].limitMm - static_cast<float>(kDepthQuantumMm) / 2 ? tooBright : limited_);
+    ++(last.depthMm[k] < targets_[k].limitMm - static_cast<float>(kDepthQuantumMm) / 2 ? tooBright_ : limited_);
   }
-  doneFraction_ = 1 - static_cast<double>(tooBright) / static_cast<double>(carved_.size());
-  finished_ = tooBright == 0 || iterations_ >= options_.maxIterations;
+  doneFraction_ = 1 - static_cast<double>(tooBright_) / static_cast<double>(carved_.size());
+  finished_ = tooBright_ == 0 || iterations_ >= options_.maxIterations;
 }
 
 }  // namespace qrelief

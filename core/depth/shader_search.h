@@ -54,7 +54,9 @@ class ShaderSearch {
   const DepthField& depths() const { return depths_; }
   /// Returns the luminances at depths(), of symbol and quiet zone; see DepthSolver::update.
   const std::vector<double>& luminance() const { return place_.luminance; }
-  std::size_t limitedCount() const { return limited_; }
+  /// See DepthSolver.
+  std::size_t limitedCount() const { return limited_ + unfinishedCount(); }
+  std::size_t unfinishedCount() const { return finished_ ? tooBright_ : 0; }
 
  private:
   ShaderSearch(CarvingTarget target, Place place);
@@ -70,7 +72,7 @@ class ShaderSearch {
   FloorPasses passes_;
   DepthField depths_;
   int iterations_ = 0, freePasses_ = 0, readBacks_ = 0;
-  std::size_t limited_ = 0;
+  std::size_t limited_ = 0, tooBright_ = 0;  // at the last read-back, at a limit and below it
   double doneFraction_ = 0;
   bool finished_ = false;
 };

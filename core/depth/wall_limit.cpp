@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "depth/facet_tree.h"
+#include "math/orientation.h"
 #include "math/tolerance.h"
 #include "projection/facet_locator.h"
-#include "projection/orientation.h"
 
 namespace qrelief {
 namespace {
@@ -108,7 +108,9 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
   std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
   for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
   std::vector<FacetTree::Facet> walls, surface;
+  const std::uint32_t body = patch.triangles.empty() ? 0 : mesh.body(patch.triangles.front());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.body(t) != body) continue;
     Box3 box;
     for (const std::uint32_t v : mesh.triangles[t]) box.add(positions[v]);
     const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));

@@ -21,9 +21,9 @@ struct WallLimitOptions {
 /// than `minWallMm` to the other side of the material. The pocket's walls are swept by the floor's rim on its way down,
 /// so they keep the same distance. Other sides are
 ///
-///   - facets outside the visible patch: the back of the body, its sides beyond the silhouette, cavities, other shells,
-///     everything the eye cannot see. Front-facing facets outside the patch's radius do not count, because nothing is
-///     known about them: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;
+///   - facets of the same body outside the visible patch: its back, its sides beyond the silhouette, its cavities,
+///     everything of it that the eye cannot see. Front-facing facets outside the patch's radius do not count, because
+///     nothing is known about them: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;
 ///   - facets of the patch that the eye sees nearly edge-on (kGrazingCosine), such as drafted side walls. Pocket walls
 ///     run along the rays, almost parallel to these;
 ///   - facets of the patch that face away from the facet over the floor (kOppositeCosine): the far side of a sharp

@@ -11,6 +11,7 @@
 
 #include "gl/declared_uniforms.h"
 #include "gl/pass_timings.h"
+#include "message_codes/graphics.h"
 
 namespace qrelief::gl {
 namespace {
@@ -46,7 +47,7 @@ Result<GLuint> compile(const char* name, GLenum kind, const char* source) {
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   glDeleteShader(shader);
   return fail(ErrorKind::Internal,
-              message("shader-refused", with::term<"shader">(name), with::term<"log">(log.data())));
+              message<"shader-refused">(with::term<"shader">(name), with::term<"log">(log.data())));
 }
 
 std::string glString(GLenum name) {
@@ -111,9 +112,10 @@ Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours,
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    return fail(ErrorKind::Internal, message("float-texture-refused", with::count<"width">(framebuffer.width_),
-                                             with::count<"height">(framebuffer.height_),
-                                             with::term<"status">(fmt::format("0x{:x}", status))));
+    return fail(ErrorKind::Internal,
+                message<"float-texture-refused">(with::count<"width">(framebuffer.width_),
+                                                 with::count<"height">(framebuffer.height_),
+                                                 with::term<"status">(fmt::format("0x{:x}", status))));
   return framebuffer;
 }
 
@@ -201,7 +203,7 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
   std::array<char, 2048> log{};
   glGetProgramInfoLog(program.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
   return fail(ErrorKind::Internal,
-              message("shader-not-linked", with::term<"shader">(name), with::term<"log">(log.data())));
+              message<"shader-not-linked">(with::term<"shader">(name), with::term<"log">(log.data())));
 }
 
 Program::~Program() {

@@ -22,4 +22,7 @@ std::string filamentCode(unsigned filament);
 /// @returns the filament; none if the facet has several filaments, or if the text is not a valid code
 std::optional<unsigned> filamentOfCode(std::string_view code);
 
+/// Returns the filament of a code in a second colour: 2, or 1 if the body with the code has 2.
+inline std::uint32_t secondFilament(std::size_t ofBody) { return ofBody == 2 ? 1 : 2; }
+
 }  // namespace qrelief

@@ -92,6 +92,12 @@ std::optional<double> parseNumber(std::string_view token) {
   return parseSlowly(token);
 }
 
+std::string_view withoutBlanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
 std::optional<std::int64_t> parseInteger(std::string_view token) {
   if (token.size() > 1 && token[0] == '+' && isDigit(token[1])) token.remove_prefix(1);
   std::int64_t value = 0;

@@ -16,6 +16,9 @@ namespace qrelief {
 /// @returns empty if the token is not a number
 std::optional<double> parseNumber(std::string_view token);
 
+/// Returns the text without white space round it: attributes of XML that are numbers may have some.
+std::string_view withoutBlanks(std::string_view text);
+
 /// Parses a decimal integer with an optional sign; empty if the token is not one or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view token);
 

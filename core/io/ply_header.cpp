@@ -7,6 +7,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -35,11 +36,11 @@ class HeaderReader {
   explicit HeaderReader(std::string_view text) : text_(text), scanner_(text) {}
 
   Result<PlyHeader> read() {
-    if (scanner_.wordOnLine() != "ply") return failHere(message("ply-keyword"));
+    if (scanner_.wordOnLine() != "ply") return failHere(message<"ply-keyword">());
     scanner_.restOfLine();
     bool anyFormat = false;
     for (;;) {
-      if (scanner_.atEnd()) return failHere(message("ply-no-end"));
+      if (scanner_.atEnd()) return failHere(message<"ply-no-end">());
       line_ = scanner_.line();
       const std::string_view keyword = scanner_.wordOnLine();
       if (keyword == "end_header") break;
@@ -52,19 +53,19 @@ class HeaderReader {
       } else if (keyword == "property") {
         status = readProperty();
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-        status = failHere(message("ply-unknown-keyword", with::quoted<"word">(excerpt(keyword))));
+        status = failHere(message<"ply-unknown-keyword">(with::quoted<"word">(excerpt(keyword))));
       }
       if (!status) return tl::unexpected(status.error());
       scanner_.restOfLine();
     }
-    if (!anyFormat) return failHere(message("ply-no-format"));
+    if (!anyFormat) return failHere(message<"ply-no-format">());
     endOfHeader();
     return std::move(header_);
   }
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message("ply-header-line", with::count<"line">(line_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"ply-header-line">(with::count<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status readFormat() {
@@ -76,7 +77,7 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.format = PlyFormat::BigEndian;
     } else {
-      return failHere(message("ply-format", with::quoted<"word">(excerpt(name))));
+      return failHere(message<"ply-format">(with::quoted<"word">(excerpt(name))));
     }
     return {};
   }
@@ -87,10 +88,10 @@ class HeaderReader {
     const std::string_view word = scanner_.wordOnLine();
     const std::optional<std::int64_t> count = parseInteger(word);
     if (word.empty())
-      return failHere(message("ply-element-count-missing", with::quoted<"element">(excerpt(element.name))));
+      return failHere(message<"ply-element-count-missing">(with::quoted<"element">(excerpt(element.name))));
     if (!count || *count < 0)
-      return failHere(message("ply-element-count", with::quoted<"element">(excerpt(element.name)),
-                              with::quoted<"word">(excerpt(word))));
+      return failHere(message<"ply-element-count">(with::quoted<"element">(excerpt(element.name)),
+                                                   with::quoted<"word">(excerpt(word))));
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(std::move(element));
     return {};
@@ -100,17 +101,17 @@ class HeaderReader {
     const std::string_view word = scanner_.wordOnLine();
     for (const auto& [name, type] : kTypeNames)
       if (name == word) return type;
-    return failHere(message("ply-type", with::quoted<"word">(excerpt(word))));
+    return failHere(message<"ply-type">(with::quoted<"word">(excerpt(word))));
   }
 
   Status readProperty() {
-    if (header_.elements.empty()) return failHere(message("ply-property-first"));
+    if (header_.elements.empty()) return failHere(message<"ply-property-first">());
     PlyProperty property;
     const TextScanner before = scanner_;
     if (scanner_.wordOnLine() == "list") {
       const Result<PlyType> countType = readType();
       if (!countType) return tl::unexpected(countType.error());
-      if (isFloating(*countType)) return failHere(message("ply-list-type"));
+      if (isFloating(*countType)) return failHere(message<"ply-list-type">());
       property.countType = *countType;
     } else {
       scanner_ = before;
@@ -119,7 +120,7 @@ class HeaderReader {
     if (!type) return tl::unexpected(type.error());
     property.type = *type;
     property.name = scanner_.wordOnLine();
-    if (property.name.empty()) return failHere(message("ply-property-name"));
+    if (property.name.empty()) return failHere(message<"ply-property-name">());
     header_.elements.back().properties.push_back(std::move(property));
     return {};
   }

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "io/parse_number.h"
 #include "io/triangulate_polygon.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -15,9 +17,9 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return badInput(message("file-vertex-not-finite", with::count<"vertex">(i + 1),
-                              with::count<"vertices">(positions.size()), with::term<"format">(format),
-                              with::term<"at">(coordinates(p))));
+      return badInput(
+          message<"file-vertex-not-finite">(with::count<"vertex">(i + 1), with::count<"vertices">(positions.size()),
+                                            with::term<"format">(format), with::term<"at">(coordinates(p))));
   }
   return {};
 }
@@ -45,7 +47,7 @@ bool triangulateFace(const PolygonList& list, std::span<const std::uint32_t> fac
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
-  return badInput(message("file-too-many-triangles", with::count<"limit">(limit)));
+  return badInput(message<"file-too-many-triangles">(with::count<"limit">(limit)));
 }
 
 Status PolygonList::reserve(std::uint64_t vertices, std::uint64_t faces) {
@@ -69,7 +71,7 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
                      [&](std::uint32_t v) { return v < list.positions.size(); }));
   if (Status s = checkPositions(list.positions, format); !s) return tl::unexpected(s.error());
   if (list.triangles == 0)
-    return badInput(message("file-no-face", with::term<"format">(format), with::count<"count">(list.positions.size())));
+    return badInput(message<"file-no-face">(with::term<"format">(format), with::count<"count">(list.positions.size())));
 
   PolygonSoup soup;
   Noted tooSmall, notSimple;
@@ -88,26 +90,38 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
   }
   if (tooSmall.count > 0)
     soup.warnings.push_back(
-        message("faces-passed-over", with::count<"count">(tooSmall.count), with::count<"face">(tooSmall.first)));
+        message<"faces-passed-over">(with::count<"count">(tooSmall.count), with::count<"face">(tooSmall.first)));
   if (notSimple.count > 0)
-    soup.warnings.push_back(message("polygons-not-simple", with::count<"count">(notSimple.count),
-                                    with::count<"face">(notSimple.first), with::place<"at">(notSimple.at)));
+    soup.warnings.push_back(message<"polygons-not-simple">(
+        with::count<"count">(notSimple.count), with::count<"face">(notSimple.first), with::place<"at">(notSimple.at)));
   soup.positions = std::move(list.positions);
   soup.format = std::move(format);
   return soup;
 }
 
-Message notANumber(std::string_view word) {
-  if (word.empty()) return message("number-missing");
-  return message("number-malformed", with::quoted<"word">(excerpt(word)));
+bool hasDecimalComma(std::string_view word) {
+  std::string pointed(word);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  return pointed != word && parseNumber(pointed);
 }
 
-Message notFinite(std::string_view word) { return message("number-not-finite", with::quoted<"word">(excerpt(word))); }
+tl::unexpected<Error> decimalComma(std::string_view format, std::size_t line, std::string_view word) {
+  return badInput(message<"file-decimal-comma">(with::count<"line">(line), with::term<"format">(format),
+                                                with::quoted<"word">(excerpt(word))));
+}
 
-Message notAVertex(std::string_view word) { return message("index-malformed", with::quoted<"word">(excerpt(word))); }
+Message notANumber(std::string_view word) {
+  if (word.empty()) return message<"number-missing">();
+  if (hasDecimalComma(word)) return message<"number-decimal-comma">(with::quoted<"word">(excerpt(word)));
+  return message<"number-malformed">(with::quoted<"word">(excerpt(word)));
+}
+
+Message notFinite(std::string_view word) { return message<"number-not-finite">(with::quoted<"word">(excerpt(word))); }
+
+Message notAVertex(std::string_view word) { return message<"index-malformed">(with::quoted<"word">(excerpt(word))); }
 
 Message noSuchVertex(std::int64_t index, std::size_t vertices) {
-  return message("face-vertex-missing", with::count<"vertex">(index), with::count<"count">(vertices));
+  return message<"face-vertex-missing">(with::count<"vertex">(index), with::count<"count">(vertices));
 }
 
 std::string coordinates(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }

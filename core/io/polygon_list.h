@@ -35,8 +35,14 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format);
 /// Returns the error for a file with more than `limit` triangles.
 tl::unexpected<Error> tooManyTriangles(std::size_t limit);
 
-/// Returns the message for a word that should have been a number, such as "12,3" with a decimal comma. An empty word
-/// means that the number is missing.
+/// Returns true for a number with a comma for its point, such as "12,3".
+bool hasDecimalComma(std::string_view word);
+
+/// Returns the error for such a number.
+tl::unexpected<Error> decimalComma(std::string_view format, std::size_t line, std::string_view word);
+
+/// Returns the message for a word that should have been a number, such as "12,3". An empty word means that the
+/// number is missing.
 Message notANumber(std::string_view word);
 
 /// Returns the message for a coordinate or factor that is not finite, such as "inf".

@@ -11,6 +11,8 @@
 #include "io/three_mf_volumes.h"
 #include "io/xml_reader.h"
 #include "io/zip_archive.h"
+#include "mesh/weld.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -82,21 +84,21 @@ class Package {
   /// @returns its name
   Result<std::string> readStart() {
     const ZipEntry* entry = archive_.find(kRelationships);
-    if (!entry) return badInput(message("3mf-no-relationships"));
+    if (!entry) return badInput(message<"3mf-no-relationships">());
     RelationshipHandler handler;
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     if (const Status read = readXml(*stream, std::string(kRelationships), handler); !read)
       return tl::unexpected(read.error());
-    if (handler.targets.empty()) return badInput(message("3mf-no-start"));
+    if (handler.targets.empty()) return badInput(message<"3mf-no-start">());
     if (handler.targets.size() > 1)
-      return badInput(message("3mf-several-starts", with::count<"count">(handler.targets.size())));
+      return badInput(message<"3mf-several-starts">(with::count<"count">(handler.targets.size())));
     const std::string& target = handler.targets.front();
-    if (target.empty()) return badInput(message("3mf-no-target"));
+    if (target.empty()) return badInput(message<"3mf-no-target">());
     const auto name = partName(target);
     if (handler.external || target.find(':') != std::string::npos)
-      return badInput(message("3mf-external", with::quoted<"target">(excerpt(target, kLongestTarget))));
-    if (!name) return badInput(message("3mf-leaves-package", with::quoted<"target">(excerpt(target, kLongestTarget))));
+      return badInput(message<"3mf-external">(with::quoted<"target">(excerpt(target, kLongestTarget))));
+    if (!name) return badInput(message<"3mf-leaves-package">(with::quoted<"target">(excerpt(target, kLongestTarget))));
     if (const Status read = readModels(*name); !read) return tl::unexpected(read.error());
     return *name;
   }
@@ -108,7 +110,7 @@ class Package {
       const std::string name = std::move(paths.back());
       paths.pop_back();
       if (models_.count(name)) continue;
-      if (models_.size() == kMaxParts) return badInput(message("3mf-too-many-parts", with::count<"limit">(kMaxParts)));
+      if (models_.size() == kMaxParts) return badInput(message<"3mf-too-many-parts">(with::count<"limit">(kMaxParts)));
       Result<ThreeMfModel> model = readPart(name);
       if (!model) return tl::unexpected(model.error());
       if (const Status resolved = resolvePaths(*model, name, paths); !resolved) return resolved;
@@ -132,7 +134,7 @@ class Package {
 
   Result<ThreeMfModel> readPart(const std::string& name) {
     const ZipEntry* entry = archive_.find(name);
-    if (!entry) return badInput(message("3mf-part-missing", with::quoted<"part">(excerpt(name, kLongestTarget))));
+    if (!entry) return badInput(message<"3mf-part-missing">(with::quoted<"part">(excerpt(name, kLongestTarget))));
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     ReadLimits left = limits_;
@@ -153,9 +155,9 @@ class Package {
         }
         const auto name = partName(instance.path);
         if (!name)
-          return badInput(message("3mf-path-outside", with::quoted<"part">(excerpt(own)),
-                                  with::count<"object">(instance.object),
-                                  with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
+          return badInput(message<"3mf-path-outside">(with::quoted<"part">(excerpt(own)),
+                                                      with::count<"object">(instance.object),
+                                                      with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
         instance.path = *name;
         if (instance.path != own) paths.push_back(*name);
       }
@@ -178,6 +180,22 @@ struct Extent {
   std::size_t triangles = 0, vertices = 0, instances = 1, nesting = 1;
 };
 
+/// Returns true if every edge of the mesh has an even number of triangles. Equal positions are one corner.
+bool hasClosedMesh(const ThreeMfObject& object) {
+  std::vector<Vec3f> points(object.positions.begin(), object.positions.end());
+  const Welding welding = weldEqual(points);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : object.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back(std::minmax({welding.indexOf[t[k]], welding.indexOf[t[(k + 1) % 3]]}));
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(), end = edge; edge != edges.end(); edge = end) {
+    end = std::upper_bound(edge, edges.end(), *edge);
+    if ((end - edge) % 2 != 0) return false;
+  }
+  return true;
+}
+
 /// Assembles the build's items.
 class Builder {
  public:
@@ -191,6 +209,8 @@ class Builder {
     volumes_ = package_.volumes(soup_.warnings);
     Extent total{0, 0, 0, 0};
     for (const ThreeMfInstance& item : model.items) {
+      if (!find(item)) return objectMissing(item, start);
+      if (whyNoModel(item)) continue;
       const Result<Extent> extent = measure(item, start);
       if (!extent) return tl::unexpected(extent.error());
       if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
@@ -214,13 +234,19 @@ class Builder {
     if (total.triangles > limits_.maxTriangles || total.vertices > 3 * limits_.maxTriangles)
       return tooManyTriangles(limits_.maxTriangles);
     if (total.instances > kMaxInstances)
-      return badInput(message("3mf-too-many-instances", with::count<"limit">(kMaxInstances)));
+      return badInput(message<"3mf-too-many-instances">(with::count<"limit">(kMaxInstances)));
     if (total.nesting > kMaxNesting + 1) return nestedTooDeep();
     return {};
   }
 
   static tl::unexpected<Error> nestedTooDeep() {
-    return badInput(message("3mf-nested-too-deep", with::count<"limit">(kMaxNesting)));
+    return badInput(message<"3mf-nested-too-deep">(with::count<"limit">(kMaxNesting)));
+  }
+
+  static tl::unexpected<Error> objectMissing(const ThreeMfInstance& instance, const std::string& asking) {
+    return badInput(message<"3mf-object-missing">(with::quoted<"asking">(excerpt(asking)),
+                                                  with::count<"object">(instance.object),
+                                                  with::quoted<"part">(excerpt(instance.path))));
   }
 
   /// Measures an object before anything is multiplied, and checks the limits.
@@ -230,17 +256,19 @@ class Builder {
     if (const auto known = extents_.find(key); known != extents_.end()) {
       if (known->second) return *known->second;
       return badInput(
-          message("3mf-circle", with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-circle">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     }
     const ThreeMfObject* object = find(instance);
-    if (!object)
-      return badInput(message("3mf-object-missing", with::quoted<"asking">(excerpt(asking)),
-                              with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+    if (!object) return objectMissing(instance, asking);
     if (object->isInSlices)
       return badInput(
-          message("3mf-slices", with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-slices">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+    if (object->isInBeams)
+      return badInput(
+          message<"3mf-beams">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+    withSlices_ += object->hasSlices;
     if (extents_.size() > kMaxInstances)
-      return badInput(message("3mf-too-many-objects", with::count<"limit">(kMaxInstances)));
+      return badInput(message<"3mf-too-many-objects">(with::count<"limit">(kMaxInstances)));
     extents_.emplace(key, std::nullopt);  // while it is open, to find circular references
     if (++depth_ > kMaxNesting) return nestedTooDeep();
     Extent total{object->triangles.size(), object->positions.size(), 1, 1};
@@ -263,10 +291,12 @@ class Builder {
   void addItem(const ThreeMfInstance& item, double unitMm) {
     const ThreeMfObject& object = *find(item);
     const std::size_t number = items_++;
-    if (object.type != "model") {
-      ++notModels_;
+    if (auto why = whyNoModel(item)) {
+      if (notModels_++ == 0) whyNot_ = std::move(*why);
       return;
     }
+    itemType_ = object.type;
+    if (object.type != "model" && oddlyTyped_++ == 0) oddType_ = object.type;
     const std::size_t first = soup_.triangles.size();
     ThreeMfRun run;
     run.item = number;
@@ -303,9 +333,36 @@ class Builder {
     }
   }
 
-  /// Returns false for a component that slicers do not print.
-  bool isModel(const ThreeMfInstance& component, std::uint32_t itemObject) const {
-    return find(component)->type == "model" && !volumes_.notModels.count({itemObject, component.object});
+  /// Returns the reason why an item is no model to print; none for a model. FreeCAD calls closed bodies "surface".
+  std::optional<Message> whyNoModel(const ThreeMfInstance& item) {
+    const ThreeMfObject& object = *find(item);
+    if (!item.isPrinted) return message<"3mf-not-printed">(with::count<"object">(item.object));
+    if (!object.curaMesh.empty())
+      return message<"3mf-cura-mesh">(with::count<"object">(item.object), with::term<"setting">(object.curaMesh));
+    if (object.type == "model") return std::nullopt;
+    if (object.type != "surface" && object.type != "other")
+      return message<"3mf-type">(with::count<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
+    if (isClosed(item)) return std::nullopt;
+    return message<"3mf-type-open">(with::count<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
+  }
+
+  /// Returns true if the object and its components have closed meshes only.
+  bool isClosed(const ThreeMfInstance& instance, std::size_t nesting = 0) {
+    const ThreeMfObject* object = find(instance);
+    if (!object || nesting > kMaxNesting) return false;
+    const auto [known, isNew] = closed_.try_emplace({instance.path, instance.object}, false);  // false: a circle, too
+    if (!isNew) return known->second;
+    const bool isClosedMesh = object->triangles.empty() ? !object->components.empty() : hasClosedMesh(*object);
+    return known->second =
+               isClosedMesh && std::all_of(object->components.begin(), object->components.end(),
+                                           [&](const ThreeMfInstance& c) { return isClosed(c, nesting + 1); });
+  }
+
+  /// Returns false for a component that slicers do not print. Bambu Studio calls modifiers "other".
+  bool isModel(const ThreeMfInstance& component, std::uint32_t itemObject) {
+    const std::string& type = find(component)->type;
+    if (type != "model" && type != "surface" && type != itemType_) return false;
+    return !whyNoModel(component) && !volumes_.notModels.count({itemObject, component.object});
   }
 
   /// Adds a mesh, except for the volumes that slicers do not print.
@@ -314,7 +371,7 @@ class Builder {
     if (triangles == 0) return;
     const auto known = volumes_.ranges.find(run.object);
     if (known == volumes_.ranges.end() || !divideMesh(known->second, triangles))
-      return addTriangles(object, run, 0, triangles);
+      return addTriangles(object, run, 0, triangles, partTraits(run));
     const std::vector<VolumeRange>& ranges = known->second;
     std::vector<std::size_t> volumeOf(triangles, ranges.size());  // ranges.size(): in no volume
     for (std::size_t v = 0; v < ranges.size(); ++v)
@@ -322,16 +379,23 @@ class Builder {
                 volumeOf.begin() + static_cast<std::ptrdiff_t>(ranges[v].last + 1), v);
     for (std::size_t first = 0, end = 0; first < triangles; first = end) {
       for (end = first; end < triangles && volumeOf[end] == volumeOf[first];) ++end;
-      const bool isModelVolume = volumeOf[first] == ranges.size() || ranges[volumeOf[first]].isModel;
-      if (isModelVolume)
-        addTriangles(object, run, first, end);
+      const bool isInVolume = volumeOf[first] != ranges.size();
+      if (!isInVolume || ranges[volumeOf[first]].isModel)
+        addTriangles(object, run, first, end, isInVolume ? ranges[volumeOf[first]].traits : VolumeTraits());
       else
         ++modifiers_;
     }
   }
 
+  /// Returns what Bambu Studio or OrcaSlicer says of a run's mesh as a part.
+  VolumeTraits partTraits(const ThreeMfRun& run) const {
+    const auto part = volumes_.parts.find({run.itemObject, run.object});
+    return part == volumes_.parts.end() ? VolumeTraits() : part->second;
+  }
+
   /// Adds triangles `first` to `end` of a mesh, with the positions that they need.
-  void addTriangles(const ThreeMfObject& object, ThreeMfRun run, std::size_t first, std::size_t end) {
+  void addTriangles(const ThreeMfObject& object, ThreeMfRun run, std::size_t first, std::size_t end,
+                    const VolumeTraits& traits) {
     constexpr std::uint32_t kNowhere = 0xffffffffu;
     const bool isWhole = first == 0 && end == object.triangles.size();
     std::vector<std::uint32_t> place(object.positions.size(), kNowhere);
@@ -348,6 +412,9 @@ class Builder {
     run.firstInMesh = first;
     run.count = end - first;
     runs_.push_back(run);
+    soup_.bodyOf.insert(soup_.bodyOf.end(), end - first, static_cast<std::uint32_t>(soup_.bodies.size()));
+    soup_.bodies.push_back({traits.name.empty() ? run.name : traits.name,
+                            static_cast<std::uint32_t>(soup_.parts.size()), false, traits.filament});
     for (std::size_t t = first; t < end; ++t) {
       const auto& [a, b, c] = object.triangles[t];
       if (run.mirrored)
@@ -359,22 +426,33 @@ class Builder {
 
   Result<PolygonSoup> finish(const ThreeMfModel& model) {
     if (notModels_ > 0)
+      soup_.warnings.push_back(message<"3mf-items-not-models">(
+          with::count<"count">(notModels_), with::count<"items">(model.items.size()), with::cause<"why">(whyNot_)));
+    if (oddlyTyped_ > 0)
       soup_.warnings.push_back(
-          message("3mf-items-not-models", with::count<"count">(notModels_), with::count<"items">(model.items.size())));
-    if (modifiers_ > 0) soup_.warnings.push_back(message("3mf-modifiers", with::count<"count">(modifiers_)));
-    if (empty_ > 0) soup_.warnings.push_back(message("3mf-items-empty", with::count<"count">(empty_)));
-    if (!model.hasBuild) return badInput(message("3mf-build-missing", with::count<"count">(model.objects.size())));
-    if (model.items.empty()) return badInput(message("3mf-build-empty", with::count<"count">(model.objects.size())));
-    if (soup_.triangles.empty()) return badInput(message("3mf-no-triangle", with::count<"count">(model.items.size())));
+          message<"3mf-type-closed">(with::count<"count">(oddlyTyped_), with::quoted<"type">(excerpt(oddType_))));
+    if (withSlices_ > 0) soup_.warnings.push_back(message<"3mf-slices-unused">(with::count<"count">(withSlices_)));
+    if (modifiers_ > 0) soup_.warnings.push_back(message<"3mf-modifiers">(with::count<"count">(modifiers_)));
+    if (empty_ > 0) soup_.warnings.push_back(message<"3mf-items-empty">(with::count<"count">(empty_)));
+    if (!model.hasBuild) return badInput(message<"3mf-build-missing">(with::count<"count">(model.objects.size())));
+    if (model.items.empty()) return badInput(message<"3mf-build-empty">(with::count<"count">(model.objects.size())));
+    if (soup_.triangles.empty())
+      return badInput(
+          message<"3mf-no-triangle">(with::count<"count">(model.items.size()), with::cause<"why">(whyNot_)));
     for (const Vec3& p : soup_.positions)
-      if (!(glm::length(p) < 1e300)) return badInput(message("3mf-out-of-bounds"));
+      if (!(glm::length(p) < 1e300)) return badInput(message<"3mf-out-of-bounds">());
+    if (soup_.bodies.size() < 2) soup_.bodyOf.clear();
     return std::move(soup_);
   }
 
   const Package& package_;
   const ReadLimits& limits_;
   std::map<Key, std::optional<Extent>> extents_;
-  std::size_t depth_ = 0, items_ = 0, notModels_ = 0, modifiers_ = 0, empty_ = 0;
+  std::map<Key, bool> closed_;
+  std::size_t depth_ = 0, items_ = 0, notModels_ = 0, modifiers_ = 0, empty_ = 0, oddlyTyped_ = 0, withSlices_ = 0;
+  Message whyNot_ = message<"3mf-without-triangles">();  // why the first item that is no model is none
+  std::string itemType_;                                 // of the item that is placed
+  std::string oddType_;                                  // of the first closed mesh that is not called a model
   ThreeMfVolumes volumes_;
   std::vector<ThreeMfRun> runs_;
   PolygonSoup soup_;

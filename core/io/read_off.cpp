@@ -4,55 +4,110 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
 
+constexpr std::string_view kDigits = "0123456789";
+
+/// What ends a vertex or a face: its line, or its last number.
+struct OffLayout {
+  bool vertexOnLine = true, faceOnLine = true;
+};
+
 class OffReader {
  public:
-  OffReader(std::string_view text, const ReadLimits& limits) : text_(text), scanner_(text, '#') {
-    list_.maxTriangles = limits.maxTriangles;
-  }
+  OffReader(std::string_view text, const ReadLimits& limits)
+      : text_(text), scanner_(text, '#'), maxTriangles_(limits.maxTriangles) {}
 
   Result<PolygonSoup> read() {
     if (Status s = readKeyword(); !s) return tl::unexpected(s.error());
-    const std::string_view verticesWord = scanner_.word();
-    const std::optional<std::uint64_t> vertices = countFrom(verticesWord);
-    if (!vertices)
-      return verticesWord.empty() ? failHere(message("off-vertex-count-missing"))
-                                  : failHere(message("off-vertex-count", with::quoted<"word">(excerpt(verticesWord))));
-    const std::string_view facesWord = scanner_.word();
-    const std::optional<std::uint64_t> faces = countFrom(facesWord);
-    if (!faces)
-      return facesWord.empty() ? failHere(message("off-face-count-missing"))
-                               : failHere(message("off-face-count", with::quoted<"word">(excerpt(facesWord))));
-    scanner_.restOfLine();  // the number of edges: often wrong, never needed
-    if (Status s = checkSizeBound(*vertices, *faces); !s) return tl::unexpected(s.error());
-    if (Status s = list_.reserve(*vertices, *faces); !s) return tl::unexpected(s.error());
-
-    const auto vertexCount = static_cast<std::size_t>(*vertices);
-    const auto faceCount = static_cast<std::size_t>(*faces);
-    for (std::size_t v = 0; v < vertexCount; ++v)
-      if (Status s = readVertex(v + 1, vertexCount); !s) return tl::unexpected(s.error());
-    for (std::size_t f = 0; f < faceCount; ++f)
-      if (Status s = readFace(f + 1, faceCount); !s) return tl::unexpected(s.error());
-    return triangulated(std::move(list_), "OFF");
+    if (Status s = readCounts(); !s) return tl::unexpected(s.error());
+    const TextScanner data = scanner_;
+    const Status byLines = readData({});
+    if (!isPlain_ || (byLines && isAtEnd())) return finished(byLines);
+    // Without colours and normals, a line may hold several vertices or a part of one.
+    for (const OffLayout layout : {OffLayout{false, true}, OffLayout{false, false}, OffLayout{true, false}}) {
+      scanner_ = data;
+      if (const Status s = readData(layout); s && isAtEnd()) return finished(s);
+    }
+    scanner_ = data;
+    return finished(readData({}));
   }
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message("off-line", with::count<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
+    return badInput(message<"off-line">(with::count<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
   }
 
-  Status readKeyword() {
-    const std::string_view keyword = scanner_.word();
-    if (keyword.empty()) return failHere(message("off-keyword-missing"));
-    if (!isOffKeyword(keyword)) return failHere(message("off-keyword", with::quoted<"word">(excerpt(keyword))));
-    if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return badInput(message("off-dimension", with::term<"keyword">(keyword)));
+  Result<PolygonSoup> finished(const Status& read) {
+    if (!read) return tl::unexpected(read.error());
+    return triangulated(std::move(list_), "OFF");
+  }
+
+  bool isAtEnd() {
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "BINARY") return badInput(message("off-binary"));
+    const bool isEnd = scanner_.word().empty();
     scanner_ = before;
+    return isEnd;
+  }
+
+  /// Reads the keyword. It may be missing [Geomview, OFF], or the number of vertices follows it without a blank, as in
+  /// ModelNet.
+  Status readKeyword() {
+    std::string_view keyword = scanner_.word();
+    if (keyword.empty()) return failHere(message<"off-keyword-missing">());
+    verticesWord_ = keyword.substr(keyword.find_last_not_of(kDigits) + 1);
+    keyword.remove_suffix(verticesWord_.size());
+    if (keyword.empty()) return {};
+    if (!isOffKeyword(keyword)) return failHere(message<"off-keyword">(with::quoted<"word">(excerpt(keyword))));
+    if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
+      return badInput(message<"off-dimension">(with::term<"keyword">(keyword)));
+    const TextScanner before = scanner_;
+    if (scanner_.wordOnLine() == "BINARY") return badInput(message<"off-binary">());
+    scanner_ = before;
+    isPlain_ = keyword == "OFF";
+    return {};
+  }
+
+  Status readCounts() {
+    if (verticesWord_.empty()) verticesWord_ = scanner_.word();
+    const std::optional<std::uint64_t> vertices = countFrom(verticesWord_);
+    if (!vertices)
+      return verticesWord_.empty()
+                 ? failHere(message<"off-vertex-count-missing">())
+                 : failHere(message<"off-vertex-count">(with::quoted<"word">(excerpt(verticesWord_))));
+    const std::string_view facesWord = scanner_.word();
+    const std::optional<std::uint64_t> faces = countFrom(facesWord);
+    if (!faces)
+      return facesWord.empty() ? failHere(message<"off-face-count-missing">())
+                               : failHere(message<"off-face-count">(with::quoted<"word">(excerpt(facesWord))));
+    skipEdgeCount();
+    if (Status s = checkSizeBound(*vertices, *faces); !s) return s;
+    vertexCount_ = static_cast<std::size_t>(*vertices);
+    faceCount_ = static_cast<std::size_t>(*faces);
+    return {};
+  }
+
+  /// Skips the number of edges, which is often wrong and never needed. It may be missing, or alone on the next line.
+  void skipEdgeCount() {
+    const bool isOnLine = !scanner_.wordOnLine().empty();
+    scanner_.restOfLine();
+    if (isOnLine) return;
+    const TextScanner before = scanner_;
+    const bool isAlone = !scanner_.word().empty() && scanner_.wordOnLine().empty();
+    if (!isAlone) scanner_ = before;
+  }
+
+  Status readData(OffLayout layout) {
+    list_ = {};
+    list_.maxTriangles = maxTriangles_;
+    if (Status s = list_.reserve(vertexCount_, faceCount_); !s) return s;
+    for (std::size_t v = 0; v < vertexCount_; ++v)
+      if (Status s = readVertex(v + 1, layout.vertexOnLine); !s) return s;
+    for (std::size_t f = 0; f < faceCount_; ++f)
+      if (Status s = readFace(f + 1, layout.faceOnLine); !s) return s;
     return {};
   }
 
@@ -65,39 +120,40 @@ class OffReader {
   /// shortest face two ("0").
   Status checkSizeBound(std::uint64_t vertices, std::uint64_t faces) const {
     if (vertices <= (left() + 1) / 6 && faces <= (left() + 1) / 2) return {};
-    return badInput(message("off-announces", with::count<"vertices">(vertices), with::count<"faces">(faces),
-                            with::count<"bytes">(left())));
+    return badInput(message<"off-announces">(with::count<"vertices">(vertices), with::count<"faces">(faces),
+                                             with::count<"bytes">(left())));
   }
 
   std::size_t left() const { return text_.size() - scanner_.position(); }  ///< bytes not yet read
 
-  Status readVertex(std::size_t number, std::size_t count) {
+  Status readVertex(std::size_t number, bool onLine) {
     Vec3 p(0);
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
+      if (!value && hasDecimalComma(word)) return decimalComma("OFF", scanner_.line(), word);
       if (!value)
-        return failHere(message("vertex-of", with::count<"vertex">(number), with::count<"vertices">(count),
-                                with::cause<"cause">(notANumber(word))));
+        return failHere(message<"vertex-of">(with::count<"vertex">(number), with::count<"vertices">(vertexCount_),
+                                             with::cause<"cause">(notANumber(word))));
       p[axis] = *value;
     }
-    scanner_.restOfLine();
+    if (onLine) scanner_.restOfLine();  // colour or normal
     list_.positions.push_back(p);
     return {};
   }
 
-  Status readFace(std::size_t number, std::size_t count) {
+  Status readFace(std::size_t number, bool onLine) {
     const std::string_view sizeWord = scanner_.word();
     const auto failAtFace = [&](Message what) {
-      return failHere(message("face-of", with::count<"face">(number), with::count<"faces">(count),
-                              with::cause<"cause">(std::move(what))));
+      return failHere(message<"face-of">(with::count<"face">(number), with::count<"faces">(faceCount_),
+                                         with::cause<"cause">(std::move(what))));
     };
     const std::optional<std::uint64_t> size = countFrom(sizeWord);
     if (!size)
-      return sizeWord.empty() ? failAtFace(message("corner-count-missing"))
-                              : failAtFace(message("corner-count", with::quoted<"word">(excerpt(sizeWord))));
+      return sizeWord.empty() ? failAtFace(message<"corner-count-missing">())
+                              : failAtFace(message<"corner-count">(with::quoted<"word">(excerpt(sizeWord))));
     if (*size > left())
-      return failAtFace(message("corners-missing", with::count<"corners">(*size), with::count<"count">(left())));
+      return failAtFace(message<"corners-missing">(with::count<"corners">(*size), with::count<"count">(left())));
     polygon_.clear();
     for (std::uint64_t k = 0; k < *size; ++k) {
       const std::string_view word = scanner_.word();
@@ -107,12 +163,16 @@ class OffReader {
         return failAtFace(noSuchVertex(*index, list_.positions.size()));
       polygon_.push_back(static_cast<std::uint32_t>(*index));
     }
-    scanner_.restOfLine();  // colour
+    if (onLine) scanner_.restOfLine();  // colour
     return list_.add(polygon_);
   }
 
   std::string_view text_;
   TextScanner scanner_;
+  std::size_t maxTriangles_;
+  std::string_view verticesWord_;
+  bool isPlain_ = true;  // neither colours nor normals
+  std::size_t vertexCount_ = 0, faceCount_ = 0;
   PolygonList list_;
   std::vector<std::uint32_t> polygon_;
 };
@@ -120,6 +180,7 @@ class OffReader {
 }  // namespace
 
 bool isOffKeyword(std::string_view word) {
+  word = word.substr(0, word.find_last_not_of(kDigits) + 1);
   if (!word.ends_with("OFF")) return false;
   word.remove_suffix(3);
   for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})

@@ -9,6 +9,7 @@
 #include "io/ply_header.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -26,7 +27,8 @@ class TextValues {
   std::size_t room() const { return left() + 1; }                   ///< the last value needs no blank
 
   Result<double> next(PlyType) {
-    const std::string_view word = scanner_.word();
+    std::string_view word = scanner_.word();
+    for (; word == "comment" || word == "obj_info"; word = scanner_.word()) scanner_.restOfLine();
     if (const std::optional<double> value = parseNumber(word)) return *value;
     return failHere(notANumber(word));
   }
@@ -34,7 +36,7 @@ class TextValues {
   /// @param what  describes the value read last
   tl::unexpected<Error> failHere(Message what) const {
     return badInput(
-        message("at-line", with::count<"line">(headerLines_ + scanner_.line()), with::cause<"cause">(std::move(what))));
+        message<"at-line">(with::count<"line">(headerLines_ + scanner_.line()), with::cause<"cause">(std::move(what))));
   }
 
   Status skip(PlyType type, std::uint64_t count) {
@@ -96,11 +98,11 @@ class BinaryValues {
   }
 
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message("at-byte", with::count<"byte">(valueBegin_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"at-byte">(with::count<"byte">(valueBegin_), with::cause<"cause">(std::move(what))));
   }
 
  private:
-  tl::unexpected<Error> cutOff() const { return failHere(message("file-cut-off")); }
+  tl::unexpected<Error> cutOff() const { return failHere(message<"file-cut-off">()); }
 
   std::span<const std::uint8_t> bytes_;
   std::size_t position_;
@@ -139,9 +141,9 @@ class PlyReader {
       strips |= element.name == "tristrips";
     }
     if (vertexElements == 1 && faceElements == 1) return {};
-    if (faceElements == 0 && strips) return badInput(message("ply-strips"));
-    return badInput(message("ply-elements", with::count<"vertexElements">(vertexElements),
-                            with::count<"faceElements">(faceElements)));
+    if (faceElements == 0 && strips) return badInput(message<"ply-strips">());
+    return badInput(message<"ply-elements">(with::count<"vertexElements">(vertexElements),
+                                            with::count<"faceElements">(faceElements)));
   }
 
   /// Refuses a count that exceeds what the file's size allows, before anything is reserved for it.
@@ -150,15 +152,15 @@ class PlyReader {
     for (const PlyProperty& property : element.properties)
       smallest += Values::shortest(property.countType ? *property.countType : property.type);
     if (smallest == 0 || element.count <= values_.room() / smallest) return {};
-    return badInput(message("ply-announces", with::count<"elements">(element.count),
-                            with::quoted<"element">(excerpt(element.name)), with::count<"size">(smallest),
-                            with::count<"bytes">(values_.left())));
+    return badInput(message<"ply-announces">(with::count<"elements">(element.count),
+                                             with::quoted<"element">(excerpt(element.name)),
+                                             with::count<"size">(smallest), with::count<"bytes">(values_.left())));
   }
 
   static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const Error& error) {
-    return fail(error.kind, message("ply-element", with::quoted<"element">(excerpt(element.name)),
-                                    with::count<"number">(number + 1), with::count<"elements">(element.count),
-                                    with::cause<"cause">(error.message)));
+    return fail(error.kind, message<"ply-element">(
+                                with::quoted<"element">(excerpt(element.name)), with::count<"number">(number + 1),
+                                with::count<"elements">(element.count), with::cause<"cause">(error.message)));
   }
 
   /// Reads the length of a list and checks that the rest of the file is long enough for it, so that no length alone
@@ -167,12 +169,12 @@ class PlyReader {
     const Result<double> length = values_.next(*list.countType);
     if (!length) return tl::unexpected(length.error());
     if (!(*length >= 0) || *length != std::floor(*length) || *length > 4294967295.0)
-      return values_.failHere(message("ply-list-length", with::term<"length">(fmt::format("{}", *length))));
+      return values_.failHere(message<"ply-list-length">(with::term<"length">(fmt::format("{}", *length))));
     const auto items = static_cast<std::uint64_t>(*length);
     const std::uint64_t needed = items * Values::shortest(list.type);
     if (needed > values_.left())
-      return values_.failHere(message("ply-list-too-long", with::count<"length">(items), with::count<"needed">(needed),
-                                      with::count<"bytes">(values_.left())));
+      return values_.failHere(message<"ply-list-too-long">(with::count<"length">(items), with::count<"needed">(needed),
+                                                           with::count<"bytes">(values_.left())));
     return items;
   }
 
@@ -197,7 +199,7 @@ class PlyReader {
       const std::string name(1, static_cast<char>('x' + axis));
       const std::optional<std::size_t> at = element.find(name);
       if (!at || element.properties[*at].countType)
-        return badInput(message("ply-no-coordinate", with::term<"axis">(name)));
+        return badInput(message<"ply-no-coordinate">(with::term<"axis">(name)));
       axisOf[*at] = axis;
     }
     if (Status s = list_.reserve(element.count, 0); !s) return s;
@@ -221,7 +223,7 @@ class PlyReader {
     const std::optional<std::size_t> plural = element.find("vertex_indices");
     const std::optional<std::size_t> at = plural ? plural : element.find("vertex_index");
     if (!at || !element.properties[*at].countType || isFloating(element.properties[*at].type))
-      return badInput(message("ply-no-index-list"));
+      return badInput(message<"ply-no-index-list">());
     if (Status s = list_.reserve(0, element.count); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
@@ -243,7 +245,7 @@ class PlyReader {
       if (!index) return tl::unexpected(index.error());
       if (*index != std::floor(*index) || !(std::abs(*index) <= 4294967295.0))
         return values_.failHere(
-            message("ply-index", with::count<"corner">(k + 1), with::term<"index">(fmt::format("{}", *index))));
+            message<"ply-index">(with::count<"corner">(k + 1), with::term<"index">(fmt::format("{}", *index))));
       if (!(*index >= 0 && *index < static_cast<double>(vertices_)))
         return values_.failHere(noSuchVertex(static_cast<std::int64_t>(*index), vertices_));
       polygon_.push_back(static_cast<std::uint32_t>(*index));

@@ -8,6 +8,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -24,6 +25,13 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
+/// Returns true for a keyword of an ASCII STL that stands only within a facet.
+bool isKeywordOfFacets(std::string_view word) {
+  for (const std::string_view keyword : {"outer", "loop", "vertex", "endloop", "endfacet", "normal", "end"})
+    if (equalsIgnoringCase(word, keyword)) return true;
+  return false;
+}
+
 bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
@@ -33,6 +41,7 @@ void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
 }
 
 constexpr std::size_t kFacetsLookedAt = 64;
+constexpr std::size_t kLinesLookedAt = 8;  // for the first facet of an ASCII STL
 
 /// Returns true if all nine coordinates have a plausible size. One in 20,000 facets of random bytes does, because about
 /// a third of a float's exponents are plausible.
@@ -58,27 +67,37 @@ bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limi
   return 2 * good >= looked;
 }
 
+/// Returns true if the file ends with a facet. Programs that cannot go back in a file leave a wrong count in its
+/// header.
+bool hasWholeFacets(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > kHeaderBytes && (bytes.size() - kHeaderBytes) % kFacetBytes == 0;
+}
+
 Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (bytes.size() < kHeaderBytes)
-    return badInput(message("stl-too-short", with::count<"count">(bytes.size()), with::count<"header">(kHeaderBytes)));
+    return badInput(message<"stl-too-short">(with::count<"count">(bytes.size()), with::count<"header">(kHeaderBytes)));
   const std::uint64_t announced = announcedFacets(bytes);
   const std::uint64_t expected = kHeaderBytes + kFacetBytes * announced;
   const std::size_t rest = bytes.size() - kHeaderBytes;
-  if (announced == 0 && rest == 0) return badInput(message("stl-no-facet"));
+  if (announced == 0 && rest == 0) return badInput(message<"stl-no-facet">());
+  if (hasWholeFacets(bytes) && (announced == 0 || bytes.size() < expected) && looksLikeFacets(bytes, limits)) return {};
   if (announced == 0)
     return badInput(
-        message("stl-announces-none", with::count<"bytes">(rest), with::count<"count">(rest / kFacetBytes)));
+        message<"stl-announces-none">(with::count<"bytes">(rest), with::count<"count">(rest / kFacetBytes)));
   if (bytes.size() >= expected) return {};
   if (!looksLikeFacets(bytes, limits))
-    return badInput(message("stl-neither", with::count<"announced">(announced), with::count<"expected">(expected),
-                            with::count<"bytes">(bytes.size())));
-  return badInput(message("stl-cut-off", with::count<"announced">(announced), with::count<"expected">(expected),
-                          with::count<"bytes">(bytes.size()), with::count<"count">(rest / kFacetBytes)));
+    return badInput(message<"stl-neither">(with::count<"announced">(announced), with::count<"expected">(expected),
+                                           with::count<"bytes">(bytes.size())));
+  return badInput(message<"stl-cut-off">(with::count<"announced">(announced), with::count<"expected">(expected),
+                                         with::count<"bytes">(bytes.size()), with::count<"count">(rest / kFacetBytes)));
 }
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (Status s = checkBinarySize(bytes, limits); !s) return tl::unexpected(s.error());
-  const auto count = static_cast<std::size_t>(announcedFacets(bytes));
+  const std::uint64_t announced = announcedFacets(bytes);
+  const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  const bool isWrong = announced == 0 || announced > present;
+  const std::size_t count = isWrong ? present : static_cast<std::size_t>(announced);
   if (count > limits.maxTriangles) return tooManyTriangles(limits.maxTriangles);
 
   PolygonSoup soup;
@@ -93,12 +112,15 @@ Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLi
         corners[k][axis] = loadBytes<float>(facet + 12 + 12 * k + 4 * static_cast<std::size_t>(axis));
     for (const Vec3& p : corners)
       if (!isFinite(p))
-        return badInput(message("stl-not-finite", with::count<"facet">(f + 1), with::count<"facets">(count),
-                                with::term<"at">(coordinates(p))));
+        return badInput(message<"stl-not-finite">(with::count<"facet">(f + 1), with::count<"facets">(count),
+                                                  with::term<"at">(coordinates(p))));
     addFacet(soup, corners);
   }
+  if (isWrong)
+    soup.warnings.push_back(
+        message<"stl-wrong-count">(with::count<"announced">(announced), with::count<"count">(count)));
   if (const std::size_t rest = bytes.size() - kHeaderBytes - kFacetBytes * count; rest > 0)
-    soup.warnings.push_back(message("stl-trailing-bytes", with::count<"count">(rest), with::count<"announced">(count)));
+    soup.warnings.push_back(message<"stl-trailing-bytes">(with::count<"count">(rest), with::count<"announced">(count)));
   return soup;
 }
 
@@ -109,43 +131,62 @@ class AsciiReader {
   Result<PolygonSoup> read() {
     soup_.format = "STL (ASCII)";
     bool insideSolid = false;
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
-      if (!insideSolid && equalsIgnoringCase(word, "solid")) {
+    for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
+      if (equalsIgnoringCase(word, "solid")) {
+        unended_ += insideSolid;
         scanner_.restOfLine();
         insideSolid = true;
-      } else if (insideSolid && equalsIgnoringCase(word, "endsolid")) {
+      } else if (!insideSolid) {
+        return unexpected(word, wantsKeyword("solid"));
+      } else if (equalsIgnoringCase(word, "endsolid")) {
         scanner_.restOfLine();
         insideSolid = false;
-      } else if (insideSolid && equalsIgnoringCase(word, "facet")) {
+      } else if (equalsIgnoringCase(word, "facet")) {
         if (Status s = readFacet(); !s) return tl::unexpected(s.error());
-      } else {
-        return unexpected(word, insideSolid ? message("stl-wants-facet") : wantsKeyword("solid"));
+      } else if (isKeywordOfFacets(word)) {
+        return unexpected(word, message<"stl-wants-facet">());
+      } else {  // colours or attributes, which some programs write
+        if (++linesSkipped_ == 1) firstLineSkipped_ = scanner_.line();
+        scanner_.restOfLine();
       }
     }
-    if (soup_.triangles.empty()) return badInput(message("stl-ascii-no-facet"));
-    if (wordsAfterFacets_ > 0)
-      soup_.warnings.push_back(message("stl-words-after-endfacet", with::count<"count">(wordsAfterFacets_),
-                                       with::count<"line">(firstLineOfWords_)));
-    if (insideSolid) soup_.warnings.push_back(message("stl-no-endsolid"));
+    if (soup_.triangles.empty()) return badInput(message<"stl-ascii-no-facet">());
+    if (linesSkipped_ > 0)
+      soup_.warnings.push_back(message<"stl-words-between-facets">(with::count<"count">(linesSkipped_),
+                                                                   with::count<"line">(firstLineSkipped_)));
+    if (insideSolid || unended_ > 0) soup_.warnings.push_back(message<"stl-no-endsolid">());
     return std::move(soup_);
   }
 
  private:
   static Message wantsKeyword(std::string_view keyword) {
-    return message("stl-wants-keyword", with::quoted<"keyword">(keyword));
+    return message<"stl-wants-keyword">(with::quoted<"keyword">(keyword));
   }
 
   tl::unexpected<Error> unexpected(std::string_view word, Message expected) const {
     if (word.empty())
-      return badInput(message("stl-ascii-ends", with::count<"line">(scanner_.line()),
-                              with::count<"facet">(soup_.triangles.size() + 1),
-                              with::cause<"wanted">(std::move(expected))));
-    return badInput(message("stl-ascii-unexpected", with::count<"line">(scanner_.line()),
-                            with::quoted<"word">(excerpt(word)), with::cause<"wanted">(std::move(expected))));
+      return badInput(message<"stl-ascii-ends">(with::count<"line">(scanner_.line()),
+                                                with::count<"facet">(soup_.triangles.size() + 1),
+                                                with::cause<"wanted">(std::move(expected))));
+    return badInput(message<"stl-ascii-unexpected">(with::count<"line">(scanner_.line()),
+                                                    with::quoted<"word">(excerpt(word)),
+                                                    with::cause<"wanted">(std::move(expected))));
+  }
+
+  /// Returns the next word. A keyword may be written as two words: "end facet" is "endfacet".
+  std::string_view nextWord() {
+    const std::string_view word = scanner_.word();
+    if (!equalsIgnoringCase(word, "end")) return word;
+    const TextScanner before = scanner_;
+    const std::string_view second = scanner_.wordOnLine();
+    for (const std::string_view keyword : {"endsolid", "endfacet", "endloop"})
+      if (equalsIgnoringCase(second, keyword.substr(3))) return keyword;
+    scanner_ = before;
+    return word;
   }
 
   Status expect(std::string_view keyword) {
-    const std::string_view word = scanner_.word();
+    const std::string_view word = nextWord();
     if (equalsIgnoringCase(word, keyword)) return {};
     return unexpected(word, wantsKeyword(keyword));
   }
@@ -156,12 +197,14 @@ class AsciiReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
-      if (!value) return unexpected(word, message("stl-wants-number"));
+      if (!value && hasDecimalComma(word)) return decimalComma("STL", scanner_.line(), word);
+      if (!value) return unexpected(word, message<"stl-wants-number">());
       p[axis] = *value;
     }
     if (!isFinite(p))
-      return badInput(message("stl-ascii-not-finite", with::count<"line">(scanner_.line()),
-                              with::count<"facet">(soup_.triangles.size() + 1), with::term<"at">(coordinates(p))));
+      return badInput(message<"stl-ascii-not-finite">(with::count<"line">(scanner_.line()),
+                                                      with::count<"facet">(soup_.triangles.size() + 1),
+                                                      with::term<"at">(coordinates(p))));
     return p;
   }
 
@@ -181,28 +224,15 @@ class AsciiReader {
     if (Status s = expect("endloop"); !s) return s;
     if (Status s = expect("endfacet"); !s) return s;
     addFacet(soup_, corners);
-    passOverWords();
     return {};
-  }
-
-  /// Skips attributes that some programs write after "endfacet". Words of the format may follow on the same line.
-  void passOverWords() {
-    const TextScanner before = scanner_;
-    const std::string_view word = scanner_.wordOnLine();
-    const bool expected = word.empty() || equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid");
-    if (expected) {
-      scanner_ = before;
-      return;
-    }
-    if (++wordsAfterFacets_ == 1) firstLineOfWords_ = scanner_.line();
-    scanner_.restOfLine();
   }
 
   TextScanner scanner_;
   const ReadLimits& limits_;
   PolygonSoup soup_;
-  std::size_t wordsAfterFacets_ = 0;  // number of lines with such words
-  std::size_t firstLineOfWords_ = 0;
+  std::size_t unended_ = 0;  // solids that another solid follows before their "endsolid"
+  std::size_t linesSkipped_ = 0;
+  std::size_t firstLineSkipped_ = 0;
 };
 
 }  // namespace
@@ -211,8 +241,14 @@ bool looksLikeAsciiStl(std::span<const std::uint8_t> bytes) {
   TextScanner scanner(textOf(bytes));
   if (!equalsIgnoringCase(scanner.word(), "solid")) return false;
   scanner.restOfLine();
-  const std::string_view next = scanner.word();
-  return next.empty() || equalsIgnoringCase(next, "facet") || equalsIgnoringCase(next, "endsolid");
+  for (std::size_t line = 0; line < kLinesLookedAt; ++line) {
+    const std::string_view word = scanner.word();
+    if (word.empty()) return line == 0;
+    if (equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid")) return true;
+    if (equalsIgnoringCase(word, "end")) return equalsIgnoringCase(scanner.wordOnLine(), "solid");
+    scanner.restOfLine();  // a colour, for example
+  }
+  return false;
 }
 
 bool isBinaryStl(std::span<const std::uint8_t> bytes) {

@@ -18,6 +18,7 @@
 #include "io/xml_tags.h"
 #include "io/zip_archive.h"
 #include "io/zip_writer.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -47,7 +48,7 @@ class Rewriter {
       : source_(source), changes_(changes), materials_(materials), archive_(std::move(archive)) {}
 
   Result<std::vector<std::uint8_t>> write(Slicer slicer) {
-    if (isShared()) return anew(message("rewrite-shared"));
+    if (isShared()) return anew(message<"rewrite-shared">());
     if (const Status loaded = load(); !loaded) return tl::unexpected(loaded.error());
     if (const Status prepared = prepareSecondFilament(slicer); !prepared) return tl::unexpected(prepared.error());
     for (const auto& [mesh, changes] : byMesh())
@@ -105,7 +106,7 @@ class Rewriter {
     const Status unpacked = unpack(*entry, [&](std::string_view piece) { text.append(piece); });
     if (!unpacked) return tl::unexpected(unpacked.error());
     if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
-      return anew(message("rewrite-encoding"));
+      return anew(message<"rewrite-encoding">());
     return {};
   }
 
@@ -140,10 +141,11 @@ class Rewriter {
       family_ = Family::Plain;
       return loadAllModels();
     } else {
-      return anew(message("rewrite-no-settings"));
+      return anew(message<"rewrite-no-settings">());
     }
     const bool isForPrusa = slicer == Slicer::PrusaSlicer;
-    if (slicer != Slicer::Any && isForPrusa != (family_ == Family::Prusa)) return anew(message("rewrite-other-slicer"));
+    if (slicer != Slicer::Any && isForPrusa != (family_ == Family::Prusa))
+      return anew(message<"rewrite-other-slicer">());
     return {};
   }
 
@@ -154,17 +156,17 @@ class Rewriter {
     return false;
   }
 
-  void setFilament(std::optional<std::string_view> body) { filament_ = numberFrom(body) == 2 ? 1 : 2; }
+  void setFilament(std::optional<std::string_view> body) { filament_ = secondFilament(numberFrom(body)); }
 
   Status changeMesh(const MeshKey& key, const std::vector<const ChangedRun*>& changes) {
     const std::string* text = textOf(key.first);
     const auto mesh = text ? findMesh(*text, key.second) : std::nullopt;
     const auto last = std::prev(changes.end());
     if (!mesh || runOf(**last).firstInMesh + runOf(**last).count > mesh->triangles.size())
-      return anew(message("rewrite-encoding"));
+      return anew(message<"rewrite-encoding">());
     for (const MeshText::TriangleText& triangle : mesh->triangles)
       for (const std::uint32_t v : triangle.corners)
-        if (v >= mesh->vertices.size()) return anew(message("rewrite-encoding"));
+        if (v >= mesh->vertices.size()) return anew(message<"rewrite-encoding">());
     const ChangedRun* inlaid = nullptr;
     const ChangedRun* painted = nullptr;
     for (const ChangedRun* change : changes) {
@@ -175,19 +177,23 @@ class Rewriter {
     if (family_ == Family::Plain && (inlaid || painted)) group = addMaterials(key);
     const PaintAttributes paint = painted ? paintAttributes(group) : PaintAttributes();
     edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
-    removeSlices(key);
+    changeObject(key, *changes.front());
     if (const Status moved = moveRanges(key.second, changes, mesh->triangles.size(), inlaid); !moved) return moved;
     if (!inlaid || family_ == Family::Prusa) return {};
     return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, group);
   }
 
-  /// Takes the slices away from an object whose shape changes: they show what it was before.
-  void removeSlices(const MeshKey& key) {
+  /// Takes the slices away from an object whose shape changes: they show what it was before. A build item becomes of
+  /// type "model": slicers print no others.
+  void changeObject(const MeshKey& key, const ChangedRun& change) {
     const std::string_view text = *textOf(key.first);
     const std::size_t begin = findElement(text, "object", key.second)->begin;
+    const bool isItem = runOf(change).object == runOf(change).itemObject;
     for (const XmlTag::Attribute& a : XmlTags(text.substr(begin)).next()->attributes())
       if (a.name.ends_with(":slicestackid") || a.name.ends_with(":meshresolution"))
         edit(key.first, {begin + a.begin, begin + a.end, ""});
+      else if (isItem && a.name == "type" && a.value != "model")
+        edit(key.first, {begin + a.valueBegin, begin + a.valueBegin + a.value.size(), "model"});
   }
 
   /// @param group  the code's colour group, of addMaterials()
@@ -254,7 +260,7 @@ class Rewriter {
           edit(kPrusaSettings, {a.valueBegin, a.valueBegin + a.value.size(),
                                 std::to_string(newNumber(numberFrom(a.value), a.name == "lastid"))});
     }
-    if (!divideMesh(ranges, triangles)) return anew(message("rewrite-encoding"));
+    if (!divideMesh(ranges, triangles)) return anew(message<"rewrite-encoding">());
     if (!inlaid || family_ != Family::Prusa) return {};
     const std::size_t first = newNumber(triangles, false);
     edit(kPrusaSettings, {element->insideEnd, element->insideEnd,
@@ -307,7 +313,7 @@ class Rewriter {
   Status addPart(const ChangedRun& change, const MeshText& body) {
     const ThreeMfRun& run = runOf(change);
     const std::size_t id = nextId();
-    if (!addComponent(run, id)) return anew(message("rewrite-no-settings"));
+    if (!addComponent(run, id)) return anew(message<"rewrite-no-settings">());
     edit(run.part, {body.objectEnd, body.objectEnd,
                     fmt::format("\n<{0}object id=\"{1}\" type=\"model\">\n{2}</{0}object>", body.prefix, id,
                                 wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix))});
@@ -355,9 +361,9 @@ class Rewriter {
                                                 body.prefix, whole, escapedXml(name), uuid,
                                                 component(run.object, whole + 1), component(inlay, whole + 2)),
                                     whole);
-      if (!pointItemTo(run, whole)) return anew(message("rewrite-encoding"));
+      if (!pointItemTo(run, whole)) return anew(message<"rewrite-encoding">());
     } else if (!addComponent(run, inlay)) {
-      return anew(message("rewrite-no-settings"));
+      return anew(message<"rewrite-no-settings">());
     }
     edit(run.part, {body.objectEnd, body.objectEnd, "\n" + objects});
     newBodies_ = {{name, change.mesh, {}}, *change.inlay};
@@ -489,7 +495,7 @@ Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::s
   auto bytes = Rewriter(source, changes, materials, std::move(*archive)).write(slicer);
   if (!bytes) return bytes;
   const auto before = read3mf(source.bytes, {}), read = read3mf(*bytes, {});
-  if (!before || !read || !isRight(*read, *before, source, changes)) return anew(message("rewrite-read-differently"));
+  if (!before || !read || !isRight(*read, *before, source, changes)) return anew(message<"rewrite-read-differently">());
   return bytes;
 }
 

@@ -40,7 +40,8 @@ struct Material {
 /// parts, and the other objects, names, plates and volumes in the changed parts. Ranges of PrusaSlicer's volumes move
 /// with the triangles. An inlay becomes a volume, or a component and a part, of the same object. The second filament is
 /// 2, or 1 if the object itself has 2. A file without any slicer's settings gets the settings that the inlay needs, and
-/// two named materials. Changed objects lose their slices.
+/// two named materials. Changed objects lose their slices, and items
+/// become of type "model".
 ///
 /// Corners are written with as many digits as the transform needs: reading gives the same 32-bit floats in mm.
 /// Cost: linear in the file's unpacked size.

@@ -88,9 +88,9 @@ ModelFormat formatOfName(std::string_view fileName) {
 ModelFormat formatOfContent(std::span<const std::uint8_t> bytes) {
   if (isBinaryStl(bytes)) return ModelFormat::Stl;
   const std::string_view text = textOf(bytes);
-  if (text.starts_with("PK\x03\x04")) return ModelFormat::ThreeMf;
+  if (text.starts_with("PK\x03\x04") || text.starts_with("PK\x05\x06")) return ModelFormat::ThreeMf;
   if (text.starts_with("glTF")) return ModelFormat::Gltf;
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::Ply;
+  if (text.starts_with("ply") && text.substr(3).find_first_of(" \t\r\n") == 0) return ModelFormat::Ply;
   if (looksLikeAsciiStl(bytes)) return ModelFormat::Stl;
   if (isOffKeyword(TextScanner(text.substr(0, kBytesLookedAt), '#').word())) return ModelFormat::Off;
   if (looksLikeObj(text)) return ModelFormat::Obj;

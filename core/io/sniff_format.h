@@ -19,7 +19,7 @@ bool isWritable(ModelFormat format);
 ModelFormat formatOfName(std::string_view fileName);
 
 /// Returns the format that the content implies by its first words and, for binary STL, by its size. Unknown if the
-/// content is not clear.
+/// content is not clear. Every ZIP archive counts as 3MF.
 /// Cost: looks at no more than the first hundred lines.
 ModelFormat formatOfContent(std::span<const std::uint8_t> bytes);
 

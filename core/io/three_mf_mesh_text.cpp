@@ -8,6 +8,7 @@
 
 #include "io/filament_code.h"
 #include "io/parse_number.h"
+#include "io/xml_span.h"
 
 namespace qrelief {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::array<std::string_view, 8> kPaint = {
     kBambuPaint, "paint_supports",           "paint_seam",           "paint_fuzzy_skin"};
 
 std::uint32_t cornerFrom(std::string_view text) {
-  const auto number = parseInteger(text);
+  const auto number = parseInteger(withoutBlanks(text));
   return number ? static_cast<std::uint32_t>(*number) : 0;
 }
 
@@ -107,7 +108,7 @@ std::optional<MeshText> findMesh(std::string_view model, std::uint32_t object) {
   bool isInObject = false, isInMesh = false;
   while (const auto tag = tags.next()) {
     if (tag->starts("object")) {
-      isInObject = tag->attribute("id") && parseInteger(*tag->attribute("id")) == object;
+      isInObject = numberFrom(tag->attribute("id")) == object;
     } else if (!isInObject) {
       continue;
     } else if (tag->ends("object")) {

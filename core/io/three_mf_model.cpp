@@ -8,6 +8,8 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "math/box.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -19,6 +21,7 @@ constexpr std::string_view kTriangleSets = "http://schemas.microsoft.com/3dmanuf
 constexpr std::string_view kSlice = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 constexpr std::size_t kLongestUri = 120, kLongestTransform = 120;  // in messages
 constexpr std::size_t kMaxEntries = 100'000;                       // objects, components and items of one part
+constexpr std::size_t kObjectDepth = 3;                            // of an object's element: model, resources, object
 
 struct Unit {
   std::string_view name;
@@ -26,6 +29,30 @@ struct Unit {
 };
 constexpr std::array<Unit, 6> kUnits = {
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
+
+/// Cura's settings that make an object a helper mesh, which is not printed as it is.
+constexpr std::array<std::string_view, 4> kCuraMeshes = {"support_mesh", "anti_overhang_mesh", "infill_mesh",
+                                                         "cutting_mesh"};
+constexpr std::string_view kCuraPrefix = "cura:";
+constexpr std::size_t kLongestSwitch = 16;  // "True", with blanks
+
+/// Returns the value of a boolean of XML, or of Python; none for anything else.
+std::optional<bool> switchFrom(std::string_view text) {
+  const std::string_view word = withoutBlanks(text);
+  if (word == "1" || word == "true" || word == "True") return true;
+  if (word == "0" || word == "false" || word == "False") return false;
+  return std::nullopt;
+}
+
+/// Returns true if the mesh has vertices and all are corners of its bounding box.
+bool isBox(const ThreeMfObject& object) {
+  Box3 box;
+  for (const Vec3& p : object.positions) box.add(p);
+  return !object.positions.empty() && std::all_of(object.positions.begin(), object.positions.end(), [&](Vec3 p) {
+    return (p.x == box.min.x || p.x == box.max.x) && (p.y == box.min.y || p.y == box.max.y) &&
+           (p.z == box.min.z || p.z == box.max.z);
+  });
+}
 
 class ModelHandler : public XmlHandler {
  public:
@@ -60,16 +87,24 @@ class ModelHandler : public XmlHandler {
         return takeInstance(element, object_->components);
       case Place::Item:
         return takeInstance(element, model_.items);
+      case Place::Other:
+        if (isInObject()) takeOther(element, parent);
+        [[fallthrough]];
       default:
-        return parent == Place::Outside ? badInput(message("3mf-not-a-model")) : Status();
+        return parent == Place::Outside ? badInput(message<"3mf-not-a-model">()) : Status();
     }
   }
 
   Status endElement() override {
     const Place place = places_.back();
     places_.pop_back();
+    takeSwitch();
     if (place == Place::Vertices) verticesEnded_ = true;
     return place == Place::Object ? endObject() : Status();
+  }
+
+  void text(std::string_view piece) override {
+    if (!curaMesh_.empty() && switch_.size() + piece.size() <= kLongestSwitch) switch_ += piece;
   }
 
  private:
@@ -115,28 +150,29 @@ class ModelHandler : public XmlHandler {
   }
 
   tl::unexpected<Error> badObject(Message what) const {
-    return badInput(message("3mf-object", with::count<"object">(objectId_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-object">(with::count<"object">(objectId_), with::cause<"cause">(std::move(what))));
   }
 
   tl::unexpected<Error> badVertex(Message what) const {
     return badObject(
-        message("vertex", with::count<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
+        message<"vertex">(with::count<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
   }
 
   /// @param number  from 1
   tl::unexpected<Error> badTriangle(std::size_t number, Message what) const {
-    return badObject(message("3mf-triangle", with::count<"triangle">(number), with::cause<"cause">(std::move(what))));
+    return badObject(message<"3mf-triangle">(with::count<"triangle">(number), with::cause<"cause">(std::move(what))));
   }
 
   Status countEntry() {
     if (++entries_ <= kMaxEntries) return {};
-    return badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxEntries)));
+    return badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxEntries)));
   }
 
   Status startModel(const XmlElement& element) {
     if (const auto unit = element.attribute("unit")) {
-      const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == *unit; });
-      if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted<"unit">(excerpt(*unit))));
+      const auto known =
+          std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == withoutBlanks(*unit); });
+      if (known == kUnits.end()) return badInput(message<"3mf-unit">(with::quoted<"unit">(excerpt(*unit))));
       model_.unitMm = known->mm;
     }
     // Refuse extensions that change the geometry. Colours, triangle names and slices in addition to a full mesh do not.
@@ -144,10 +180,10 @@ class ModelHandler : public XmlHandler {
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
       if (space == spaces_.end())
-        return badInput(message("3mf-extension-undeclared", with::quoted<"prefix">(excerpt(prefix))));
+        return badInput(message<"3mf-extension-undeclared">(with::quoted<"prefix">(excerpt(prefix))));
       if (space->second != kProduction && space->second != kMaterial && space->second != kTriangleSets &&
           space->second != kSlice && space->second != kCore)
-        return badInput(message("3mf-extension", with::quoted<"extension">(excerpt(space->second, kLongestUri))));
+        return badInput(message<"3mf-extension">(with::quoted<"extension">(excerpt(space->second, kLongestUri))));
     }
     return {};
   }
@@ -156,10 +192,10 @@ class ModelHandler : public XmlHandler {
     const auto text = element.attribute(name);
     if (!text)
       return badInput(
-          message("3mf-attribute-missing", with::quoted<"element">(element.name), with::term<"attribute">(name)));
-    const auto id = parseInteger(*text);
+          message<"3mf-attribute-missing">(with::quoted<"element">(element.name), with::term<"attribute">(name)));
+    const auto id = parseInteger(withoutBlanks(*text));
     if (!id || *id < 1 || *id > 0x7fffffff)
-      return badInput(message("3mf-id", with::quoted<"word">(excerpt(*text)), with::term<"attribute">(name)));
+      return badInput(message<"3mf-id">(with::quoted<"word">(excerpt(*text)), with::term<"attribute">(name)));
     return static_cast<std::uint32_t>(*id);
   }
 
@@ -169,17 +205,42 @@ class ModelHandler : public XmlHandler {
     if (!id) return tl::unexpected(id.error());
     objectId_ = *id;
     const auto [at, isNew] = model_.objects.try_emplace(*id);
-    if (!isNew) return badObject(message("3mf-two-objects"));
+    if (!isNew) return badObject(message<"3mf-two-objects">());
     object_ = &at->second;
     object_->name = element.attribute("name").value_or("");
     object_->type = element.attribute("type").value_or("model");
-    object_->isInSlices = element.attribute(kSlice, "meshresolution") == "lowres";
+    const auto resolution = element.attribute(kSlice, "meshresolution");
+    object_->hasSlices = element.attribute(kSlice, "slicestackid").has_value();
+    object_->isInSlices = resolution == "lowres";
+    mayBeInSlices_ = object_->hasSlices && !resolution;
+    foreignContent_.clear();
     hasContent_ = verticesEnded_ = false;
     return {};
   }
 
+  bool isInObject() const { return places_.size() > kObjectDepth && places_[kObjectDepth - 1] == Place::Object; }
+
+  /// Takes what other programs and extensions say about an object.
+  void takeOther(const XmlElement& element, Place parent) {
+    if (parent == Place::Object && element.space != kCore && !element.space.empty()) foreignContent_ = element.space;
+    if (parent == Place::Mesh && element.name == "beamlattice") object_->isInBeams = true;
+    // Cura writes metadata; its old versions wrote elements of their own.
+    std::string_view key;
+    if (element.name == "metadata") key = element.attribute("name").value_or("");
+    if (element.name == "setting") key = element.attribute("key").value_or("");
+    if (key.starts_with(kCuraPrefix)) key.remove_prefix(kCuraPrefix.size());
+    switch_.clear();
+    curaMesh_ = std::find(kCuraMeshes.begin(), kCuraMeshes.end(), key) == kCuraMeshes.end() ? "" : key;
+  }
+
+  /// Ends the setting whose text was read.
+  void takeSwitch() {
+    if (!curaMesh_.empty() && switchFrom(switch_) == true) object_->curaMesh = curaMesh_;
+    curaMesh_.clear();
+  }
+
   Status startContent() {
-    if (hasContent_) return badObject(message("3mf-two-contents"));
+    if (hasContent_) return badObject(message<"3mf-two-contents">());
     hasContent_ = true;
     return {};
   }
@@ -190,8 +251,8 @@ class ModelHandler : public XmlHandler {
     for (int axis = 0; axis < 3; ++axis) {
       const char name = static_cast<char>('x' + axis);
       const auto text = element.attribute(std::string_view(&name, 1));
-      if (!text) return badVertex(message("3mf-coordinate-missing", with::term<"axis">(std::string_view(&name, 1))));
-      const auto value = parseNumber(*text);
+      if (!text) return badVertex(message<"3mf-coordinate-missing">(with::term<"axis">(std::string_view(&name, 1))));
+      const auto value = parseNumber(withoutBlanks(*text));
       if (!value) return badVertex(notANumber(*text));
       if (!std::isfinite(*value)) return badVertex(notFinite(*text));
       p[axis] = *value;
@@ -207,8 +268,8 @@ class ModelHandler : public XmlHandler {
     const std::size_t number = object_->triangles.size() + 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto text = element.attribute(kNames[k]);
-      if (!text) return badTriangle(number, message("3mf-corner-missing", with::term<"corner">(kNames[k])));
-      const auto index = parseInteger(*text);
+      if (!text) return badTriangle(number, message<"3mf-corner-missing">(with::term<"corner">(kNames[k])));
+      const auto index = parseInteger(withoutBlanks(*text));
       if (!index) return badTriangle(number, text->empty() ? notANumber(*text) : notAVertex(*text));
       if (*index < 0 || *index > 0xffffffffLL || (verticesEnded_ && !hasVertex(*index)))
         return badTriangle(number, noSuchVertex(*index, object_->positions.size()));
@@ -221,8 +282,8 @@ class ModelHandler : public XmlHandler {
   bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
 
   static tl::unexpected<Error> badTransform(std::string_view text, Message what) {
-    return badInput(message("3mf-transform", with::quoted<"transform">(excerpt(text, kLongestTransform)),
-                            with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-transform">(with::quoted<"transform">(excerpt(text, kLongestTransform)),
+                                             with::cause<"cause">(std::move(what))));
   }
 
   static Result<Affine> transformFrom(std::string_view text) {
@@ -235,10 +296,10 @@ class ModelHandler : public XmlHandler {
       if (!std::isfinite(*number)) return badTransform(text, notFinite(word));
       value = *number;
     }
-    if (!words.word().empty()) return badTransform(text, message("3mf-transform-too-long"));
+    if (!words.word().empty()) return badTransform(text, message<"3mf-transform-too-long">());
     const Affine transform{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
     if (!(std::abs(transform.determinant()) > 0) || !std::isfinite(transform.determinant()))
-      return badTransform(text, message("3mf-transform-flat"));
+      return badTransform(text, message<"3mf-transform-flat">());
     return transform;
   }
 
@@ -250,6 +311,7 @@ class ModelHandler : public XmlHandler {
     instance.object = *id;
     instance.path = element.attribute(kProduction, "path").value_or("");
     instance.partNumber = element.attribute("partnumber").value_or("");
+    instance.isPrinted = switchFrom(element.attribute("printable").value_or("")).value_or(true);
     if (const auto text = element.attribute("transform")) {
       const Result<Affine> transform = transformFrom(*text);
       if (!transform) return tl::unexpected(transform.error());
@@ -260,10 +322,14 @@ class ModelHandler : public XmlHandler {
   }
 
   Status endObject() {
-    if (!hasContent_) return badObject(message("3mf-no-content"));
+    if (!hasContent_ && !foreignContent_.empty())
+      return badObject(
+          message<"3mf-foreign-content">(with::quoted<"extension">(excerpt(foreignContent_, kLongestUri))));
+    if (!hasContent_) return badObject(message<"3mf-no-content">());
     for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // triangles may come before their vertices
       for (const std::uint32_t v : object_->triangles[t])
         if (!hasVertex(v)) return badTriangle(t + 1, noSuchVertex(v, object_->positions.size()));
+    object_->isInSlices |= mayBeInSlices_ && isBox(*object_);
     return {};
   }
 
@@ -274,7 +340,10 @@ class ModelHandler : public XmlHandler {
   ThreeMfObject* object_ = nullptr;
   std::uint32_t objectId_ = 0;
   bool hasContent_ = false;
-  bool verticesEnded_ = false;  // for the object's mesh; from then on, a triangle's vertices must exist
+  bool mayBeInSlices_ = false;     // the object has slices and does not say how good its mesh is
+  std::string foreignContent_;     // namespace of an object's content that is none of the core's
+  std::string curaMesh_, switch_;  // the open setting of Cura, and its text so far
+  bool verticesEnded_ = false;     // for the object's mesh; from then on, a triangle's vertices must exist
   std::size_t vertices_ = 0, triangles_ = 0, entries_ = 0;
 };
 

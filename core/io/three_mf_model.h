@@ -29,6 +29,7 @@ struct ThreeMfInstance {
   std::uint32_t object = 0;
   Affine transform;
   std::string partNumber;  ///< build items only
+  bool isPrinted = true;   ///< false for build items that a slicer keeps without printing them
 };
 
 /// A 3MF object: a mesh or a list of components.
@@ -37,7 +38,10 @@ struct ThreeMfObject {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;  ///< all indices valid
   std::vector<ThreeMfInstance> components;
-  bool isInSlices = false;  ///< the shape is a stack of slices; the mesh is a rough stand-in
+  std::string curaMesh;     ///< the setting that makes it a helper mesh of Cura: "support_mesh"; else empty
+  bool hasSlices = false;   ///< there is a stack of slices, too
+  bool isInSlices = false;  ///< the shape is that stack; the mesh is a rough stand-in
+  bool isInBeams = false;   ///< the shape is a lattice of beams between the vertices
 };
 
 /// A model part of a package.
@@ -48,8 +52,9 @@ struct ThreeMfModel {
   std::vector<ThreeMfInstance> items;
 };
 
-/// Reads a model part [3MF core specification 1.3, production extension 1.1, slice extension 1.0.2 only to find meshes
-/// that are stand-ins]. Reads only geometry; skips colours, textures and metadata, for example.
+/// Reads a model part [3MF core specification 1.3, production extension 1.1; slice extension 1.0.2 and beam lattice
+/// extension 1.2 only to find meshes that are stand-ins; Cura's metadata]. Reads only geometry; skips colours, textures
+/// and metadata, for example.
 /// @param part    its name, for messages
 /// @param limits  at most maxTriangles triangles, three times as many vertices, and 100 000 objects, components and
 ///                items

@@ -2,6 +2,7 @@
 #include "io/three_mf_numbering.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace qrelief {
@@ -22,12 +23,37 @@ std::string materialOf(const Colour& colour, std::span<const ModelObject> object
   return {};
 }
 
+/// Colours of filaments to which nothing gives a colour, in turn.
+constexpr std::array<Colour, 6> kFilamentColours = {
+    {{235, 235, 230}, {25, 25, 30}, {200, 45, 40}, {45, 110, 190}, {235, 185, 40}, {60, 150, 80}}};
+
+/// Returns the colours of filaments 1 to the last that a body or paint has as its number; empty if none has one.
+std::vector<Colour> coloursOfNumbers(std::span<const ModelObject> objects) {
+  std::vector<std::optional<Colour>> given;
+  const auto take = [&](std::uint32_t filament, const std::optional<Colour>& colour) {
+    if (filament == 0) return;
+    given.resize(std::max<std::size_t>(given.size(), filament));
+    if (!given[filament - 1]) given[filament - 1] = colour;
+  };
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies) {
+      take(body.filament, body.colour);
+      if (body.paint) take(body.paint->filament, body.paint->colour);
+    }
+  std::vector<Colour> colours;
+  for (const auto& colour : given)
+    colours.push_back(colour.value_or(kFilamentColours[colours.size() % kFilamentColours.size()]));
+  return colours;
+}
+
 bool isForBambu(Slicer slicer) { return slicer == Slicer::OrcaSlicer || slicer == Slicer::BambuStudio; }
 
 }  // namespace
 
 Numbering::Numbering(std::span<const ModelObject> objectsToWrite, const WriteOptions& options) {
-  colours = coloursOf(objectsToWrite);
+  colours = coloursOfNumbers(objectsToWrite);
+  hasNumbers_ = !colours.empty();
+  if (!hasNumbers_) colours = coloursOf(objectsToWrite);
   for (const Colour& colour : colours) {
     const std::string name = materialOf(colour, objectsToWrite);
     materials.push_back(name.empty() ? fmt::format("Filament {}", materials.size() + 1) : name);
@@ -47,8 +73,8 @@ Numbering::Numbering(std::span<const ModelObject> objectsToWrite, const WriteOpt
     for (const ModelBody& body : object.bodies) {
       const std::string name = !body.name.empty() ? body.name : numbered.name;
       const std::size_t id = numbered.isInOneMesh ? nextId : nextId++;
-      numbered.bodies.push_back(
-          {&body, name, id, filamentOf(body.colour), body.paint ? filamentOf(body.paint->colour) : 0});
+      numbered.bodies.push_back({&body, name, id, filamentOf(body.filament, body.colour),
+                                 body.paint ? filamentOf(body.paint->filament, body.paint->colour) : 0});
     }
     numbered.id = numbered.hasComponents || numbered.isInOneMesh ? nextId++ : numbered.bodies.front().id;
     objects.push_back(std::move(numbered));
@@ -64,8 +90,9 @@ bool Numbering::hasPartFiles() const {
   return std::any_of(objects.begin(), objects.end(), [](const NumberedObject& o) { return !o.path.empty(); });
 }
 
-std::size_t Numbering::filamentOf(const std::optional<Colour>& colour) const {
-  if (!colour) return 1;
+std::size_t Numbering::filamentOf(std::uint32_t number, const std::optional<Colour>& colour) const {
+  if (number != 0) return number;
+  if (!colour || hasNumbers_) return 1;
   return static_cast<std::size_t>(std::find(colours.begin(), colours.end(), *colour) - colours.begin()) + 1;
 }
 

@@ -27,11 +27,13 @@ struct NumberedObject {
   std::string path;  ///< part file of the bodies, with a leading slash; empty: the root model
 };
 
-/// Places and numbers of everything in a 3MF file: one colour group for each colour from 1 on, then bodies and objects,
-/// then the base materials.
-/// Ids are unique in the whole package, because slicers look some up without their part.
+/// Places and numbers of everything in a 3MF file: one colour group for each filament from 1 on, then bodies and
+/// objects, then the base materials. Ids are unique in the whole package, because slicers look some up without their
+/// part.
 struct Numbering {
-  std::vector<Colour> colours;  ///< coloursOf(); empty if nothing has a colour
+  /// Of each filament. Where bodies have numbers of their own, filaments without a colour get one. Otherwise
+  /// coloursOf(); empty if nothing has a colour.
+  std::vector<Colour> colours;
   /// Names of the colours' materials: the first that a body or paint of the colour has, else "Filament 1" and so on.
   std::vector<std::string> materials;
   std::vector<NumberedObject> objects;
@@ -44,7 +46,9 @@ struct Numbering {
   bool hasPartFiles() const;
 
  private:
-  std::size_t filamentOf(const std::optional<Colour>& colour) const;
+  std::size_t filamentOf(std::uint32_t number, const std::optional<Colour>& colour) const;
+
+  bool hasNumbers_ = false;
 };
 
 }  // namespace qrelief

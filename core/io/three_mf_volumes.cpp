@@ -7,6 +7,7 @@
 
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -16,6 +17,7 @@ constexpr std::array<std::string_view, 4> kBambuKinds = {"modifier_part", "negat
 constexpr std::array<std::string_view, 4> kPrusaKinds = {"ParameterModifier", "NegativeVolume", "SupportBlocker",
                                                          "SupportEnforcer"};
 constexpr std::size_t kMaxVolumes = 100'000;
+constexpr std::uint32_t kMaxFilaments = 64;  // more are no slicer's
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& kinds, std::string_view kind) {
@@ -25,7 +27,7 @@ bool contains(const std::array<std::string_view, N>& kinds, std::string_view kin
 /// Returns a number from an attribute; none if it is missing, negative or too large.
 std::optional<std::uint32_t> numberOf(const XmlElement& element, std::string_view name) {
   const auto text = element.attribute(name);
-  const auto number = text ? parseInteger(*text) : std::nullopt;
+  const auto number = text ? parseInteger(withoutBlanks(*text)) : std::nullopt;
   if (!number || *number < 0 || *number > 0x7fffffff) return std::nullopt;
   return static_cast<std::uint32_t>(*number);
 }
@@ -40,21 +42,30 @@ class VolumeHandler : public XmlHandler {
 
   Status startElement(const XmlElement& element) override {
     if (element.name == "object")
-      object_ = idOf(element);
+      takeObject(element);
     else if (element.name == "part")
       takePart(element);
     else if (element.name == "volume")
       takeRange(element);
-    else if (element.name == "metadata" && range_)
-      takeKind(element);
+    else if (element.name == "metadata")
+      takeMetadata(element);
     return count_ <= kMaxVolumes ? Status()
-                                 : badInput(message("3mf-too-many-entries", with::count<"limit">(kMaxVolumes)));
+                                 : badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxVolumes)));
   }
 
  private:
+  void takeObject(const XmlElement& element) {
+    object_ = idOf(element);
+    filament_ = 0;
+    range_ = nullptr;
+    traits_ = nullptr;
+  }
+
   void takePart(const XmlElement& element) {
     range_ = nullptr;
     ++count_;
+    traits_ = &volumes_.parts[{object_, idOf(element)}];
+    traits_->filament = filament_;
     if (contains(kBambuKinds, element.attribute("subtype").value_or("")))
       volumes_.notModels.insert({object_, idOf(element)});
   }
@@ -65,17 +76,26 @@ class VolumeHandler : public XmlHandler {
     const auto first = numberOf(element, "firstid"), last = numberOf(element, "lastid");
     ranges.push_back(first && last ? VolumeRange{*first, *last} : VolumeRange{1, 0});
     range_ = &ranges.back();
+    traits_ = &range_->traits;
+    traits_->filament = filament_;
   }
 
-  void takeKind(const XmlElement& element) {
+  void takeMetadata(const XmlElement& element) {
     const std::string_view key = element.attribute("key").value_or(""), value = element.attribute("value").value_or("");
-    if ((key == "volume_type" && contains(kPrusaKinds, value)) || (key == "modifier" && value == "1"))
+    if (key == "extruder") {
+      const std::uint32_t number = numberOf(element, "value").value_or(0);
+      if (number > 0 && number <= kMaxFilaments) (traits_ ? traits_->filament : filament_) = number;
+    } else if (key == "name" && traits_) {
+      traits_->name = value;
+    }
+    if (range_ && ((key == "volume_type" && contains(kPrusaKinds, value)) || (key == "modifier" && value == "1")))
       range_->isModel = false;
   }
 
   ThreeMfVolumes& volumes_;
-  VolumeRange* range_ = nullptr;  // the latest
-  std::uint32_t object_ = 0;
+  VolumeRange* range_ = nullptr;    // the latest
+  VolumeTraits* traits_ = nullptr;  // of the latest volume or part of the object
+  std::uint32_t object_ = 0, filament_ = 0;
   std::size_t count_ = 0;
 };
 
@@ -104,7 +124,7 @@ ThreeMfVolumes readThreeMfVolumes(const ZipArchive& archive, std::uint64_t maxBy
     if (done)
       volumes = std::move(read);
     else
-      warnings.push_back(message("3mf-settings-unread", with::cause<"cause">(done.error().message)));
+      warnings.push_back(message<"3mf-settings-unread">(with::cause<"cause">(done.error().message)));
   }
   return volumes;
 }

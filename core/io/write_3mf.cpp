@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/version.h"
 #include "io/filament_code.h"
 #include "io/three_mf_numbering.h"
 #include "io/three_mf_settings.h"
@@ -110,7 +111,7 @@ class Package {
                            " <metadata name=\"BambuStudio:3mfVersion\">1</metadata>\n"),
                kBambuIdentity);
     else
-      text.add(FMT_COMPILE(" <metadata name=\"Application\">QRelief {}</metadata>\n"), QRELIEF_VERSION);
+      text.add(FMT_COMPILE(" <metadata name=\"Application\">QRelief {}</metadata>\n"), kVersion);
     if (numbering_.hasPaint() && paint_.prusa)
       text.add(FMT_COMPILE(" <metadata name=\"slic3rpe:MmPaintingVersion\">1</metadata>\n"));
     text.add(FMT_COMPILE(" <resources>\n"));

@@ -8,6 +8,7 @@
 
 #include "io/read_model.h"
 #include "io/write_3mf.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -59,12 +60,13 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   const auto soup = readModel(*bytes, fmt::format("written.{}", name));
   if (!soup)
     return fail(ErrorKind::Internal,
-                message("write-not-read-back", with::term<"format">(name), with::cause<"cause">(soup.error().message)));
+                message<"write-not-read-back">(with::term<"format">(name), with::cause<"cause">(soup.error().message)));
   const Vec3 move = format == ModelFormat::ThreeMf ? plateMove(objects, options.slicer) : Vec3(0);
   const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects, move);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
-    return fail(ErrorKind::Internal, message("write-read-differently", with::count<"triangles">(expected),
-                                             with::term<"format">(name), with::count<"count">(equal)));
+    return fail(ErrorKind::Internal,
+                message<"write-read-differently">(with::count<"triangles">(expected), with::term<"format">(name),
+                                                  with::count<"count">(equal)));
   return bytes;
 }
 

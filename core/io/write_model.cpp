@@ -7,6 +7,7 @@
 #include "io/write_obj.h"
 #include "io/write_ply.h"
 #include "io/write_stl.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -25,15 +26,15 @@ Mesh joined(std::span<const ModelObject> objects) {
 
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, message("write-text-no-choice", with::term<"format">(nameOf(format))));
+    return fail(ErrorKind::BadUsage, message<"write-text-no-choice">(with::term<"format">(nameOf(format))));
   const bool several = std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) {
     return o.bodies.size() > 1 || (!o.bodies.empty() && o.bodies.front().paint);
   });
   const bool holdsSeveral =
       format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
   if (several && !holdsSeveral)
-    return fail(ErrorKind::BadUsage, message("write-several-bodies", with::term<"format">(nameOf(format))));
-  if (options.palette && !hasPalette(options.slicer)) return fail(ErrorKind::BadUsage, message("write-no-palette"));
+    return fail(ErrorKind::BadUsage, message<"write-several-bodies">(with::term<"format">(nameOf(format))));
+  if (options.palette && !hasPalette(options.slicer)) return fail(ErrorKind::BadUsage, message<"write-no-palette">());
   return {};
 }
 
@@ -56,8 +57,8 @@ Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> object
     case ModelFormat::Unknown:
       break;
   }
-  if (format == ModelFormat::Unknown) return fail(ErrorKind::BadUsage, message("write-format-unknown"));
-  return fail(ErrorKind::BadUsage, message("write-format", with::term<"format">(nameOf(format))));
+  if (format == ModelFormat::Unknown) return fail(ErrorKind::BadUsage, message<"write-format-unknown">());
+  return fail(ErrorKind::BadUsage, message<"write-format">(with::term<"format">(nameOf(format))));
 }
 
 Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat format, const WriteOptions& options) {

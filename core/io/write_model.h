@@ -22,6 +22,7 @@ struct FacetPaint {
   Colour colour;
   std::vector<std::uint32_t> triangles;  ///< indices into the body's triangles, ascending, each once
   std::string material = {};             ///< name of the colour's material, UTF-8; only in 3MF for any slicer
+  std::uint32_t filament = 0;            ///< as in ModelBody
 };
 
 /// The part of an object that is printed in one material, except for its painted facets.
@@ -31,6 +32,7 @@ struct ModelBody {
   std::optional<Colour> colour;          ///< if only other bodies have a colour, this one gets the first of theirs
   std::optional<FacetPaint> paint = {};  ///< needs a colour of the body, too; only 3MF and OBJ can hold it
   std::string material = {};             ///< name of the colour's material, UTF-8; only in 3MF for any slicer
+  std::uint32_t filament = 0;  ///< its number, from 1; 0: by the colour, or 1 if others have numbers; 3MF only
 };
 
 /// One thing on the build plate: a body, or several that keep their relative positions and are printed together, such

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "io/polygon_list.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -38,7 +39,7 @@ struct Session {
 void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
   auto& session = *static_cast<Session*>(user);
   session.guarded([&]() -> Status {
-    if (++session.depth > kMaxDepth) return badInput(message("xml-too-deep", with::count<"limit">(kMaxDepth)));
+    if (++session.depth > kMaxDepth) return badInput(message<"xml-too-deep">(with::count<"limit">(kMaxDepth)));
     return session.handler.startElement(XmlElement(name, attributes));
   });
 }
@@ -59,8 +60,16 @@ void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
   });
 }
 
+void XMLCALL onText(void* user, const XML_Char* text, int length) {
+  auto& session = *static_cast<Session*>(user);
+  session.guarded([&]() -> Status {
+    session.handler.text({text, static_cast<std::size_t>(length)});
+    return {};
+  });
+}
+
 void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-  static_cast<Session*>(user)->guarded([]() -> Status { return badInput(message("xml-dtd")); });
+  static_cast<Session*>(user)->guarded([]() -> Status { return badInput(message<"xml-dtd">()); });
 }
 
 }  // namespace
@@ -95,12 +104,13 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   Session session{parser.get(), handler};
   XML_SetUserData(parser.get(), &session);
   XML_SetElementHandler(parser.get(), onStart, onEnd);
+  XML_SetCharacterDataHandler(parser.get(), onText);
   XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](Message what) {
-    return badInput(message("3mf-part-line", with::quoted<"part">(excerpt(part)),
-                            with::count<"line">(XML_GetCurrentLineNumber(parser.get())),
-                            with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-part-line">(with::quoted<"part">(excerpt(part)),
+                                             with::count<"line">(XML_GetCurrentLineNumber(parser.get())),
+                                             with::cause<"cause">(std::move(what))));
   };
 
   XML_Index fed = 0;
@@ -114,12 +124,12 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
     if (!session.status) return failHere(std::move(session.status.error().message));
     if (parsed != XML_STATUS_OK) {
       if (XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-      return failHere(message("xml-malformed", with::term<"why">(XML_ErrorString(XML_GetErrorCode(parser.get())))));
+      return failHere(message<"xml-malformed">(with::term<"why">(XML_ErrorString(XML_GetErrorCode(parser.get())))));
     }
     fed += static_cast<XML_Index>(piece->size());
     // Expat keeps an unfinished tag or comment and scans it again and again.
     if (more && fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
-      return failHere(message("xml-tag-too-long", with::count<"limit">(kMaxTagBytes)));
+      return failHere(message<"xml-tag-too-long">(with::count<"limit">(kMaxTagBytes)));
   }
   return {};
 }

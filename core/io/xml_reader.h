@@ -27,7 +27,7 @@ class XmlElement {
   const char* const* attributes_;
 };
 
-/// Receives the contents of an XML document in order; text between the tags is skipped. An error stops the parser.
+/// Receives the contents of an XML document in order. An error stops the parser.
 class XmlHandler {
  public:
   virtual ~XmlHandler() = default;
@@ -35,6 +35,8 @@ class XmlHandler {
   virtual void declareSpace(std::string_view /*prefix*/, std::string_view /*uri*/) {}
   virtual Status startElement(const XmlElement& element) = 0;
   virtual Status endElement() { return {}; }
+  /// Takes a piece of the text between two tags; there may be several.
+  virtual void text(std::string_view /*piece*/) {}
 };
 
 /// Reads a part of a package by Expat, in bounded memory: one tag at a time, of at most 1 MB, and no more than 100 open

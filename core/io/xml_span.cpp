@@ -3,11 +3,14 @@
 
 #include <charconv>
 
+#include "io/parse_number.h"
+
 namespace qrelief {
 
 std::size_t numberFrom(std::optional<std::string_view> text) {
   std::size_t number = 0;
-  if (text) std::from_chars(text->data(), text->data() + text->size(), number);
+  const std::string_view digits = withoutBlanks(text.value_or(""));
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
 }
 

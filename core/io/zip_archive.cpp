@@ -9,6 +9,7 @@
 
 #include "io/load_bytes.h"
 #include "io/polygon_list.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -30,12 +31,12 @@ constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
 tl::unexpected<Error> damaged(Message what) {
-  return badInput(message("zip-damaged", with::cause<"cause">(std::move(what))));
+  return badInput(message<"zip-damaged">(with::cause<"cause">(std::move(what))));
 }
 
 /// @param what  text that follows the file's name
 tl::unexpected<Error> damagedFile(const ZipEntry& entry, Message what) {
-  return damaged(message("zip-file", with::quoted<"file">(excerpt(entry.name)), with::cause<"cause">(std::move(what))));
+  return damaged(message<"zip-file">(with::quoted<"file">(excerpt(entry.name)), with::cause<"cause">(std::move(what))));
 }
 
 /// Reads the numbers of a record one after the other. The caller must have checked that the record is complete.
@@ -66,14 +67,14 @@ struct Directory {
 
 /// Finds the end record. It is the last thing in the file, except for a comment of the length it states.
 Result<std::size_t> findEndRecord(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count<"count">(bytes.size())));
+  if (bytes.size() < kEndRecordBytes) return damaged(message<"zip-too-short">(with::count<"count">(bytes.size())));
   const std::size_t last = bytes.size() - kEndRecordBytes;
   const std::size_t first = last - std::min(last, kLongestComment);
   for (std::size_t at = last + 1; at-- > first;) {
     if (loadBytes<std::uint32_t>(&bytes[at]) != kEndSignature) continue;
     if (at + kEndRecordBytes + loadBytes<std::uint16_t>(&bytes[at + 20]) == bytes.size()) return at;
   }
-  return damaged(message("zip-no-directory"));
+  return damaged(message<"zip-no-directory">());
 }
 
 Result<Directory> findDirectory64(std::span<const std::uint8_t> bytes, std::size_t endRecord) {
@@ -81,9 +82,9 @@ Result<Directory> findDirectory64(std::span<const std::uint8_t> bytes, std::size
   Fields fields(bytes.subspan(locator));
   fields.skip(8);
   const std::uint64_t at = fields.u64();
-  if (at > locator || locator - at < kZip64EndRecordBytes) return damaged(message("zip-record-misplaced"));
+  if (at > locator || locator - at < kZip64EndRecordBytes) return damaged(message<"zip-record-misplaced">());
   Fields record(bytes.subspan(static_cast<std::size_t>(at)));
-  if (record.u32() != kZip64EndSignature) return damaged(message("zip-record-missing"));
+  if (record.u32() != kZip64EndSignature) return damaged(message<"zip-record-missing">());
   record.skip(8 + 2 + 2 + 4 + 4);
   Directory directory;
   const std::uint64_t entriesHere = record.u64();
@@ -91,7 +92,7 @@ Result<Directory> findDirectory64(std::span<const std::uint8_t> bytes, std::size
   directory.size = record.u64();
   directory.offset = record.u64();
   directory.end = at;
-  if (entriesHere != directory.entries) return damaged(message("zip-several-disks"));
+  if (entriesHere != directory.entries) return damaged(message<"zip-several-disks">());
   return directory;
 }
 
@@ -115,10 +116,10 @@ Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
     directory.offset = record.u32();
     directory.end = *at;
     if (disk != 0 || directoryDisk != 0 || entriesHere != directory.entries)
-      return damaged(message("zip-several-disks"));
+      return damaged(message<"zip-several-disks">());
   }
   if (directory.offset > directory.end || directory.end - directory.offset < directory.size)
-    return damaged(message("zip-directory-misplaced"));
+    return damaged(message<"zip-directory-misplaced">());
   return directory;
 }
 
@@ -154,10 +155,10 @@ bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> n
 Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t number) {
   const auto bad = [&](Message what) {
     return damaged(
-        message("zip-directory-line", with::count<"line">(number + 1), with::cause<"cause">(std::move(what))));
+        message<"zip-directory-line">(with::count<"line">(number + 1), with::cause<"cause">(std::move(what))));
   };
   if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
-    return bad(message("zip-line-missing"));
+    return bad(message<"zip-line-missing">());
   Fields fields(lines);
   Listed listed;
   fields.skip(8);
@@ -172,12 +173,12 @@ Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t nu
   fields.skip(2 + 4);  // attributes
   listed.localHeader = fields.u32();
   const std::size_t size = kDirectoryHeaderBytes + nameSize + extraSize + commentSize;
-  if (lines.size() < size) return bad(message("zip-line-cut-off"));
-  if (disk != 0) return bad(message("zip-line-other-disk"));
+  if (lines.size() < size) return bad(message<"zip-line-cut-off">());
+  if (disk != 0) return bad(message<"zip-line-other-disk">());
   listed.entry.name.assign(reinterpret_cast<const char*>(lines.data()) + kDirectoryHeaderBytes, nameSize);
   if (!take64(lines.subspan(kDirectoryHeaderBytes + nameSize, extraSize),
               {&listed.entry.size, &listed.packedSize, &listed.localHeader}))
-    return bad(message("zip-line-field"));
+    return bad(message<"zip-line-field">());
   lines = lines.subspan(size);
   return listed;
 }
@@ -199,18 +200,18 @@ bool agrees(Fields header, const Listed& listed) {
 Status findContent(std::span<const std::uint8_t> bytes, std::uint64_t limit, Listed& listed) {
   const auto bad = [&](Message what) { return damagedFile(listed.entry, std::move(what)); };
   const std::uint64_t at = listed.localHeader;
-  if (at > limit || limit - at < kLocalHeaderBytes) return bad(message("zip-file-misplaced"));
+  if (at > limit || limit - at < kLocalHeaderBytes) return bad(message<"zip-file-misplaced">());
   Fields fields(bytes.subspan(static_cast<std::size_t>(at)));
-  if (fields.u32() != kLocalSignature) return bad(message("zip-file-not-there"));
+  if (fields.u32() != kLocalSignature) return bad(message<"zip-file-not-there">());
   fields.skip(22);
-  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed)) return bad(message("zip-file-numbers"));
+  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed)) return bad(message<"zip-file-numbers">());
   const std::size_t nameSize = fields.u16(), extraSize = fields.u16();
   const std::uint64_t begin = at + kLocalHeaderBytes + nameSize + extraSize;
-  if (begin > limit || limit - begin < listed.packedSize) return bad(message("zip-file-too-long"));
+  if (begin > limit || limit - begin < listed.packedSize) return bad(message<"zip-file-too-long">());
   const std::span<const std::uint8_t> name = bytes.subspan(static_cast<std::size_t>(at) + kLocalHeaderBytes, nameSize);
   if (!std::equal(name.begin(), name.end(), listed.entry.name.begin(), listed.entry.name.end(),
                   [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }))
-    return bad(message("zip-file-name"));
+    return bad(message<"zip-file-name">());
   listed.entry.packed = bytes.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(listed.packedSize));
   return {};
 }
@@ -221,8 +222,8 @@ Status checkOverlap(std::span<const std::uint8_t> bytes, std::vector<Listed>& fi
   for (std::size_t i = 1; i < files.size(); ++i) {
     const std::span<const std::uint8_t> before = files[i - 1].entry.packed;
     if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
-      return damaged(message("zip-files-overlap", with::quoted<"first">(excerpt(files[i - 1].entry.name)),
-                             with::quoted<"second">(excerpt(files[i].entry.name))));
+      return damaged(message<"zip-files-overlap">(with::quoted<"first">(excerpt(files[i - 1].entry.name)),
+                                                  with::quoted<"second">(excerpt(files[i].entry.name))));
   }
   return {};
 }
@@ -242,6 +243,7 @@ std::string comparable(std::string_view name) {
       c = static_cast<char>(16 * hexValue(name[i + 1]) + hexValue(name[i + 2]));
       i += 2;
     }
+    if (c == '\\') c = '/';  // some programs of Windows write backslashes
     result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return result;
@@ -271,7 +273,7 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
     const std::string key = comparable(file.entry.name);
     archive.order_.push_back(key);
     if (!archive.entries_.emplace(key, std::move(file.entry)).second)
-      return damaged(message("zip-same-name", with::quoted<"file">(name)));
+      return damaged(message<"zip-same-name">(with::quoted<"file">(name)));
   }
   return archive;
 }
@@ -319,16 +321,16 @@ struct ZipStream::State {
       if (status == Z_STREAM_END)
         ended = true;
       else if (status != Z_OK)
-        return bad(message("zip-file-unpacking"));
+        return bad(message<"zip-file-unpacking">());
     }
     return std::span<const std::uint8_t>(piece.data(), piece.size() - z.avail_out);
   }
 
   Status checkEnd() const {
     if (given != entry->size)
-      return bad(message("zip-file-size", with::count<"count">(given), with::count<"announced">(entry->size)));
-    if (inflating && z.avail_in > 0) return bad(message("zip-file-followed"));
-    if (crc != entry->crc) return bad(message("zip-file-checksum"));
+      return bad(message<"zip-file-size">(with::count<"count">(given), with::count<"announced">(entry->size)));
+    if (inflating && z.avail_in > 0) return bad(message<"zip-file-followed">());
+    if (crc != entry->crc) return bad(message<"zip-file-checksum">());
     return {};
   }
 };
@@ -339,17 +341,17 @@ ZipStream& ZipStream::operator=(ZipStream&&) noexcept = default;
 ZipStream::~ZipStream() = default;
 
 Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
-  if (entry.flags & kEncrypted) return badInput(message("zip-encrypted", with::quoted<"file">(excerpt(entry.name))));
+  if (entry.flags & kEncrypted) return badInput(message<"zip-encrypted">(with::quoted<"file">(excerpt(entry.name))));
   if (entry.method != kStored && entry.method != kDeflated)
     return badInput(
-        message("zip-method", with::quoted<"file">(excerpt(entry.name)), with::count<"method">(entry.method)));
+        message<"zip-method">(with::quoted<"file">(excerpt(entry.name)), with::count<"method">(entry.method)));
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
-    return badInput(message("zip-expands", with::quoted<"file">(excerpt(entry.name)),
-                            with::count<"packed">(entry.packed.size()), with::count<"bytes">(entry.size),
-                            with::count<"limit">(maxBytes), with::count<"ratio">(kMaxRatio)));
+    return badInput(message<"zip-expands">(with::quoted<"file">(excerpt(entry.name)),
+                                           with::count<"packed">(entry.packed.size()), with::count<"bytes">(entry.size),
+                                           with::count<"limit">(maxBytes), with::count<"ratio">(kMaxRatio)));
   auto state = std::make_unique<State>();
   state->entry = &entry;
-  if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message("zip-file-two-sizes"));
+  if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message<"zip-file-two-sizes">());
   if (entry.method == kDeflated) {
     state->piece.resize(kPieceBytes);
     state->z.next_in = const_cast<Bytef*>(entry.packed.data());
@@ -366,11 +368,23 @@ Result<std::span<const std::uint8_t>> ZipStream::next() {
       s.inflating ? s.nextInflated() : Result<std::span<const std::uint8_t>>(s.nextStored());
   if (!piece) return piece;
   s.given += piece->size();
-  if (s.given > s.entry->size) return s.bad(message("zip-file-more"));
+  if (s.given > s.entry->size) return s.bad(message<"zip-file-more">());
   s.crc = static_cast<std::uint32_t>(crc32_z(s.crc, piece->data(), piece->size()));
   if (piece->empty())
     if (const Status whole = s.checkEnd(); !whole) return tl::unexpected(whole.error());
   return piece;
+}
+
+Result<std::vector<std::uint8_t>> unpacked(const ZipEntry& entry, std::uint64_t maxBytes) {
+  auto stream = ZipStream::open(entry, maxBytes);
+  if (!stream) return tl::unexpected(stream.error());
+  std::vector<std::uint8_t> content;
+  for (;;) {
+    const auto piece = stream->next();
+    if (!piece) return tl::unexpected(piece.error());
+    if (piece->empty()) return content;
+    content.insert(content.end(), piece->begin(), piece->end());
+  }
 }
 
 }  // namespace qrelief

@@ -38,7 +38,7 @@ class ZipArchive {
   static Result<ZipArchive> open(std::span<const std::uint8_t> bytes);
 
   /// Returns the file of that name, or nullptr. Compares names as OPC requires [ECMA-376 Part 2, §9.1]: without regard
-  /// to ASCII case, and "%20" is a blank.
+  /// to ASCII case, and "%20" is a blank. A backslash in the archive is a slash.
   const ZipEntry* find(std::string_view name) const;
 
   /// Returns all files, folders excluded, in the directory's order.
@@ -73,5 +73,8 @@ class ZipStream {
   explicit ZipStream(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Returns the content of a file of at most `maxBytes`. @returns BadInput as ZipStream
+Result<std::vector<std::uint8_t>> unpacked(const ZipEntry& entry, std::uint64_t maxBytes);
 
 }  // namespace qrelief

@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include "io/zip_archive.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 namespace {
@@ -141,7 +142,7 @@ Result<std::vector<std::uint8_t>> ZipWriter::finish() {
     putText(s.bytes, file.name);
   }
   const std::uint64_t size = s.bytes.size() - directory;
-  if (tooLarge || s.bytes.size() > kMaxBytes) return fail(ErrorKind::BadUsage, message("write-3mf-too-large"));
+  if (tooLarge || s.bytes.size() > kMaxBytes) return fail(ErrorKind::BadUsage, message<"write-3mf-too-large">());
   put<std::uint32_t>(s.bytes, 0x06054b50);
   put<std::uint32_t>(s.bytes, 0);  // disks
   put(s.bytes, static_cast<std::uint16_t>(s.files.size()));

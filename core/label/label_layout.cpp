@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "message_codes/text.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -71,7 +72,7 @@ Status addText(LabelLayout& layout, const LabelOptions& label, int modules) {
   const double highest = highestCapital(modules);
   auto text = outlineText(label.text, kToleranceModules / highest);
   if (!text) return tl::unexpected(text.error());
-  if (text->rings.empty()) return badInput(message("label-empty"));
+  if (text->rings.empty()) return badInput(message<"label-empty">());
   const double width = text->high.x - text->low.x;
   // Accents may rise above the capitals, and some characters sink below their room.
   const double rise = std::max(1.0, text->high.y), drop = std::max(kDescender, -text->low.y);

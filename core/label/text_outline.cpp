@@ -17,8 +17,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/unicode.h"
 #include "base/utf8.h"
 #include "label_font.h"
+#include "message_codes/text.h"
 #include "projection/plane_shapes.h"
 
 namespace qrelief {
@@ -225,7 +227,7 @@ char32_t decoded(std::string_view sequence) {
 /// Splits a text into glyphs. @returns BadInput, see outlineText()
 Result<std::vector<FT_UInt>> glyphsOf(std::string_view text, const Font& font) {
   if (const std::size_t byte = firstNoUtf8(text); byte != std::string_view::npos)
-    return badInput(message("text-no-utf8", with::count<"byte">(byte)));
+    return badInput(message<"text-no-utf8">(with::count<"byte">(byte)));
   std::vector<FT_UInt> glyphs;
   std::set<std::string_view> named;
   std::string lacking;
@@ -236,7 +238,7 @@ Result<std::vector<FT_UInt>> glyphsOf(std::string_view text, const Font& font) {
     if (glyphs.back() != 0 || !named.insert(sequence).second) continue;
     lacking += (lacking.empty() ? "" : " ") + std::string(sequence);
   }
-  if (!lacking.empty()) return badInput(message("label-lacks-characters", with::quoted<"characters">(lacking)));
+  if (!lacking.empty()) return badInput(message<"label-lacks-characters">(with::quoted<"characters">(lacking)));
   return glyphs;
 }
 
@@ -254,7 +256,8 @@ double thinnestStroke() {
 
 Result<TextOutline> outlineText(std::string_view text, double tolerance) {
   const Font font;
-  const auto glyphs = glyphsOf(text, font);
+  const std::string characters = composed(text);  // the font has ü, but not u and U+0308
+  const auto glyphs = glyphsOf(characters, font);
   if (!glyphs) return tl::unexpected(glyphs.error());
   const double capital = font.capitalHeight();
   TextOutline result;

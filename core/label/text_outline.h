@@ -26,7 +26,7 @@ double thinnestStroke();
 /// at least a tenth of a capital height apart. Curves become chords.
 ///
 /// Cost: milliseconds.
-/// @param text       UTF-8
+/// @param text       UTF-8, composed or not
 /// @param tolerance  farthest that a chord may be from its curve, in capital heights, > 0
 /// @returns BadInput if the text is not UTF-8, or if the font lacks characters (the message names them)
 Result<TextOutline> outlineText(std::string_view text, double tolerance);

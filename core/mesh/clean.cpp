@@ -7,6 +7,7 @@
 
 #include "math/tolerance.h"
 #include "mesh/collinear.h"
+#include "mesh/touching_shells.h"
 
 namespace qrelief {
 namespace {
@@ -208,6 +209,7 @@ Cleaning cleanTriangles(Mesh& mesh) {
 
   EdgeTable edges = buildEdgeTable(mesh.triangles);
   if (!mayHaveDuplicates(mesh.triangles, edges)) return report;
+  if (separateTouchingShells(mesh, edges) > 0) edges = buildEdgeTable(mesh.triangles);
   removeDuplicates(mesh, edges, report);
   edges = buildEdgeTable(mesh.triangles);
   removeFlaps(mesh, edges, kFlapHeight * boundingBox(mesh).diagonal(), report);

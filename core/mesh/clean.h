@@ -32,6 +32,7 @@ struct Cleaning {
 ///    a-----c          a--b--c
 ///     (a b c: no area)
 ///
+/// Closed shells that touch are separated first (touching_shells.h): a face that each of them has is no duplicate.
 /// Of several triangles with the same corners one stays, or none if they form a wall without thickness (see source).
 /// Thin flaps attached to an edge of a complete surface count as triangles without area (kFlapHeight).
 ///

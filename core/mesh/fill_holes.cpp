@@ -221,7 +221,7 @@ Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Pat
     if (triangle >= mesh.triangles.size()) bad[patchOf[triangle - mesh.triangles.size()]] = 1;
   };
   constexpr std::size_t kMaxCrossings = 100'000;
-  const auto crossings = findSelfIntersections(filled, added, kMaxCrossings);
+  const auto crossings = findCrossings(filled, added, kMaxCrossings);
   if (!crossings && crossings.error().kind == ErrorKind::NoSolution) return std::vector<char>(patches.size(), 1);
   if (!crossings) return tl::unexpected(crossings.error());
   if (crossings->size() == kMaxCrossings) return std::vector<char>(patches.size(), 1);

@@ -19,10 +19,13 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clo
 struct Mesh {
   std::vector<Vec3f> positions;
   std::vector<Triangle> triangles;
+  /// Triangle → body (mesh/prepare.h); bodies share no vertex. Empty: all triangles are of body 0.
+  std::vector<std::uint32_t> bodyOf = {};
 
   Vec3 corner(std::size_t triangle, int k) const {
     return Vec3(positions[triangles[triangle][static_cast<std::size_t>(k)]]);
   }
+  std::uint32_t body(std::size_t triangle) const { return bodyOf.empty() ? 0 : bodyOf[triangle]; }
 };
 
 Box3 boundingBox(const Mesh& mesh);

@@ -2,6 +2,7 @@
 #include "mesh/orient.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "mesh/shell_nesting.h"
@@ -64,6 +65,15 @@ std::vector<char> closedShells(const Adjacency& adjacency, const Shells& shells)
   return closed;
 }
 
+/// Leaves out the shells of other bodies.
+void keepWithinBodies(const Shells& shells, std::span<const std::uint32_t> bodyOfTriangle,
+                      std::vector<std::vector<std::uint32_t>>& enclosing) {
+  std::vector<std::uint32_t> bodyOf(shells.count, 0);
+  for (std::size_t t = 0; t < bodyOfTriangle.size(); ++t) bodyOf[shells.of[t]] = bodyOfTriangle[t];
+  for (std::uint32_t s = 0; s < shells.count; ++s)
+    std::erase_if(enclosing[s], [&](std::uint32_t outer) { return bodyOf[outer] != bodyOf[s]; });
+}
+
 }  // namespace
 
 Consistency makeConsistent(std::vector<Triangle>& triangles, Adjacency& adjacency) {
@@ -88,12 +98,14 @@ Consistency makeConsistent(std::vector<Triangle>& triangles, Adjacency& adjacenc
   return result;
 }
 
-Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& consistency) {
+Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& consistency,
+                           std::span<const std::uint32_t> bodyOfTriangle) {
   const Shells& shells = consistency.shells;
   const std::vector<char> closed = closedShells(adjacency, shells);
   const std::vector<double> volumes = sixfoldVolumes(mesh, shells);
-  const ShellNesting nesting = enclosingShells(mesh, shells, closed);
-  const std::vector<std::vector<std::uint32_t>>& enclosing = nesting.enclosing;
+  ShellNesting nesting = enclosingShells(mesh, shells, closed);
+  std::vector<std::vector<std::uint32_t>>& enclosing = nesting.enclosing;
+  if (!bodyOfTriangle.empty()) keepWithinBodies(shells, bodyOfTriangle, enclosing);
 
   std::vector<char> wrong(shells.count, 0);  // judged by the number of shells around it
   for (std::size_t s = 0; s < shells.count; ++s)
@@ -107,6 +119,8 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
 
   Outwardness result;
   result.nestingKnown = nesting.known;
+  result.solidOf.resize(shells.count);
+  std::iota(result.solidOf.begin(), result.solidOf.end(), 0u);
   std::vector<char> seen(shells.count, 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t s = shells.of[t];
@@ -115,7 +129,12 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
     if (turned[s] && result.insideOut++ == 0) result.insideOutExample = t;
     const bool inwards = (volumes[s] < 0) != (turned[s] != 0);
     if (enclosing[s].empty()) continue;
-    if (inwards && result.cavities++ == 0) result.cavityExample = t;
+    if (inwards) {
+      result.solidOf[s] = *std::max_element(
+          enclosing[s].begin(), enclosing[s].end(),
+          [&](std::uint32_t a, std::uint32_t b) { return enclosing[a].size() < enclosing[b].size(); });
+      if (result.cavities++ == 0) result.cavityExample = t;
+    }
     if (!inwards && enclosing[s].size() % 2 == 1 && result.nestedSolids++ == 0) result.nestedExample = t;
   }
   return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/topology.h"
@@ -34,15 +35,19 @@ struct Outwardness {
   std::size_t cavities = 0;      ///< enclosed closed shells that face inwards
   std::size_t nestedSolids = 0;  ///< enclosed closed shells that face outwards; left unchanged
   bool nestingKnown = true;      ///< false: nesting was too costly to find, so no shell counts as enclosed
+  /// Shell → the shell whose solid it bounds: for a cavity the innermost shell around it, else itself.
+  std::vector<std::uint32_t> solidOf;
   std::optional<std::uint32_t> insideOutExample, cavityExample, nestedExample;  ///< a triangle of each
 };
 
 /// Reverses closed shells so that every shell enclosed by no other faces outwards. The number of shells around an
 /// enclosed shell decides which way it should face: outwards if even, inwards (a cavity) if odd. If it faces the wrong
 /// way, it is reversed only if all shells around it were wrong, too, or if its own orientation was mixed; otherwise it
-/// stays as in the file. Open shells are left alone.
+/// stays as in the file. Open shells are left alone, and only shells of the same body enclose each other.
 ///
 /// Cost: O(T), plus enclosingShells() if there are several shells.
-Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& consistency);
+/// @param bodyOfTriangle  empty: one body
+Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& consistency,
+                           std::span<const std::uint32_t> bodyOfTriangle = {});
 
 }  // namespace qrelief

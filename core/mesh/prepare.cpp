@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "mesh/report_findings.h"
-#include "mesh/weld.h"
+#include "mesh/soup_mesh.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -24,18 +25,18 @@ double floatStepMm(double farthestMm) { return farthestMm * std::numeric_limits<
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   if (!(options.scaleToMm > 0) || !std::isfinite(options.scaleToMm))
-    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number<"scale">(options.scaleToMm)));
+    return fail(ErrorKind::BadUsage, message<"scale-not-positive">(with::number<"scale">(options.scaleToMm)));
   for (const std::optional<double>& mm : {options.repair.weldToleranceMm, options.repair.maxHoleMm})
     if (mm && !(*mm >= 0 && std::isfinite(*mm)))
-      return fail(ErrorKind::BadUsage, message("repair-tolerance-senseless", with::lengthMm<"tolerance">(*mm)));
-  if (soup.triangles.empty()) return badInput(message("model-no-triangle"));
+      return fail(ErrorKind::BadUsage, message<"repair-tolerance-senseless">(with::lengthMm<"tolerance">(*mm)));
+  if (soup.triangles.empty()) return badInput(message<"model-no-triangle">());
   if (soup.triangles.size() > kMaxTriangles || soup.positions.size() > 3 * kMaxTriangles)
-    return badInput(message("model-too-many-triangles", with::count<"triangles">(soup.triangles.size()),
-                            with::count<"most">(kMaxTriangles)));
+    return badInput(message<"model-too-many-triangles">(with::count<"triangles">(soup.triangles.size()),
+                                                        with::count<"most">(kMaxTriangles)));
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return badInput(message("model-vertex-not-finite", with::count<"vertex">(i + 1), with::place<"at">(p)));
+      return badInput(message<"model-vertex-not-finite">(with::count<"vertex">(i + 1), with::place<"at">(p)));
   }
   return {};
 }
@@ -53,42 +54,26 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const double largest = std::max({size.x, size.y, size.z});
   const Vec3 far = glm::max(glm::abs(boxMm.min), glm::abs(boxMm.max));
   if (largest > kImplausibleMm)
-    return badInput(message("model-implausibly-large", with::number<"km">(largest / kMmPerKm),
-                            with::number<"fileUnits">(largest / scaleToMm)));
+    return badInput(message<"model-implausibly-large">(with::number<"km">(largest / kMmPerKm),
+                                                       with::number<"fileUnits">(largest / scaleToMm)));
   if (const double farthest = std::max({far.x, far.y, far.z}); farthest > kImplausibleMm)
-    return badInput(message("model-too-far-away", with::number<"km">(farthest / kMmPerKm),
-                            with::lengthMm<"step">(floatStepMm(farthest)),
-                            with::number<"maxKm">(kImplausibleMm / kMmPerKm)));
-  if (largest == 0) return badInput(message("model-no-extent"));
+    return badInput(message<"model-too-far-away">(with::number<"km">(farthest / kMmPerKm),
+                                                  with::lengthMm<"step">(floatStepMm(farthest)),
+                                                  with::number<"maxKm">(kImplausibleMm / kMmPerKm)));
+  if (largest == 0) return badInput(message<"model-no-extent">());
   return {};
 }
 
-/// Scales, rounds and welds the mesh; leaves out unused positions.
+/// Scales, rounds and welds the mesh within each body; leaves out unused positions.
 Result<Mesh> weldedMesh(const PolygonSoup& soup, double scaleToMm, FindingList& findings) {
   const std::vector<char> used = usedPositions(soup);
   Box3 box;
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) box.add(soup.positions[i] * scaleToMm);
   if (Status s = checkExtent(box, scaleToMm); !s) return tl::unexpected(s.error());
-
-  std::vector<Vec3f> points;
-  std::vector<std::uint32_t> newIndex(used.size(), 0);
-  points.reserve(used.size());
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) continue;
-    newIndex[i] = static_cast<std::uint32_t>(points.size());
-    points.emplace_back(soup.positions[i] * scaleToMm);
-  }
-  Welding welding = weldEqual(points);
-  Mesh mesh;
-  mesh.positions = std::move(welding.positions);
-  mesh.triangles.reserve(soup.triangles.size());
-  for (const auto& [a, b, c] : soup.triangles)
-    mesh.triangles.push_back(
-        {welding.indexOf[newIndex[a]], welding.indexOf[newIndex[b]], welding.indexOf[newIndex[c]]});
-  if (const std::size_t unused = used.size() - points.size(); unused > 0)
-    findings.note(message("unused-vertices", with::count<"count">(unused)));
-  return mesh;
+  if (const auto unused = std::count(used.begin(), used.end(), 0); unused > 0)
+    findings.note(message<"unused-vertices">(with::count<"count">(unused)));
+  return meshOfSoup(soup, scaleToMm);
 }
 
 void reportExtent(PreparedModel& model, FindingList& findings) {
@@ -98,25 +83,18 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
   if (largest < kTinyMm) {
     model.unitSuggestions = suggestUnits(size, model.scaleToMm);
     findings.warn(
-        message("tiny", with::extentMm<"size">(size), with::cause<"advice">(unitAdvice(model.unitSuggestions))));
+        message<"tiny">(with::extentMm<"size">(size), with::cause<"advice">(unitAdvice(model.unitSuggestions))));
   }
-  if (largest > kHugeMm) findings.warn(message("huge", with::extentMm<"size">(size)));
+  if (largest > kHugeMm) {
+    model.unitSuggestions = suggestUnits(size, model.scaleToMm);
+    findings.warn(
+        message<"huge">(with::extentMm<"size">(size), with::cause<"advice">(smallerUnitAdvice(model.unitSuggestions))));
+  }
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
   const double step = floatStepMm(farthest);
   if (step > kCoarseMm && farthest > 4 * largest)
-    findings.warn(message("far-away", with::lengthMm<"distance">(farthest), with::lengthMm<"step">(step)));
-}
-
-/// Returns the part of each triangle of the file; empty: one part only.
-std::vector<std::uint32_t> partsOf(const PolygonSoup& soup) {
-  std::vector<std::uint32_t> parts;
-  if (soup.parts.size() < 2) return parts;
-  parts.resize(soup.triangles.size(), 0);
-  for (std::size_t i = 0; i < soup.parts.size(); ++i)
-    std::fill(parts.begin() + static_cast<std::ptrdiff_t>(soup.parts[i].firstTriangle), parts.end(),
-              static_cast<std::uint32_t>(i));
-  return parts;
+    findings.warn(message<"far-away">(with::lengthMm<"distance">(farthest), with::lengthMm<"step">(step)));
 }
 
 bool hasArea(const PolygonSoup& soup, const Triangle& t) {
@@ -128,11 +106,58 @@ bool hasArea(const PolygonSoup& soup, const Triangle& t) {
 /// Returns the reason why no triangle is left.
 Message nothingLeft(const PolygonSoup& soup, const Cleaning& cleaning) {
   const std::size_t triangles = soup.triangles.size();
-  if (cleaning.duplicates > 0) return message("model-no-thickness", with::count<"count">(triangles));
+  if (cleaning.duplicates > 0) return message<"model-no-thickness">(with::count<"count">(triangles));
   const bool isRounded =
       std::any_of(soup.triangles.begin(), soup.triangles.end(), [&](const Triangle& t) { return hasArea(soup, t); });
-  if (isRounded) return message("area-lost-in-rounding", with::count<"count">(triangles));
-  return message("model-no-area", with::count<"count">(triangles));
+  if (isRounded) return message<"area-lost-in-rounding">(with::count<"count">(triangles));
+  return message<"model-no-area">(with::count<"count">(triangles));
+}
+
+/// Sets the model's bodies: those that the file names, or else the closed shells with their cavities.
+void setBodies(const PolygonSoup& soup, const Repaired& repaired, PreparedModel& model) {
+  if (!soup.bodies.empty()) {
+    model.bodies = soup.bodies;
+    if (!soup.bodyOf.empty())
+      for (const std::uint32_t t : repaired.origin) model.mesh.bodyOf.push_back(soup.bodyOf[t]);
+    return;
+  }
+  const Consistency& consistency = repaired.consistency;
+  if (consistency.shells.count < 2 || !repaired.closed() || !repaired.outwardness.nestingKnown) {
+    model.bodies.emplace_back();
+    return;
+  }
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> bodyOfShell(consistency.shells.count, kNone);
+  for (const std::uint32_t shell : consistency.shells.of) {
+    std::uint32_t& body = bodyOfShell[repaired.outwardness.solidOf[shell]];
+    if (body == kNone) {
+      body = static_cast<std::uint32_t>(model.bodies.size());
+      model.bodies.push_back({.name = {}, .part = 0, .isShell = true});
+    }
+    model.mesh.bodyOf.push_back(body);
+  }
+  if (model.bodies.size() == 1) model.mesh.bodyOf.clear();
+}
+
+/// Returns, for each body, whether a repair added, dropped or changed a triangle.
+std::vector<char> repairedBodies(const PolygonSoup& soup, const Mesh& before, const Repaired& repaired) {
+  const auto bodyOf = [&](std::uint32_t t) { return soup.bodyOf.empty() ? 0 : soup.bodyOf[t]; };
+  const auto sameCorners = [&](std::uint32_t t) {
+    for (int k = 0; k < 3; ++k)
+      if (repaired.mesh.corner(t, k) != before.corner(repaired.origin[t], k)) return false;
+    return true;
+  };
+  std::vector<std::size_t> triangles(soup.bodies.size(), 0);  // those before without those that stayed
+  for (std::uint32_t t = 0; t < before.triangles.size(); ++t) ++triangles[bodyOf(t)];
+  std::vector<char> wasRepaired(soup.bodies.size(), 0);
+  for (std::uint32_t t = 0; t < repaired.origin.size(); ++t) {
+    const std::uint32_t body = bodyOf(repaired.origin[t]);
+    --triangles[body];
+    if (!sameCorners(t)) wasRepaired[body] = 1;
+  }
+  for (std::size_t b = 0; b < triangles.size(); ++b)
+    if (triangles[b] != 0) wasRepaired[b] = 1;
+  return wasRepaired;
 }
 
 }  // namespace
@@ -149,6 +174,12 @@ const char* severityName(Finding::Severity severity) {
   return "blocking";
 }
 
+std::vector<std::size_t> PreparedModel::bodySizes() const {
+  std::vector<std::size_t> sizes(bodies.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) ++sizes[mesh.body(t)];
+  return sizes;
+}
+
 Status PreparedModel::engravable() const {
   for (const Finding& finding : findings)
     if (finding.severity == Finding::Severity::Blocking) return badInput(finding.message);
@@ -161,27 +192,26 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   Result<Mesh> welded = weldedMesh(soup, options.scaleToMm, findings);
   if (!welded) return tl::unexpected(welded.error());
 
-  const std::vector<std::uint32_t> parts = partsOf(soup);
   const Mesh unrepaired = soup.source ? *welded : Mesh();
-  Result<Repaired> repaired = repairMesh(std::move(*welded), parts, options.repair);
+  Result<Repaired> repaired = repairMesh(std::move(*welded), soup.bodyOf, options.repair);
   if (!repaired) return tl::unexpected(repaired.error());
   if (repaired->mesh.triangles.empty()) return badInput(nothingLeft(soup, repaired->cleaning));
 
   PreparedModel model;
   model.scaleToMm = options.scaleToMm;
-  if (!parts.empty())
-    for (const std::uint32_t t : repaired->origin) model.partOfTriangle.push_back(parts[t]);
-  reportRepairs(*repaired, options.repair, soup.parts, model.partOfTriangle, findings);
+  reportRepairs(*repaired, options.repair, findings);
+  setBodies(soup, *repaired, model);
   model.source = soup.source;
   if (model.source) {
+    model.wasRepaired = repairedBodies(soup, unrepaired, *repaired);
     model.originOfTriangle = std::move(repaired->origin);
-    model.equalsSource =
-        unrepaired.positions == repaired->mesh.positions && unrepaired.triangles == repaired->mesh.triangles;
   }
-  model.mesh = std::move(repaired->mesh);
+  model.mesh.positions = std::move(repaired->mesh.positions);
+  model.mesh.triangles = std::move(repaired->mesh.triangles);
   model.adjacency = std::move(repaired->adjacency);
   model.shells = repaired->consistency.shells.count;
   model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
+  model.hasCrossings = model.crossesItself || repaired->overlaps;
   model.normals = vertexNormals(model.mesh);
   reportExtent(model, findings);
   model.findings = findings.take();

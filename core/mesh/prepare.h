@@ -35,28 +35,31 @@ struct PrepareOptions {
 
 /// A model that is welded, cleaned and searchable; engravable if no finding is blocking.
 struct PreparedModel {
-  Mesh mesh;             ///< mm
+  Mesh mesh;  ///< mm; with the body of each triangle
+  std::vector<Body>
+      bodies;  ///< those that the file names; otherwise its closed shells, each with its cavities. At least one
   double scaleToMm = 1;  ///< file units → mm
   Adjacency adjacency;
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
-  bool crossesItself = false;                   ///< some triangles cross and were not separated
-  std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
-  std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny models; may be empty
+  bool crossesItself = false;                   ///< some triangles of one shell cross and were not separated
+  bool hasCrossings = false;                    ///< the same, or shells touch or overlap
+  std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny and huge models; may be empty
   std::shared_ptr<const ThreeMfSource> source;  ///< the soup's, if there is one
   /// The soup's triangle that each triangle comes from or adjoins; empty: there is no source.
   std::vector<std::uint32_t> originOfTriangle;
-  bool equalsSource = true;  ///< no repair changed the source's triangles
+  std::vector<char> wasRepaired;  ///< body → a repair changed triangles that the source has; empty: there is no source
 
+  /// Returns the number of triangles of each body.
+  std::vector<std::size_t> bodySizes() const;
   /// Returns the first blocking finding as an error, if there is one.
   Status engravable() const;
 };
 
-/// Prepares a model for engraving: scales it to mm, rounds to 32-bit floats, welds equal positions, drops unreferenced
-/// vertices, makes the repairs of mesh/repair.h, and reports what it found and repaired, and where. Welding joins
-/// parts, too: after a round trip through STL, equal positions are one vertex, so parts that touch along an edge are
-/// not a solid.
+/// Prepares a model for engraving: scales it to mm, rounds to 32-bit floats, welds equal positions within each body,
+/// drops unreferenced vertices, makes the repairs of mesh/repair.h body by body, and reports what it found and
+/// repaired, and where. Closed shells that touch stay apart (mesh/touching_shells.h).
 ///
 /// Cost: O(T log T), most of it the search for crossing triangles.
 /// @returns the model, with any blocking findings; an error only for a model that cannot be represented: no triangle

@@ -8,6 +8,7 @@
 
 #include "math/tolerance.h"
 #include "mesh/self_intersection.h"
+#include "mesh/touching_shells.h"
 #include "mesh/weld.h"
 
 namespace qrelief {
@@ -39,24 +40,24 @@ double toleranceFor(const Mesh& mesh, const RepairOptions& options) {
   if (options.weldToleranceMm) return *options.weldToleranceMm;
   const Box3 box = boundingBox(mesh);
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
-  return std::max(kWeldFraction * box.diagonal(),
+  return std::max(std::min(kWeldFraction * box.diagonal(), kMaxRepairMoveMm),
                   kWeldFloatSteps * std::numeric_limits<float>::epsilon() * std::max({far.x, far.y, far.z}));
 }
 
-std::vector<std::uint32_t> partsNow(const Repaired& r, std::span<const std::uint32_t> partOfTriangle) {
-  std::vector<std::uint32_t> parts;
-  if (partOfTriangle.empty()) return parts;
-  for (const std::uint32_t t : r.origin) parts.push_back(partOfTriangle[t]);
-  return parts;
+std::vector<std::uint32_t> bodiesNow(const Repaired& r, std::span<const std::uint32_t> bodyOfTriangle) {
+  std::vector<std::uint32_t> bodies;
+  if (bodyOfTriangle.empty()) return bodies;
+  for (const std::uint32_t t : r.origin) bodies.push_back(bodyOfTriangle[t]);
+  return bodies;
 }
 
 /// Welds and splits along open edges.
-void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options,
+void closeSeams(Repaired& r, std::span<const std::uint32_t> bodyOfTriangle, const RepairOptions& options,
                 EdgeTable& edges) {
   const std::size_t nonManifold = countEdges(edges, false);
   if (options.weldNear) {
     Mesh welded = r.mesh;
-    const NearWelding welding = weldNear(welded, r.toleranceMm, partsNow(r, partOfTriangle));
+    const NearWelding welding = weldNear(welded, r.toleranceMm, bodiesNow(r, bodyOfTriangle));
     r.seamsCutShort |= welding.cutShort;
     const Cleaning cleaning = welding.moved > 0 ? cleanTriangles(welded) : Cleaning{};
     EdgeTable after = buildEdgeTable(welded.triangles);
@@ -70,7 +71,7 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, cons
   }
   if (options.splitTJunctions && countEdges(edges, true) > 0) {
     Mesh split = r.mesh;
-    TJunctionSplit splitting = splitAtTJunctions(split, r.toleranceMm);
+    TJunctionSplit splitting = splitAtTJunctions(split, r.toleranceMm, bodiesNow(r, bodyOfTriangle));
     r.seamsCutShort |= splitting.cutShort;
     EdgeTable after = buildEdgeTable(split.triangles);
     if (splitting.vertices > 0 && countEdges(after, false) <= nonManifold) {
@@ -117,7 +118,7 @@ Result<Untangling> countCrossings(const Mesh& mesh) {
 
 }  // namespace
 
-Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options) {
+Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTriangle, const RepairOptions& options) {
   Repaired r;
   r.mesh = std::move(mesh);
   r.origin.resize(r.mesh.triangles.size());
@@ -127,18 +128,29 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTria
   r.cleaning = cleanTriangles(r.mesh);
   follow(r.origin, r.cleaning.origin);
   EdgeTable edges = buildEdgeTable(r.mesh.triangles);
-  if (countEdges(edges, true) > 0) closeSeams(r, partOfTriangle, options, edges);
+  if (countEdges(edges, true) > 0) closeSeams(r, bodyOfTriangle, options, edges);
   r.adjacency = buildAdjacency(r.mesh.triangles, edges);
   r.consistency = makeConsistent(r.mesh.triangles, r.adjacency);
   if (options.fillHoles && countEdges(edges, true) > 0)
     if (const Status closed = closeHoles(r, edges); !closed) return tl::unexpected(closed.error());
   r.defects = findDefects(r.mesh, edges, r.adjacency);
-  r.outwardness = orientOutwards(r.mesh, r.adjacency, r.consistency);
+  if (r.defects.nonManifoldVertices > 0) {
+    separateTouchingShells(r.mesh, edges);
+    edges = buildEdgeTable(r.mesh.triangles);
+    r.adjacency = buildAdjacency(r.mesh.triangles, edges);
+    r.defects = findDefects(r.mesh, edges, r.adjacency);
+  }
+  r.outwardness = orientOutwards(r.mesh, r.adjacency, r.consistency, bodiesNow(r, bodyOfTriangle));
   dropUnused(r.mesh);
   if (r.closed()) {
     Result<Untangling> untangling = options.untangle ? untangle(r.mesh) : countCrossings(r.mesh);
     if (!untangling) return tl::unexpected(untangling.error());
     r.untangling = *untangling;
+    if (r.consistency.shells.count > 1) {
+      const auto crossing = findCrossings(r.mesh, {}, 1);
+      if (!crossing && crossing.error().kind != ErrorKind::NoSolution) return tl::unexpected(crossing.error());
+      r.overlaps = !crossing || !crossing->empty();
+    }
   }
   return r;
 }

@@ -18,8 +18,9 @@ namespace qrelief {
 /// Permitted repairs. A defect whose repair is switched off is reported; it blocks engraving if the model is not a
 /// solid without the repair.
 struct RepairOptions {
-  std::optional<double> weldToleranceMm = {};  ///< for open edges, ≥ 0; absent: kWeldFraction of the diagonal
-  std::optional<double> maxHoleMm = {};        ///< largest diameter to fill; absent: kHoleFraction of the diagonal
+  std::optional<double> weldToleranceMm =
+      {};  ///< for open edges, ≥ 0; absent: kWeldFraction of the diagonal, at most kMaxRepairMoveMm
+  std::optional<double> maxHoleMm = {};  ///< largest diameter to fill; absent: kHoleFraction of the diagonal
   bool weldNear = true;
   bool splitTJunctions = true;
   bool fillHoles = true;
@@ -49,7 +50,8 @@ struct Repaired {
   Consistency consistency;
   Outwardness outwardness;
   Untangling untangling;
-  Defects defects;  ///< defects that remain
+  bool overlaps = false;  ///< triangles of different shells touch or cross
+  Defects defects;        ///< defects that remain
 
   bool closed() const { return defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided; }
 };
@@ -59,9 +61,10 @@ struct Repaired {
 /// give an edge a third triangle.
 ///
 /// Cost: O(T log T); for a sound mesh mostly the search for crossing triangles.
-/// @param mesh            welded by equal position
-/// @param partOfTriangle  part of each triangle, empty: one part. Vertices of different parts are welded only if equal
+/// Each body is repaired by itself: bodies and their shells may touch and overlap.
+/// @param mesh            welded by equal position within each body; its `bodyOf` is not used
+/// @param bodyOfTriangle  empty: one body
 /// @returns an error only if the exact predicates fail
-Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options);
+Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTriangle, const RepairOptions& options);
 
 }  // namespace qrelief

@@ -32,9 +32,6 @@ class FindingList {
 };
 
 /// Reports what each repair found and did, and which defects remain.
-/// @param parts           of the soup
-/// @param partOfTriangle  of the repaired mesh, empty: one part
-void reportRepairs(const Repaired& repaired, const RepairOptions& options, std::span<const ModelPart> parts,
-                   std::span<const std::uint32_t> partOfTriangle, FindingList& findings);
+void reportRepairs(const Repaired& repaired, const RepairOptions& options, FindingList& findings);
 
 }  // namespace qrelief

@@ -8,7 +8,9 @@
 #include "base/parallel.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
+#include "mesh/pieces.h"
 #include "mesh/triangle_separation.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -109,11 +111,13 @@ bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
 /// Pairs in the order of discovery, up to a limit.
 class PairList {
  public:
-  PairList(const Mesh& mesh, std::size_t limit, std::size_t maxLooks)
-      : mesh_(mesh), limit_(limit), maxLooks_(maxLooks) {}
+  /// @param pieces  of the vertices; empty: pairs of any pieces count
+  PairList(const Mesh& mesh, std::span<const std::uint32_t> pieces, std::size_t limit, std::size_t maxLooks)
+      : mesh_(mesh), pieces_(pieces), limit_(limit), maxLooks_(maxLooks) {}
 
   void look(std::size_t pairs) { looks_ += pairs; }
   void test(std::uint32_t t, std::uint32_t u) {
+    if (!pieces_.empty() && pieces_[mesh_.triangles[t][0]] != pieces_[mesh_.triangles[u][0]]) return;
     looks_ += kLooksATest;
     if (!full() && meet(mesh_, mesh_.triangles[std::min(t, u)], mesh_.triangles[std::max(t, u)]))
       pairs_.push_back({std::min(t, u), std::max(t, u)});
@@ -124,6 +128,7 @@ class PairList {
 
  private:
   const Mesh& mesh_;
+  std::span<const std::uint32_t> pieces_;
   std::size_t limit_, maxLooks_;
   std::size_t looks_ = 0;
   std::vector<TrianglePair> pairs_;
@@ -168,8 +173,9 @@ void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char>
 
 /// Finds the pairs in pieces of work that depend on the mesh alone; the limit keeps the first pairs of the first
 /// pieces.
-Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects,
-                                            std::size_t limit, std::optional<std::size_t> maxLooks) {
+Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const std::uint32_t> pieces,
+                                            std::span<const std::uint32_t> suspects, std::size_t limit,
+                                            std::optional<std::size_t> maxLooks) {
   const BoxTree tree(mesh, suspects);
   const bool allSuspect = suspects.size() == mesh.triangles.size();
   std::vector<char> isSuspect(allSuspect ? 0 : mesh.triangles.size(), 0);
@@ -179,41 +185,53 @@ Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const st
   const std::size_t leafPieces = (tree.leafCount() + kLeavesAPiece - 1) / kLeavesAPiece;
   const std::size_t bystanderPieces =
       allSuspect || suspects.empty() ? 0 : (mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece;
-  const std::size_t pieces = leafPieces + bystanderPieces;
-  const std::size_t looksAPiece = std::max(kMaxLooksAPiece, kMaxLooks / std::max<std::size_t>(pieces, 1));
-  std::vector<PairList> lists(pieces, PairList(mesh, limit, maxLooks.value_or(looksAPiece)));
-  parallelFor(lists.size(), [&](std::size_t piece) {
-    if (piece < leafPieces) {
-      const std::size_t begin = piece * kLeavesAPiece;
-      testAmongLeaves(tree, begin, std::min(begin + kLeavesAPiece, tree.leafCount()), lists[piece]);
+  const std::size_t tasks = leafPieces + bystanderPieces;
+  const std::size_t looksAPiece = std::max(kMaxLooksAPiece, kMaxLooks / std::max<std::size_t>(tasks, 1));
+  std::vector<PairList> lists(tasks, PairList(mesh, pieces, limit, maxLooks.value_or(looksAPiece)));
+  parallelFor(lists.size(), [&](std::size_t task) {
+    if (task < leafPieces) {
+      const std::size_t begin = task * kLeavesAPiece;
+      testAmongLeaves(tree, begin, std::min(begin + kLeavesAPiece, tree.leafCount()), lists[task]);
     } else {
-      const std::size_t begin = (piece - leafPieces) * kTrianglesAPiece;
+      const std::size_t begin = (task - leafPieces) * kTrianglesAPiece;
       testBystanders(mesh, tree, isSuspect, static_cast<std::uint32_t>(begin),
                      static_cast<std::uint32_t>(std::min(begin + kTrianglesAPiece, mesh.triangles.size())),
-                     lists[piece]);
+                     lists[task]);
     }
   });
 
   std::vector<TrianglePair> pairs;
   for (const PairList& list : lists) pairs.insert(pairs.end(), list.pairs().begin(), list.pairs().end());
   if (pairs.size() < limit && std::any_of(lists.begin(), lists.end(), [](const PairList& l) { return l.gaveUp(); }))
-    return fail(ErrorKind::NoSolution, message("crossings-too-crowded"));
+    return fail(ErrorKind::NoSolution, message<"crossings-too-crowded">());
   if (pairs.size() > limit) pairs.resize(limit);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-}  // namespace
-
-Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects,
-                                                        std::size_t limit, std::optional<std::size_t> maxLooks) {
+/// @param pieces  see PairList
+Result<std::vector<TrianglePair>> findGuarded(const Mesh& mesh, std::span<const std::uint32_t> pieces,
+                                              std::span<const std::uint32_t> suspects, std::size_t limit,
+                                              std::optional<std::size_t> maxLooks) {
   std::vector<std::uint32_t> all(suspects.empty() ? mesh.triangles.size() : 0);
   std::iota(all.begin(), all.end(), 0u);
   try {
-    return findPairs(mesh, suspects.empty() ? all : suspects, limit, maxLooks);
+    return findPairs(mesh, pieces, suspects.empty() ? all : suspects, limit, maxLooks);
   } catch (const CGAL::Failure_exception& failure) {
-    return fail(ErrorKind::Internal, message("crossing-test-failed", with::term<"reason">(failure.what())));
+    return fail(ErrorKind::Internal, message<"crossing-test-failed">(with::term<"reason">(failure.what())));
   }
+}
+
+}  // namespace
+
+Result<std::vector<TrianglePair>> findCrossings(const Mesh& mesh, std::span<const std::uint32_t> suspects,
+                                                std::size_t limit, std::optional<std::size_t> maxLooks) {
+  return findGuarded(mesh, {}, suspects, limit, maxLooks);
+}
+
+Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects,
+                                                        std::size_t limit, std::optional<std::size_t> maxLooks) {
+  return findGuarded(mesh, piecesOf(mesh), suspects, limit, maxLooks);
 }
 
 }  // namespace qrelief

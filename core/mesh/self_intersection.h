@@ -14,9 +14,9 @@ namespace qrelief {
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// Finds pairs of triangles that cross or touch elsewhere than along a shared edge or at a shared vertex. Pairs are
-/// sorted, first index < second. Exact: most pairs are cleared by a plane between them (mesh/triangle_separation.h),
-/// the rest by exact predicates (CGAL, EPICK).
+/// Finds pairs of triangles that cross or touch elsewhere than along a shared edge or at a shared vertex, of whichever
+/// shells. Pairs are sorted, first index < second. Exact: most pairs are cleared by a plane between them
+/// (mesh/triangle_separation.h), the rest by exact predicates (CGAL, EPICK).
 ///
 /// Shared vertices are recognised by index, so the mesh has to be welded. Two triangles that share an edge count only
 /// if they are folded onto each other in one plane. Triangles without area are ignored.
@@ -29,6 +29,11 @@ using TrianglePair = std::array<std::uint32_t, 2>;
 /// @param limit     stops after this many pairs, always the same ones
 /// @param maxLooks  limit of pairs examined in each piece of the work; absent: some hundred for each triangle
 /// @returns NoSolution if the search gave up before it found `limit` pairs
+Result<std::vector<TrianglePair>> findCrossings(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
+                                                std::size_t limit = 1000, std::optional<std::size_t> maxLooks = {});
+
+/// Finds the pairs of findCrossings() in which both triangles belong to one piece of the mesh, joined by shared
+/// vertices. Pieces may overlap and touch each other: together they are a solid, as slicers understand them.
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
                                                         std::size_t limit = 1000,
                                                         std::optional<std::size_t> maxLooks = {});

@@ -43,14 +43,20 @@ void addJunctions(const Mesh& mesh, std::span<const std::uint32_t> nearby, std::
 }
 
 /// Returns junctions sorted by triangle, edge and place along the edge.
+/// @param bodyOf    body of each triangle; empty: one body
 /// @param cutShort  set to true if there is too much to examine
-std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance, bool& cutShort) {
+std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance, std::span<const std::uint32_t> bodyOf,
+                                    bool& cutShort) {
   const OpenBorder border(mesh);
   std::vector<Junction> junctions;
-  std::vector<std::uint32_t> nearby;
+  std::vector<std::uint32_t> nearby, bodyOfVertex(bodyOf.empty() ? 0 : mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < bodyOf.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t]) bodyOfVertex[v] = bodyOf[t];
   std::size_t looks = 0;
   for (const std::uint32_t v : border.vertices()) {
     looks += border.findNear(Vec3(mesh.positions[v]), tolerance, nearby);
+    if (!bodyOf.empty())
+      std::erase_if(nearby, [&](std::uint32_t halfEdge) { return bodyOf[halfEdge / 3] != bodyOfVertex[v]; });
     addJunctions(mesh, nearby, v, tolerance, junctions);
     cutShort = looks > border.maxLooks();
     if (cutShort) break;
@@ -83,13 +89,16 @@ void splitOnce(Mesh& mesh, std::span<const Junction> junctions, TJunctionSplit& 
 
 }  // namespace
 
-TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm) {
+TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> bodyOfTriangle) {
   TJunctionSplit result;
   result.origin.resize(mesh.triangles.size());
   std::iota(result.origin.begin(), result.origin.end(), 0u);
   Mesh split = mesh;
   for (int round = 0; round < kMaxRounds && !result.cutShort; ++round) {
-    const std::vector<Junction> junctions = findJunctions(split, toleranceMm, result.cutShort);
+    std::vector<std::uint32_t> bodyOf;
+    if (!bodyOfTriangle.empty())
+      for (const std::uint32_t t : result.origin) bodyOf.push_back(bodyOfTriangle[t]);
+    const std::vector<Junction> junctions = findJunctions(split, toleranceMm, bodyOf, result.cutShort);
     if (junctions.empty()) break;
     splitOnce(split, junctions, result);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -29,7 +30,8 @@ struct TJunctionSplit {
 /// Moves no vertex, and changes nothing unless fewer open edges remain.
 ///
 /// Cost: O(T) per round, with as many rounds as a triangle has open edges; bounded for each vertex on an open edge.
-/// @param toleranceMm  largest distance from the edge, and least distance from its ends, ≥ 0
-TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm);
+/// @param toleranceMm     largest distance from the edge, and least distance from its ends, ≥ 0
+/// @param bodyOfTriangle  empty: one body. A vertex of one body splits no triangle of another
+TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> bodyOfTriangle = {});
 
 }  // namespace qrelief

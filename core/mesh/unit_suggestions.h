@@ -12,7 +12,7 @@ namespace qrelief {
 
 /// A unit in which a model would have a printable size.
 struct UnitSuggestion {
-  std::string unit;  ///< "m", "in", "cm"
+  std::string unit;  ///< "m", "in", "cm", "mm", "um"
   double scaleToMm = 1;
   Vec3 sizeMm{0};  ///< of the model in this unit
 
@@ -20,12 +20,15 @@ struct UnitSuggestion {
 };
 
 /// Returns the units in which a model's longest side would be 15 to 500 mm: at most two, never the current unit.
-/// @param sizeMm     current size of the model, longest side < 10 mm
+/// @param sizeMm     current size of the model
 /// @param scaleToMm  current scale, file units → mm
 std::vector<UnitSuggestion> suggestUnits(Vec3 sizeMm, double scaleToMm);
 
 /// Returns advice for a model that is too small, to be quoted within another message: the suggested units, or, without
 /// any, that the unit may be wrong.
 Message unitAdvice(std::span<const UnitSuggestion> suggestions);
+
+/// Returns the same for a model that is too large.
+Message smallerUnitAdvice(std::span<const UnitSuggestion> suggestions);
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #include "mesh/untangle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "math/tolerance.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxCounted = 1000;
 constexpr std::size_t kMaxMended = 100;      // more pairs mean overlapping parts, not scanner errors
+constexpr int kHalvings = 7;                 // of the largest move; below 40 nm 32-bit floats differ by chance
 constexpr std::size_t kMaxWork = 1'000'000;  // triangles tested in all tries together: about 2 s
 
 struct Move {
@@ -62,12 +64,12 @@ struct Surroundings {
   }
 };
 
-Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach) {
+Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle) {
   Box3 box;
   for (const Triangle& t : mesh.triangles)
     if (usesAny(t, tangle))
       for (const std::uint32_t v : t) box.add(Vec3(mesh.positions[v]));
-  const double margin = 1.01 * reach;  // a hundredth more, for rounding
+  const double margin = 1.01 * kMaxRepairMoveMm;  // a hundredth more, for rounding
   const FloatBox region{Vec3f(box.min - margin), Vec3f(box.max + margin)};
   Surroundings around;
   for (const Triangle& t : mesh.triangles)
@@ -86,7 +88,7 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
 
 /// Adds the possible moves of one vertex of the tangle: towards the mean of its neighbours, in space and along its
 /// normal.
-void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std::vector<Move>& moves) {
+void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, std::vector<Move>& moves) {
   const Vec3 from(mesh.positions[v]);
   Vec3 sum(0);
   double lengths = 0;
@@ -101,20 +103,22 @@ void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std:
     }
   }
   const Vec3 toMean = sum / n - from;
-  const double limit = std::min(kUntangleEdgeFraction * lengths / n, reach);
+  const double limit = std::min(kUntangleEdgeFraction * lengths / n, kMaxRepairMoveMm);
   for (const Vec3 way : {toMean, normal * glm::dot(toMean, normal)})
-    for (double fraction = 1; fraction > 1.0 / 100; fraction /= 2) {
-      const Vec3f to(from + way * fraction);
-      const double length = glm::distance(Vec3(to), from);
-      if (length > 0 && length <= limit) moves.push_back({v, to, length});
-    }
+    if (const double whole = glm::length(way); whole > 0)
+      for (int halvings = 0; halvings < kHalvings; ++halvings) {
+        const double wanted = std::ldexp(std::min(whole, limit), -halvings);
+        const Vec3f to(from + way * (wanted / whole));
+        const double length = glm::distance(Vec3(to), from);
+        if (length > 0) moves.push_back({v, to, length});
+      }
 }
 
 /// Returns all moves, the shortest first; ties by vertex.
-std::vector<Move> movesOf(const Surroundings& around, double reach) {
+std::vector<Move> movesOf(const Surroundings& around) {
   const std::vector<Vec3f> normals = vertexNormals(around.mesh);
   std::vector<Move> moves;
-  for (const std::uint32_t v : around.tangle) addMoves(around.mesh, v, Vec3(normals[v]), reach, moves);
+  for (const std::uint32_t v : around.tangle) addMoves(around.mesh, v, Vec3(normals[v]), moves);
   std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.length < b.length; });
   return moves;
 }
@@ -132,8 +136,8 @@ bool isTooCrowded(const Result<std::vector<TrianglePair>>& pairs) {
 /// Separates the tangle by the shortest move that removes all its pairs and creates no other.
 /// @param work  triangles tested so far, in all tries
 /// @returns true if there is such a move
-Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach, std::size_t& work) {
-  Surroundings around = surroundingsOf(mesh, tangle, reach);
+Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::size_t& work) {
+  Surroundings around = surroundingsOf(mesh, tangle);
   auto others = findSelfIntersections(around.mesh);
   if (isTooCrowded(others)) return false;
   if (!others) return tl::unexpected(others.error());
@@ -145,7 +149,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
   if (end == others->end()) return true;  // already separated together with another tangle
   others->erase(end, others->end());
 
-  for (const Move& move : movesOf(around, reach)) {
+  for (const Move& move : movesOf(around)) {
     work += around.mesh.triangles.size();
     if (work > kMaxWork) return false;
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
@@ -176,11 +180,10 @@ Result<Untangling> untangle(Mesh& mesh) {
   if (pairs->size() > kMaxMended) return result;
 
   const std::vector<Vec3f> before = mesh.positions;
-  const double reach = kUntangleDiagonalFraction * boundingBox(mesh).diagonal();
   std::size_t work = 0;
   while (!pairs->empty()) {
     const std::vector<std::uint32_t> tangle = firstTangle(mesh, *pairs);
-    const Result<bool> parted = part(mesh, tangle, reach, work);
+    const Result<bool> parted = part(mesh, tangle, work);
     if (!parted || !*parted) {
       mesh.positions = before;
       return parted ? Result<Untangling>(result) : tl::unexpected(parted.error());

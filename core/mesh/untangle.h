@@ -18,10 +18,10 @@ struct Untangling {
 };
 
 /// Separates the few triangles that cross in tiny tangles, as in scans and filled holes. A vertex of each tangle is
-/// moved towards the mean of its neighbours, in space or along its normal, by 1/64, 1/32, ... all of the way. Moves are
-/// tried shortest first; exact predicates on the triangles around decide whether any still cross. Nothing is moved
-/// unless all tangles can be separated within kUntangleEdgeFraction and kUntangleDiagonalFraction: overlapping parts
-/// are left unchanged.
+/// moved towards the mean of its neighbours, in space or along its normal, by 1/64, 1/32, ... all of the permitted way.
+/// Moves are tried shortest first; exact predicates on the triangles around decide whether any still cross. Nothing is
+/// moved unless all tangles can be separated within kUntangleEdgeFraction and kMaxRepairMoveMm. Shells that overlap are
+/// no tangle.
 ///
 /// Cost: one findSelfIntersections(); plus, for each tangle, O(T) and a bounded number of tries.
 /// @param mesh  welded, every triangle with an area. Only positions change, and no triangle loses its area

@@ -30,12 +30,16 @@ std::uint64_t hashOf(Vec3f p) {
 
 }  // namespace
 
-Welding weldEqual(std::span<const Vec3f> points) {
+Welding weldEqual(std::span<const Vec3f> points, std::span<const std::uint32_t> groupOf) {
   std::size_t capacity = 16;
   while (capacity < 2 * points.size()) capacity *= 2;
   std::vector<std::uint32_t> table(capacity, kFree);
   Welding welding;
   welding.indexOf.reserve(points.size());
+  std::vector<std::uint32_t> groups;  // of the positions
+  const auto isOfGroup = [&](std::uint32_t position, std::size_t point) {
+    return groupOf.empty() || groups[position] == groupOf[point];
+  };
   std::array<std::size_t, kAhead> slots;
   for (std::size_t begin = 0; begin < points.size(); begin += kAhead) {
     const auto block = points.subspan(begin, std::min(kAhead, points.size() - begin));
@@ -46,10 +50,12 @@ Welding weldEqual(std::span<const Vec3f> points) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       const Vec3f p = block[i] + Vec3f(0);
       std::size_t slot = slots[i];
-      while (table[slot] != kFree && welding.positions[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
+      while (table[slot] != kFree && (welding.positions[table[slot]] != p || !isOfGroup(table[slot], begin + i)))
+        slot = (slot + 1) & (capacity - 1);
       if (table[slot] == kFree) {
         table[slot] = static_cast<std::uint32_t>(welding.positions.size());
         welding.positions.push_back(p);
+        if (!groupOf.empty()) groups.push_back(groupOf[begin + i]);
       }
       welding.indexOf.push_back(table[slot]);
     }
@@ -62,6 +68,19 @@ Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles) {
   for (Triangle& triangle : triangles)
     for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
   return {std::move(welding.positions), std::move(triangles)};
+}
+
+Mesh weldedByGroup(std::span<const Vec3f> corners, std::span<const std::uint32_t> groupOf) {
+  std::vector<std::uint32_t> groupOfCorner;
+  groupOfCorner.reserve(3 * groupOf.size());
+  for (const std::uint32_t group : groupOf) groupOfCorner.insert(groupOfCorner.end(), 3, group);
+  Welding welding = weldEqual(corners, groupOfCorner);
+  Mesh mesh;
+  mesh.positions = std::move(welding.positions);
+  mesh.triangles.resize(corners.size() / 3);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    mesh.triangles[corner / 3][corner % 3] = welding.indexOf[corner];
+  return mesh;
 }
 
 void dropUnused(Mesh& mesh) {

@@ -16,12 +16,18 @@ struct Welding {
 };
 
 /// Welds equal points by an open-addressing hash table; the result does not depend on the hash. Cost: O(n).
-/// @param points  finite, fewer than 2^32
-Welding weldEqual(std::span<const Vec3f> points);
+/// @param points   finite, fewer than 2^32
+/// @param groupOf  point → group; points of different groups stay apart. Empty: one group
+Welding weldEqual(std::span<const Vec3f> points, std::span<const std::uint32_t> groupOf = {});
 
 /// Welds a mesh as a slicer reads an STL: corners at one place become one vertex, and every triangle stays.
 /// @param triangles  of indices into `corners`
 Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles);
+
+/// Welds a mesh group by group.
+/// @param corners  position of each corner: corner k of triangle t is 3·t + k
+/// @param groupOf  triangle → group; empty: one group
+Mesh weldedByGroup(std::span<const Vec3f> corners, std::span<const std::uint32_t> groupOf);
 
 /// Drops positions that no triangle uses, keeping the order, and renumbers the triangles.
 void dropUnused(Mesh& mesh);

@@ -22,10 +22,10 @@ struct Pair {
   std::uint32_t u, v;  // u < v
 };
 
-/// Finds pairs of open vertices of one part within the tolerance of each other; the nearest first, ties by index.
+/// Finds pairs of open vertices of one body within the tolerance of each other; the nearest first, ties by index.
 /// @param cutShort  set to true if there are too many to find all
 std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double tolerance,
-                            const std::vector<std::uint32_t>& partOfVertex, bool& cutShort) {
+                            const std::vector<std::uint32_t>& bodyOfVertex, bool& cutShort) {
   std::vector<Pair> pairs;
   std::size_t looks = 0;
   std::vector<std::uint32_t> nearby, partners;
@@ -35,7 +35,7 @@ std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double t
     partners.clear();
     for (const std::uint32_t h : nearby)
       for (const std::uint32_t v : {mesh.triangles[h / 3][h % 3], mesh.triangles[h / 3][(h + 1) % 3]})
-        if (v > u && partOfVertex[v] == partOfVertex[u] && glm::distance(Vec3(mesh.positions[v]), p) <= tolerance)
+        if (v > u && bodyOfVertex[v] == bodyOfVertex[u] && glm::distance(Vec3(mesh.positions[v]), p) <= tolerance)
           partners.push_back(v);
     std::sort(partners.begin(), partners.end());
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
@@ -90,22 +90,22 @@ class Clusters {
   std::size_t work_ = 0;
 };
 
-std::vector<std::uint32_t> partsOfVertices(const Mesh& mesh, std::span<const std::uint32_t> partOfTriangle) {
-  std::vector<std::uint32_t> parts(mesh.positions.size(), 0);
-  for (std::size_t t = 0; t < partOfTriangle.size(); ++t)
-    for (const std::uint32_t v : mesh.triangles[t]) parts[v] = partOfTriangle[t];
-  return parts;
+std::vector<std::uint32_t> bodiesOfVertices(const Mesh& mesh, std::span<const std::uint32_t> bodyOfTriangle) {
+  std::vector<std::uint32_t> bodies(mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < bodyOfTriangle.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t]) bodies[v] = bodyOfTriangle[t];
+  return bodies;
 }
 
 }  // namespace
 
-NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> partOfTriangle) {
+NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> bodyOfTriangle) {
   NearWelding result;
   const OpenBorder border(mesh);
   if (border.vertices().empty() || !(toleranceMm > 0)) return result;
   Clusters clusters(mesh, border);
   for (const Pair& pair :
-       nearPairs(mesh, border, toleranceMm, partsOfVertices(mesh, partOfTriangle), result.cutShort)) {
+       nearPairs(mesh, border, toleranceMm, bodiesOfVertices(mesh, bodyOfTriangle), result.cutShort)) {
     clusters.join(pair.u, pair.v, toleranceMm);
     if (clusters.work() <= kMaxJoinWork) continue;
     result.cutShort = true;

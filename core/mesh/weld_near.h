@@ -18,11 +18,11 @@ struct NearWelding {
 
 /// Merges vertices on open edges that lie within a tolerance of each other, the nearest first. The vertex with the
 /// lowest index stays in place. Never touches closed surfaces, however near each other; never joins two vertices of one
-/// triangle, so no triangle collapses; never joins vertices of different parts.
+/// triangle, so no triangle collapses; never joins vertices of different bodies.
 ///
 /// Cost: O(T), plus the pairs within the tolerance; bounded for each vertex on an open edge.
 /// @param toleranceMm     ≥ 0
-/// @param partOfTriangle  empty: one part
-NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> partOfTriangle = {});
+/// @param bodyOfTriangle  empty: one body
+NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> bodyOfTriangle = {});
 
 }  // namespace qrelief

@@ -3,6 +3,7 @@
 
 #include "io/rewrite_3mf.h"
 #include "io/write_checked.h"
+#include "message_codes/files.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/carved_runs.h"
 
@@ -12,11 +13,9 @@ namespace {
 Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const EngraveResult& result, bool withInlay,
                                              const WriteOptions& options) {
   const ThreeMfSource& source = *before.source;
-  if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message("rewrite-scaled"));
-  if (options.palette) return fail(ErrorKind::NoSolution, message("rewrite-palette"));
-  const auto changes = carvedRuns(before, result, withInlay);
-  if (!changes) return tl::unexpected(changes.error());
-  return rewrite3mf(source, *changes, options.slicer, filamentMaterials());
+  if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message<"rewrite-scaled">());
+  if (options.palette) return fail(ErrorKind::NoSolution, message<"rewrite-palette">());
+  return rewrite3mf(source, carvedRuns(before, result, withInlay), options.slicer, filamentMaterials());
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
     if (bytes.error().kind != ErrorKind::NoSolution) return tl::unexpected(bytes.error());
     notKept = std::move(bytes.error().message);
   }
-  auto bytes = writeChecked(carvedObjects(result, partNames, withInlay), ModelFormat::ThreeMf, options);
+  auto bytes = writeChecked(carvedObjects(result, partNames, withInlay, true), ModelFormat::ThreeMf, options);
   if (!bytes) return tl::unexpected(bytes.error());
   return Carved3mf{std::move(*bytes), std::move(notKept)};
 }
@@ -46,7 +45,7 @@ Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResul
     if (!written) return tl::unexpected(written.error());
     return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
   }
-  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay), fileName, options);
+  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay, false), fileName, options);
   if (!files) return tl::unexpected(files.error());
   return CarvedFiles{std::move(*files), {}};
 }

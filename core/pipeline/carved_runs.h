@@ -9,13 +9,10 @@
 
 namespace qrelief {
 
-/// Returns the new meshes of a 3MF file's runs after carving: the carved run's mesh, or the meshes of all runs if
-/// repairs changed the model.
-///
-/// Kept facets keep their attributes. Carving does not record where its new facets come from, so each is matched with
-/// the cut facet that it lies on. Cost: O(T + n log n) for n new facets.
+/// Returns the new meshes of a 3MF file's runs, which are the model's bodies: those of the carved body and of
+/// bodies that repairs changed. Facets and their pieces keep their attributes, except under the code.
+/// Cost: O(T).
 /// @param before   model before carving, with its 3MF source
-/// @returns NoSolution if facets of several runs were cut
-Result<std::vector<ChangedRun>> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
+std::vector<ChangedRun> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
 
 }  // namespace qrelief

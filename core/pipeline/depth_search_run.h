@@ -47,6 +47,7 @@ class DepthSearchRun {
   const DepthField& depths() const { return onGpu_ ? onGpu_->depths() : solver_->depths(); }
   int iterations() const { return onGpu_ ? onGpu_->iterations() : solver_->iterations(); }  ///< since restart()
   std::size_t limitedCount() const { return onGpu_ ? onGpu_->limitedCount() : solver_->limitedCount(); }
+  std::size_t unfinishedCount() const { return onGpu_ ? onGpu_->unfinishedCount() : solver_->unfinishedCount(); }
   /// Returns the luminances of the last pass, of symbol and quiet zone; see DepthSolver::update.
   const std::vector<double>& luminance() const { return luminance_; }
   /// Returns the light that makes this luminance, in the same order.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "message_codes/stages.h"
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
@@ -41,17 +42,17 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 /// Weights are times in ms of the page's samples on a processor (--report, timingsMs).
 JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
   const bool isForPrint = request.isForPrint(), isInColour = request.marking.isInColour();
-  return {{message("finding-direction-and-size"), 20, &State::place, !isPlaced},
-          {message("measuring-surface"), 50, &State::map, !isInColour},
-          {message("measuring-surface"), 10, &State::mapMark, isInColour},
-          {message("finding-depth"), 70, &State::searchOnce, isForPrint},
-          {message("carving-mesh"), 60, &State::embed, isForPrint},
-          {message("printing"), 300, &State::print, isForPrint},
-          {message("finding-depth"), 200, &State::searchOnce, !isInColour},
-          {message("carving-mesh"), isInColour ? 4.0 : 60.0, &State::embed},
-          {message("checking-solid"), isInColour ? 4.0 : 10.0, &State::write},
-          {message("checking-solid"), isInColour ? 20.0 : 250.0, &State::check},
-          {message("looking-at-result"), 250, &State::view}};
+  return {{message<"finding-direction-and-size">(), 20, &State::place, !isPlaced},
+          {message<"measuring-surface">(), 50, &State::map, !isInColour},
+          {message<"measuring-surface">(), 10, &State::mapMark, isInColour},
+          {message<"finding-depth">(), 70, &State::searchOnce, isForPrint},
+          {message<"carving-mesh">(), 60, &State::embed, isForPrint},
+          {message<"printing">(), 300, &State::print, isForPrint},
+          {message<"finding-depth">(), 200, &State::searchOnce, !isInColour},
+          {message<"carving-mesh">(), isInColour ? 4.0 : 60.0, &State::embed},
+          {message<"checking-solid">(), isInColour ? 4.0 : 10.0, &State::write},
+          {message<"checking-solid">(), isInColour ? 20.0 : 250.0, &State::check},
+          {message<"looking-at-result">(), 250, &State::view}};
 }
 
 Result<StageStep> EngraveJob::State::place() {

@@ -11,6 +11,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "carving/embed.h"
 #include "carving/outlined_pockets.h"
 #include "depth/depth_search.h"
 #include "depth/fast_search.h"
@@ -49,20 +50,20 @@ struct StageTimings {
 
 /// The carved solid, and everything found out about it.
 struct EngraveResult {
-  Mesh mesh;                      ///< after an STL round trip
-  std::vector<std::uint8_t> stl;  ///< exactly the bytes that were checked
-  std::size_t keptTriangles = 0;  ///< facets of the input that are unchanged bit for bit
-  /// Triangle → part of the model (PreparedModel::partOfTriangle). New triangles belong to the part of the facet under
-  /// the centre. Empty: one part only.
-  std::vector<std::uint32_t> partOfTriangle;
-  std::uint32_t carvedPart = 0;
-  EngraveRequest request;  ///< as carved, with defaults filled in (pipeline/default_patterns.h)
+  Mesh mesh;                            ///< after an STL round trip, with the model's bodies (PreparedModel::bodies)
+  std::vector<std::uint8_t> stl;        ///< exactly the bytes that were checked
+  std::size_t keptTriangles = 0;        ///< facets of the input that are unchanged bit for bit; they come first
+  std::vector<FacetOrigin> origins;     ///< of the triangles of `mesh`
+  std::vector<Body> bodies = {Body()};  ///< of the model
+  std::uint32_t carvedBody = 0;         ///< index of the body with the code
+  EngraveRequest request;               ///< as carved, with defaults filled in (pipeline/default_patterns.h)
   Symbol symbol;
   Placement placement;
   DepthField depths;
-  OutlinedPockets label;              ///< text and frame as carved; empty: none
-  int searchIterations = 0;           ///< of both searches, if the print required a second one
-  std::size_t limitedSubmodules = 0;  ///< submodules too light because of a depth limit
+  OutlinedPockets label;                 ///< text and frame as carved; empty: none
+  int searchIterations = 0;              ///< of both searches, if the print required a second one
+  std::size_t limitedSubmodules = 0;     ///< submodules too light because of a depth limit or the end of the search
+  std::size_t unfinishedSubmodules = 0;  ///< those of them that the end of the search left too light
   /// Luminance of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top
   /// left.
   std::vector<double> luminance;

@@ -5,9 +5,10 @@
 #include "base/clock.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "mesh/pieces.h"
 #include "mesh/weld.h"
+#include "message_codes/place.h"
 #include "pipeline/add_inlay.h"
-#include "pipeline/carved_parts.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/verify.h"
 #include "verification/ink.h"
@@ -28,7 +29,22 @@ constexpr double kFlatReliefMm = 0.1;     // where nothing is lowered; shaders d
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
+  return fail(ErrorKind::NoSolution, message<"carved-not-solid">(with::cause<"problem">(solidity.problems().front())));
+}
+
+/// Welds the triangles of a written mesh again, in each of its pieces: a slicer joins touching bodies as it likes.
+/// @param read  the same triangles in the same order
+Mesh weldedAs(const Mesh& written, const PolygonSoup& read) {
+  const std::vector<std::uint32_t> pieceOfVertex = piecesOf(written);
+  std::vector<Vec3f> corners;
+  std::vector<std::uint32_t> pieceOf;
+  for (std::size_t t = 0; t < read.triangles.size(); ++t) {
+    for (const std::uint32_t v : read.triangles[t]) corners.emplace_back(read.positions[v]);
+    pieceOf.push_back(pieceOfVertex[written.triangles[t][0]]);
+  }
+  Mesh mesh = weldedByGroup(corners, pieceOf);
+  mesh.bodyOf = written.bodyOf;
+  return mesh;
 }
 
 }  // namespace
@@ -39,7 +55,10 @@ Result<StageStep> EngraveJob::State::write() {
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
   if (!read) return tl::unexpected(read.error());
-  result.mesh = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
+  result.mesh = weldedAs(embedded.mesh, *read);
+  result.origins = std::move(embedded.origins);
+  result.bodies = model->prepared.bodies;
+  result.carvedBody = model->prepared.mesh.body(result.placement.seed);
   result.symbol = symbol;
   result.request = request;
   result.painted = std::move(embedded.painted);
@@ -60,10 +79,6 @@ Result<StageStep> EngraveJob::State::check() {
     result.solidity = *whole;
     result.inheritedSelfIntersections = whole->selfIntersections;
   }
-  const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
-  result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
-  result.partOfTriangle =
-      partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
   if (request.marking.hasInlay())
     if (const Status added = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
                                                                  : addInlay(*model, request.depth.surface, result);

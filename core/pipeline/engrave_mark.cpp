@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements what EngraveJob (engrave.h) does for codes in colour in place of a depth search.
 #include "base/clock.h"
+#include "message_codes/pipeline.h"
 #include "pipeline/depth_limits.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/mark_depth.h"
@@ -41,8 +42,8 @@ Status EngraveJob::State::chooseInlay() {
       depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(), {wantedMm, request.depth.minWallMm});
   InlayPockets pockets = inlayPockets(symbol, placement.symbolMm, limits, wantedMm);
   if (pockets.depthMm == 0)
-    return fail(ErrorKind::NoSolution, message("inlay-needs-walls", with::lengthMm<"depth">(wantedMm),
-                                               with::lengthMm<"wall">(request.depth.minWallMm)));
+    return fail(ErrorKind::NoSolution, message<"inlay-needs-walls">(with::lengthMm<"depth">(wantedMm),
+                                                                    with::lengthMm<"wall">(request.depth.minWallMm)));
   result.markDepthMm = pockets.depthMm;
   result.modulesLeftOut = pockets.leftOut;
   marked = result.depths = std::move(pockets.depths);

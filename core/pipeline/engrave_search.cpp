@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the depth search of EngraveJob (engrave.h).
 #include "base/clock.h"
+#include "message_codes/pipeline.h"
 #include "pipeline/engrave_state.h"
 
 namespace qrelief {
@@ -21,11 +22,12 @@ Result<StageStep> EngraveJob::State::searchOnce() {
   result.depths = search->depths();
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
+  result.unfinishedSubmodules = search->unfinishedCount();
   result.luminance = search->luminance();
   result.received = search->received();
   if (summarise(result.depths).maxMm == 0)
     return fail(ErrorKind::NoSolution,
-                message("nothing-can-be-carved", with::lengthMm<"wall">(request.depth.minWallMm)));
+                message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.depth.minWallMm)));
   return kStageDone;
 }
 

@@ -7,6 +7,7 @@
 
 #include "depth/depth_field.h"
 #include "mesh/ray_tree.h"
+#include "message_codes/text.h"
 
 namespace qrelief {
 namespace {
@@ -47,8 +48,9 @@ Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& 
   const double thicknessMm = leastThicknessMm(mesh, placement.frame, pockets.rings);
   pockets.depthMm = quantisedDepth(wantedMm, std::min(wantedMm, thicknessMm - request.depth.minWallMm));
   if (pockets.depthMm < std::max(layerMm, kDepthQuantumMm) - 1e-9)
-    return fail(ErrorKind::NoSolution, message("label-too-deep", with::lengthMm<"depth">(wantedMm),
-                                               with::lengthMm<"wall">(std::max(0.0, thicknessMm - wantedMm))));
+    return fail(ErrorKind::NoSolution,
+                message<"label-too-deep">(with::lengthMm<"depth">(wantedMm),
+                                          with::lengthMm<"wall">(std::max(0.0, thicknessMm - wantedMm))));
   return pockets;
 }
 

@@ -10,6 +10,8 @@
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "mesh/ray.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/place.h"
 #include "projection/best_size.h"
 #include "projection/crossings.h"
 #include "projection/flatness.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
+constexpr double kEqualSizes = 1e-6;
 constexpr double kFirstShare = 0.15;  // first estimate of the size, of the model's diagonal
 constexpr double kFirstReach = 1.25;  // first search radius, of the expected size's half diagonal
 constexpr double kNextReach = 1.5;    // growth of the search radius
@@ -44,9 +47,9 @@ class Stopwatch {
 }  // namespace
 
 Message codeInWords(const PlacementRequest& request) {
-  if (request.sizeMode != SizeMode::Fixed) return message("any-code");
-  if (request.quietZone) return message("code-with-quiet-zone", with::lengthMm<"size">(request.sizeMm));
-  return message("code-alone", with::lengthMm<"size">(request.sizeMm));
+  if (request.sizeMode != SizeMode::Fixed) return message<"any-code">();
+  if (request.quietZone) return message<"code-with-quiet-zone">(with::lengthMm<"size">(request.sizeMm));
+  return message<"code-alone">(with::lengthMm<"size">(request.sizeMm));
 }
 
 PlacementSearch::PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
@@ -62,7 +65,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return badInput(message("no-surface"));
+  if (!surface) return badInput(message<"no-surface">());
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
@@ -90,7 +93,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
     auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
-    if (patch && model_->crossesItself)
+    if (patch && model_->hasCrossings)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette);
@@ -153,15 +156,18 @@ Status PlacementSearch::measure(Vec3 normal) {
     if (const Status apart = checkCrossings(); !apart) return apart;
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
-    return fail(
-        ErrorKind::NoSolution,
-        message("modules-too-small-as-asked", with::lengthMm<"size">(placement_.symbolMm),
-                with::lengthMm<"module">(placement_.moduleMm), with::lengthMm<"least">(kMinModuleMm * modules_)));
+    return fail(ErrorKind::NoSolution,
+                message<"modules-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
+                                                      with::lengthMm<"module">(placement_.moduleMm),
+                                                      with::lengthMm<"least">(kMinModuleMm * modules_)));
   }
   if (placement_.moduleMm < kMinModuleMm) {
     return fail(ErrorKind::NoSolution,
-                message("modules-too-small-here", with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
-                        with::lengthMm<"module">(placement_.moduleMm)));
+                message<"modules-too-small-here">(
+                    with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                    with::lengthMm<"module">(placement_.moduleMm),
+                    with::cause<"advice">(roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
+                                                     message<"choose-a-wider-spot">()))));
   }
   return {};
 }
@@ -169,15 +175,16 @@ Status PlacementSearch::measure(Vec3 normal) {
 /// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
 /// at any rotation, so the message names the crossing, not a size.
 Status PlacementSearch::checkCrossings() const {
-  if (!model_->crossesItself) return {};
+  if (!model_->hasCrossings) return {};
   const Vec3 centre = placement_.frame.centre;
   const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
   if (!crossing) return tl::unexpected(crossing.error());
   const double leastMm = kMinModuleMm * modules_;
   if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};
   return fail(ErrorKind::NoSolution,
-              message("crossing-at-centre", with::lengthMm<"distance">(glm::distance(**crossing, centre)),
-                      with::place<"at">(**crossing / model_->scaleToMm), with::lengthMm<"least">(leastMm)));
+              message<"crossing-at-centre">(with::lengthMm<"distance">(glm::distance(**crossing, centre)),
+                                            with::place<"at">(**crossing / model_->scaleToMm),
+                                            with::lengthMm<"least">(leastMm)));
 }
 
 /// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
@@ -190,20 +197,21 @@ Error PlacementSearch::doesNotFit() const {
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
   if (!turningHelps)
-    return {ErrorKind::NoSolution, message("code-too-large", with::cause<"code">(codeInWords(request_)),
-                                           with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-                                           with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+    return {ErrorKind::NoSolution,
+            message<"code-too-large">(with::cause<"code">(codeInWords(request_)),
+                                      with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+                                      with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
   if (bestMm < request_.sizeMm)
     return {ErrorKind::NoSolution,
-            message("code-too-large-here", with::cause<"code">(codeInWords(request_)),
-                    with::lengthMm<"here">(downToThreeDigits(fitMm_)), with::number<"bestTurn">(bestDeg),
-                    with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-                    with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+            message<"code-too-large-here">(
+                with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+                with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
+                with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
   return {ErrorKind::NoSolution,
-          message("code-fits-turned", with::cause<"code">(codeInWords(request_)),
-                  with::lengthMm<"here">(downToThreeDigits(fitMm_)), with::number<"bestTurn">(bestDeg),
-                  with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-                  with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+          message<"code-fits-turned">(
+              with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+              with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
+              with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
 }
 
 double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }
@@ -267,7 +275,9 @@ Status PlacementSearch::leaveWalls() {
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
   const Stopwatch stopwatch(sizeMs_);
   const CellSquare square{placement_.symbolMm, modules_};
-  const auto walls = measureModuleWalls(model_->mesh, *surface_, placement_.frame, placement_.patch, square,
+  const bool isFree = request_.sizeMode == SizeMode::Free;  // a size for every rotation does not depend on one
+  const ProjectionFrame frame = isFree ? turned(placement_.frame, -toRadians(request_.rotateDeg)) : placement_.frame;
+  const auto walls = measureModuleWalls(model_->mesh, *surface_, frame, placement_.patch, square,
                                         pockets.depth(placement_.moduleMm), pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
@@ -277,10 +287,61 @@ Status PlacementSearch::leaveWalls() {
   return {};
 }
 
+/// Does one step of the search for a free size, and measures the best size from its direction at the end.
+/// @returns true when done
+bool PlacementSearch::lookFromFree() {
+  const Result<bool> isDone = free_->step();
+  if (isDone && !*isDone) return false;
+  directionMs_ += free_->directionMs();
+  sizeMs_ += free_->sizeMs();
+  if (isDone) {
+    placement_.iterations = free_->placement().iterations;
+    if (measure(free_->placement().frame.normal)) rounds_.insert(rounds_.begin(), placement_);
+  }
+  free_.reset();
+  return true;
+}
+
+void PlacementSearch::keepRound() {
+  if (request_.sizeMode == SizeMode::Best) rounds_.push_back(placement_);
+}
+
+/// Takes the round with the largest size that leaves walls; of equal ones, the last.
+Status PlacementSearch::takeBestRound() {
+  std::optional<Placement> best;
+  const auto isLarger = [&](const Placement& other) {
+    return !best || other.symbolMm > best->symbolMm * (1 + kEqualSizes);
+  };
+  for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round) {
+    if (!isLarger(*round)) continue;
+    placement_ = std::move(*round);
+    if (const Status left = leaveWalls(); !left) return left;
+    if (isLarger(placement_)) best = std::move(placement_);
+  }
+  placement_ = std::move(*best);
+  rounds_.clear();
+  return {};
+}
+
 Result<bool> PlacementSearch::step() {
-  const Result<bool> done = searchOnce();
-  if (!done || !*done) return done;
-  if (const Status left = leaveWalls(); !left) return tl::unexpected(left.error());
+  if (free_) {
+    if (!lookFromFree()) return false;
+    if (rounds_.empty()) return tl::unexpected(*doesNotFit_);
+  } else {
+    const Result<bool> done = searchOnce();
+    const bool isBest = request_.sizeMode == SizeMode::Best && !request_.direction && !optimal_;
+    const bool mayGrow = done ? *done && fitMm_ < largestMm() : done.error().kind == ErrorKind::NoSolution;
+    if (isBest && mayGrow) {
+      if (!done) doesNotFit_ = done.error();
+      PlacementRequest free = request_;
+      free.sizeMode = SizeMode::Free;
+      free_ = std::make_unique<PlacementSearch>(*model_, *surface_, modules_, free);
+      return false;
+    }
+    if (!done || !*done) return done;
+  }
+  if (const Status left = rounds_.empty() || optimal_ ? leaveWalls() : takeBestRound(); !left)
+    return tl::unexpected(left.error());
   placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;
 }
@@ -305,6 +366,7 @@ Result<bool> PlacementSearch::searchOnce() {
   if (const Status measured = measureFirstFitting(roundCandidates()); !measured)
     return tl::unexpected(measured.error());
   direction_.reset();
+  keepRound();
   ++round_;
   const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||
                        std::abs(fitMm_ - before) < kSettledShare * before;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
 #include "mesh/prepare.h"
@@ -33,7 +35,8 @@ Message codeInWords(const PlacementRequest& request);
 
 /// Search for direction and size. They depend on each other, so it finds them in turn until the size changes by less
 /// than 1 % (at most 5 rounds) [Papp 2022, §3 and §4]. Then it searches once for the optimal direction, at the size
-/// found, starting from the depth-balanced direction.
+/// found, starting from the depth-balanced direction. For SizeMode::Best the round with the largest size wins. Unless
+/// that is the size limit, it also looks from the direction that SizeMode::Free finds, so Best is never smaller.
 class PlacementSearch {
  public:
   /// @param model, surface  kept by reference
@@ -53,6 +56,9 @@ class PlacementSearch {
   Result<bool> searchOnce();
   Status start();
   Status leaveWalls();
+  bool lookFromFree();
+  void keepRound();
+  Status takeBestRound();
   Status measure(Vec3 normal);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
@@ -76,6 +82,9 @@ class PlacementSearch {
   Vec3 surfaceNormal_{0};
   std::optional<DirectionSearch> direction_;
   std::optional<OptimalDirection> optimal_;
+  std::unique_ptr<PlacementSearch> free_;  // SizeMode::Best: the search for the free size's direction
+  std::optional<Error> doesNotFit_;        // the error of all rounds, if none fits
+  std::vector<Placement> rounds_;          // SizeMode::Best: the rounds that fit
   int round_ = 0;
   bool started_ = false;
   double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate

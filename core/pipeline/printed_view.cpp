@@ -10,6 +10,8 @@
 #include "base/job_stages.h"
 #include "light/height_light.h"
 #include "math/angle.h"
+#include "message_codes/printing.h"
+#include "message_codes/stages.h"
 #include "printing/printed_ink.h"
 #include "verification/baked_light.h"
 #include "verification/inlaid_surface.h"
@@ -75,8 +77,8 @@ struct PrintedViewJob::State {
 
 /// Weights are in relation to each other, on the page's samples.
 JobStages<PrintedViewJob::State> PrintedViewJob::State::stagesOf(const PrintedViewRequest& request) {
-  return {{message("printing"), request.mark == Mark::Shadow ? 9.0 : 1.0, &State::print},
-          {message("lighting-print"), 1, &State::light}};
+  return {{message<"printing">(), request.mark == Mark::Shadow ? 9.0 : 1.0, &State::print},
+          {message<"lighting-print">(), 1, &State::light}};
 }
 
 /// Finds the shape to print, and the modules and the label in the second colour.
@@ -157,7 +159,7 @@ PrintedViewJob::~PrintedViewJob() = default;
 
 Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh, const PrintedViewRequest& request) {
   const double length = glm::length(request.buildUp);
-  if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
+  if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message<"no-build-direction">());
   return std::unique_ptr<PrintedViewJob>(new PrintedViewJob(std::make_unique<State>(mesh, request)));
 }
 

@@ -13,6 +13,11 @@
 #include "base/job_stages.h"
 #include "math/angle.h"
 #include "math/round_down.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/printing.h"
+#include "message_codes/settings_errors.h"
+#include "message_codes/stages.h"
+#include "message_codes/verdict.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
@@ -36,8 +41,7 @@ constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;   // spots tried for the largest size if the requested size fits nowhere
 constexpr std::size_t kMoreForColour = 3;  // found spots for each requested one
-constexpr double kAcrossShare = 0.95;
-constexpr double kUnaskedShare = 0.1;  // least square of the map if no size is requested, of the diagonal
+constexpr double kUnaskedShare = 0.1;      // least square of the map if no size is requested, of the diagonal
 constexpr double kPerDirectionUnit = 1e4;
 
 /// Returns the least square that the map must show if no size is requested.
@@ -56,7 +60,7 @@ Status checkRequest(const SpotSearchRequest& request) {
   if (const Status checked = checkSettings(DepthRequest{.minWallMm = request.minWallMm}); !checked) return checked;
   if (request.count >= 1 && request.count <= kMaxSpots) return {};
   return fail(ErrorKind::BadUsage,
-              message("place-count", with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
+              message<"place-count">(with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
 }
 
 struct Wall {
@@ -69,12 +73,13 @@ bool isUneven(const Spot& spot) { return spot.unevenLight > kMostUnevenLight; }
 std::vector<Message> concernsAt(const Spot& spot, const SpotSearchRequest& request) {
   std::vector<Message> concerns;
   if (!spot.prints)
-    concerns.push_back(message("spot-too-small-to-print", with::lengthMm<"nozzle">(request.nozzleMm),
-                               with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
+    concerns.push_back(
+        message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(request.nozzleMm),
+                                           with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
   if (!spot.takesPockets)
-    concerns.push_back(message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
-  if (spot.facesDown) concerns.push_back(message("faces-down"));
-  if (isUneven(spot)) concerns.push_back(message("spot-lit-unevenly"));
+    concerns.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
+  if (spot.facesDown) concerns.push_back(message<"faces-down">());
+  if (isUneven(spot)) concerns.push_back(message<"spot-lit-unevenly">());
   return concerns;
 }
 
@@ -161,7 +166,8 @@ struct SpotSearchJob::State {
 };
 
 JobStages<SpotSearchJob::State> SpotSearchJob::State::stagesOf() {
-  return {{message("looking-from-all-sides"), 60, &State::drawViews}, {message("testing-spots"), 40, &State::testOnce}};
+  return {{message<"looking-from-all-sides">(), 60, &State::drawViews},
+          {message<"testing-spots">(), 40, &State::testOnce}};
 }
 
 double SpotSearchJob::State::mostInMap() const {
@@ -288,6 +294,7 @@ void SpotSearchJob::State::nextTry() {
 }
 
 Status SpotSearchJob::State::take(const Placement& placement) {
+  offered.body = model->prepared.mesh.body(placement.seed);
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.facesDown = facesDown(placement.frame);
@@ -342,8 +349,8 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
   if (result.spots.empty()) {
     findsLargest = true;
     const bool draws = result.map.viewsDropped > 0;  // these views may take a smaller code
-    stages.add({message("finding-largest-size"), 60, &State::drawViews, draws});
-    stages.add({message("finding-largest-size"), 10, &State::testOnce});
+    stages.add({message<"finding-largest-size">(), 60, &State::drawViews, draws});
+    stages.add({message<"finding-largest-size">(), 10, &State::testOnce});
     if (draws)
       startMap(unaskedLeastMm(*model));
     else
@@ -367,25 +374,22 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
 
 Error SpotSearchJob::State::nothingFound() const {
   const PlacementRequest& place = request.placement;
-  if (tooThin > 0) {
-    // Walls are measured along the rays; measured across, they may be slightly thinner.
-    const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
-    if (spare > 0 && spare < request.minWallMm)
-      return {ErrorKind::NoSolution,
-              message("no-spot-wall-too-thick", with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
-                      with::lengthMm<"thickest">(thickestMm), with::lengthMm<"depth">(request.leastDepthMm),
-                      with::lengthMm<"wall">(request.minWallMm), with::number<"spare">(spare))};
+  if (tooThin > 0)
     return {ErrorKind::NoSolution,
-            message("no-spot-wall-too-thin", with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
-                    with::lengthMm<"thickest">(thickestMm), with::lengthMm<"depth">(request.leastDepthMm),
-                    with::lengthMm<"wall">(request.minWallMm))};
-  }
+            message<"no-spot-wall-too-thin">(with::cause<"code">(codeInWords(place)), with::count<"count">(tooThin),
+                                             with::lengthMm<"thickest">(thickestMm),
+                                             with::lengthMm<"depth">(request.leastDepthMm),
+                                             with::lengthMm<"wall">(request.minWallMm))};
   if (largest)
-    return {ErrorKind::NoSolution, message("no-spot-so-large", with::cause<"code">(codeInWords(place)),
-                                           with::lengthMm<"largest">(downToThreeDigits(largest->symbolMm)),
-                                           with::place<"at">(largest->centreFileUnits))};
-  return {ErrorKind::NoSolution, message("no-spot", with::cause<"code">(codeInWords(place)),
-                                         with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()))};
+    return {ErrorKind::NoSolution,
+            message<"no-spot-so-large">(with::cause<"code">(codeInWords(place)),
+                                        with::lengthMm<"largest">(downToThreeDigits(largest->symbolMm)),
+                                        with::place<"at">(largest->centreFileUnits))};
+  return {ErrorKind::NoSolution,
+          message<"no-spot">(with::cause<"code">(codeInWords(place)),
+                             with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()),
+                             with::cause<"advice">(roomAdvice(model->prepared, {request.modules, outer},
+                                                              place.eyeDistanceMm, message<"larger-or-flatter">())))};
 }
 
 double SpotSearchJob::State::testedShare() const {

@@ -49,6 +49,7 @@ int centreDecimals(double scaleToMm);
 struct Spot {
   Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
   Vec3 centreMm{0};
+  std::uint32_t body = 0;         ///< index of its body (PreparedModel::bodies)
   Vec3 direction{0};              ///< towards the viewer; if needed, a unit vector rounded to four decimals
   bool facesDown = false;         ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;         ///< see pipeline/spot_light.h

@@ -10,7 +10,13 @@
 
 #include "base/job_stages.h"
 #include "math/angle.h"
+#include "mesh/soup_mesh.h"
+#include "mesh/topology.h"
+#include "mesh/touching_shells.h"
 #include "mesh/weld.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/settings_errors.h"
+#include "message_codes/stages.h"
 #include "pipeline/engrave.h"
 #include "settings/settings.h"
 #include "verification/inlaid_surface.h"
@@ -86,16 +92,18 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
-  if (soup.triangles.empty()) return badInput(message("no-triangle"));
-  std::vector<Vec3f> corners;
-  corners.reserve(soup.positions.size());
+  if (soup.triangles.empty()) return badInput(message<"no-triangle">());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-      return badInput(message("coordinates-not-finite"));
-    corners.push_back(p);
+      return badInput(message<"coordinates-not-finite">());
   }
-  return welded(corners, soup.triangles);
+  Mesh mesh = meshOfSoup(soup, scaleToMm);
+  const bool repeatsAVertex = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  if (!repeatsAVertex) separateTouchingShells(mesh, buildEdgeTable(mesh.triangles));
+  return mesh;
 }
 
 /// The job's state.
@@ -135,17 +143,18 @@ struct VerifyJob::State {
 
 /// Weights are times in ms of the page's samples.
 JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& request) {
-  return {{message("checking-solid"), 110, &State::checkSolid},
-          {message("measuring-carving"), 35, &State::measureShape},
-          {message("tracing-light"), request.isTraced ? 2700.0 : 220.0, &State::bake},
-          {message("reading-pictures"), request.ranges ? 10000.0 : 110.0, &State::read}};
+  return {{message<"checking-solid">(), 110, &State::checkSolid},
+          {message<"measuring-carving">(), 35, &State::measureShape},
+          {message<"tracing-light">(), request.isTraced ? 2700.0 : 220.0, &State::bake},
+          {message<"reading-pictures">(), request.ranges ? 10000.0 : 110.0, &State::read}};
 }
 
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
 const Mesh& VerifyJob::State::outerSurface() {
   if (request.mark != Mark::Inlay) return mesh;
-  InlaidSurface surface =
-      inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
+  // Faces back to back are recognised by their vertices, which both bodies must share.
+  InlaidSurface surface = inlaidSurface(welded(mesh.positions, mesh.triangles), request.frame, request.symbol.size,
+                                        request.symbolMm, request.markDepthMm);
   marked.dark = std::move(surface.inlaid);
   if (!surface.hasBothBodies) body = std::move(mesh);
   mesh = std::move(surface.mesh);
@@ -245,12 +254,12 @@ VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 VerifyJob::~VerifyJob() = default;
 
 Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders) {
-  if (request.text.empty()) return fail(ErrorKind::BadUsage, message("verify-no-text"));
+  if (request.text.empty()) return fail(ErrorKind::BadUsage, message<"verify-no-text">());
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
-    return fail(ErrorKind::BadUsage, message("verify-no-direction"));
+    return fail(ErrorKind::BadUsage, message<"verify-no-direction">());
   if (const Status checked = checkShared(request); !checked) return tl::unexpected(checked.error());
   if (request.mark == Mark::Inlay && !(request.markDepthMm > 0))
-    return fail(ErrorKind::BadUsage, message("verify-no-inlay-depth", with::setting<"depth">("markDepthMm")));
+    return fail(ErrorKind::BadUsage, message<"verify-no-inlay-depth">(with::setting<"depth">("markDepthMm")));
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }

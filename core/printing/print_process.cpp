@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "printing/print_process.h"
 
+#include "message_codes/printing.h"
+
 namespace qrelief {
 namespace {
 
@@ -28,11 +30,11 @@ Result<PrintProcess> filament(const Printer& printer) {
   const double nozzle = printer.nozzleMm, layer = printer.layerMm;
   if (!(layer <= nozzle))
     return fail(ErrorKind::BadUsage,
-                message("layer-above-nozzle", with::lengthMm<"layer">(layer), with::lengthMm<"nozzle">(nozzle)));
+                message<"layer-above-nozzle">(with::lengthMm<"layer">(layer), with::lengthMm<"nozzle">(nozzle)));
   const double line = lineWidthMm(printer);
   if (!(line >= nozzle))
     return fail(ErrorKind::BadUsage,
-                message("line-below-nozzle", with::lengthMm<"line">(line), with::lengthMm<"nozzle">(nozzle)));
+                message<"line-below-nozzle">(with::lengthMm<"line">(line), with::lengthMm<"nozzle">(nozzle)));
   return PrintProcess{.layerMm = layer,
                       .cornerRadiusMm = line / 2,
                       .pocketRadiusMm = kClosingRadiusMm,
@@ -49,8 +51,8 @@ double lineWidthMm(const Printer& printer) { return printer.lineWidthMm.value_or
 
 Result<PrintProcess> processOf(const Printer& printer) {
   if (!(printer.layerMm > 0 && printer.nozzleMm > 0))
-    return fail(ErrorKind::BadUsage, message("layer-above-nozzle", with::lengthMm<"layer">(printer.layerMm),
-                                             with::lengthMm<"nozzle">(printer.nozzleMm)));
+    return fail(ErrorKind::BadUsage, message<"layer-above-nozzle">(with::lengthMm<"layer">(printer.layerMm),
+                                                                   with::lengthMm<"nozzle">(printer.nozzleMm)));
   switch (printer.technique) {
     case Technique::Filament:
       break;

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "message_codes/printing.h"
 #include "printing/printed_layers.h"
 #include "render/surface_raster.h"
 
@@ -207,7 +208,7 @@ Mesh PrintedSurface::mesh() const {
 
 Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& request) {
   const double length = glm::length(request.buildUp);
-  if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
+  if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message<"no-build-direction">());
   const BuildSpace space(request.buildUp);
   std::vector<PrintedLayers::Corners> triangles(mesh.triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "math/orientation.h"
 #include "math/tolerance.h"
-#include "projection/orientation.h"
 
 namespace qrelief {
 namespace {

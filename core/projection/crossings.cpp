@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "mesh/self_intersection.h"
 #include "mesh/sheared_ray.h"
+#include "message_codes/place.h"
 
 namespace qrelief {
 namespace {
@@ -45,9 +47,34 @@ bool touches(const Corners& a, const Corners& b) {
   return above != below;
 }
 
-/// Returns the segment that two crossing triangles share, or the point where they touch; the sides of `a` if they share
-/// more, or if rounding hides the shared part.
+/// Returns true if `b` lies in the plane of `a`.
+bool isCoplanar(const Corners& a, const Corners& b) {
+  const Vec3 u = a[1] - a[0], v = a[2] - a[0];
+  const Vec3 normal = glm::normalize(glm::cross(u, v));
+  const double tolerance = kOnPlaneFraction * std::max(glm::length(u), glm::length(v));
+  return std::all_of(b.begin(), b.end(),
+                     [&](const Vec3& corner) { return std::abs(glm::dot(normal, corner - a[0])) <= tolerance; });
+}
+
+bool faceOppositeWays(const Corners& a, const Corners& b) {
+  return glm::dot(glm::cross(a[1] - a[0], a[2] - a[0]), glm::cross(b[1] - b[0], b[2] - b[0])) < 0;
+}
+
+/// Adds the sides of a triangle.
+void addSides(const Corners& t, std::vector<Segment3>& segments) {
+  for (std::size_t k = 0; k < 3; ++k) segments.push_back({t[k], t[(k + 1) % 3]});
+}
+
+/// Returns the segment that two crossing triangles share, or the point where they touch. For triangles in one plane,
+/// the sides of `b`, and also those of `a` if both face the same way. The sides of `a` if rounding hides the shared
+/// part.
 std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
+  std::vector<Segment3> sides;
+  if (isCoplanar(a, b)) {
+    addSides(b, sides);
+    if (!faceOppositeWays(a, b)) addSides(a, sides);
+    return sides;
+  }
   std::vector<Vec3> hits;
   collectHits(a, b, hits);
   collectHits(b, a, hits);
@@ -61,15 +88,16 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
       }
   if (length > 0) return {longest};
   if (!hits.empty() && (touches(a, b) || touches(b, a))) return {{hits.front(), hits.front()}};
-  return {{a[0], a[1]}, {a[1], a[2]}, {a[2], a[0]}};
+  addSides(a, sides);
+  return sides;
 }
 
 /// Finds the segments that facets of the patch share with others, some of which may also belong to the patch.
 Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  const auto pairs = findSelfIntersections(mesh, triangles, kMaxPairs);
+  const auto pairs = findCrossings(mesh, triangles, kMaxPairs);
   if (!pairs) return tl::unexpected(pairs.error());
   if (pairs->size() >= kMaxPairs)
-    return fail(ErrorKind::NoSolution, message("too-many-crossings", with::count<"most">(kMaxPairs)));
+    return fail(ErrorKind::NoSolution, message<"too-many-crossings">(with::count<"most">(kMaxPairs)));
   std::vector<Segment3> segments;
   for (const auto& [s, t] : *pairs) {
     for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {

@@ -14,8 +14,9 @@ namespace qrelief {
 /// silhouette, the guarantee of findSilhouette for a region that no silhouette segment enters also holds for such
 /// models.
 ///
-/// Two triangles that overlap in one plane add the sides of the patch's triangle; two that only touch add the segment
-/// or the point of contact. Cost: one findSelfIntersections of the patch.
+/// Two triangles that overlap in one plane add the sides of the other one if it faces the opposite way, as where a body
+/// stands on the patch, else the sides of both; two that only touch add the segment
+/// or the point of contact. Cost: one findCrossings of the patch.
 /// @param mesh  may cross itself
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);

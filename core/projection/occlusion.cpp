@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/orientation.h"
 #include "math/tolerance.h"
-#include "projection/orientation.h"
 
 namespace qrelief {
 namespace {

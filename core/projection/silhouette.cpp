@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "math/round_down.h"
+#include "message_codes/place.h"
 #include "projection/plane_grid.h"
 
 namespace qrelief {
@@ -306,16 +307,16 @@ class Flood {
 /// Returns an error if no code can be placed at the centre.
 Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
   if (view.facing[seed] == Facing::Away)
-    return fail(ErrorKind::NoSolution, message("centre-faces-away", with::count<"triangle">(seed)));
+    return fail(ErrorKind::NoSolution, message<"centre-faces-away">(with::count<"triangle">(seed)));
   if (view.facing[seed] == Facing::FrontOutOfReach)
-    return fail(ErrorKind::NoSolution, message("centre-behind-eye", with::count<"triangle">(seed),
-                                               with::lengthMm<"distance">(frame.eyeDistance)));
+    return fail(ErrorKind::NoSolution, message<"centre-behind-eye">(with::count<"triangle">(seed),
+                                                                    with::lengthMm<"distance">(frame.eyeDistance)));
   if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
     return fail(ErrorKind::NoSolution,
-                message("centre-hidden", with::count<"triangle">(obstruction->triangle),
-                        with::lengthMm<"fromEye">(obstruction->fromEyeMm),
-                        with::lengthMm<"before">(frame.eyeDistance - obstruction->fromEyeMm),
-                        with::lengthMm<"clear">(downToThreeDigits(obstruction->clearDistanceMm))));
+                message<"centre-hidden">(with::count<"triangle">(obstruction->triangle),
+                                         with::lengthMm<"fromEye">(obstruction->fromEyeMm),
+                                         with::lengthMm<"before">(frame.eyeDistance - obstruction->fromEyeMm),
+                                         with::lengthMm<"clear">(downToThreeDigits(obstruction->clearDistanceMm))));
   return {};
 }
 

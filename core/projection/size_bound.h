@@ -26,6 +26,10 @@ struct SizeBound {
 /// edges. Infinite if the eye is within one diagonal.
 double squareBoundMm(const Box3& boxMm, double eyeDistanceMm);
 
+/// Returns advice for a model without room for a code, to be quoted within an error: the units in which the model would
+/// have a usual size and perhaps room, or `otherwise` if there are none or the model is not small.
+Message roomAdvice(const PreparedModel& model, const SizeBound& room, double eyeDistanceMm, Message otherwise);
+
 /// Checks if a model can have room for a code with the smallest modules. It looks at the bounding box only, so it is
 /// immediate.
 /// @returns NoSolution if there is no room, with the units that would help

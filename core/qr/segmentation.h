@@ -27,6 +27,10 @@ struct Segment {
 /// @returns segments that cover the text in order, no two neighbours of the same mode
 std::vector<Segment> segmentText(std::string_view text, int version);
 
+/// Bits that libqrencode reserves for the ECI before a text: the 12 that it takes, and 12 more for a mode and a length
+/// that an ECI does not have.
+inline constexpr int kEciBits = 24;
+
 /// Returns the number of bits in the segments, with their headers and without terminator and padding.
 int segmentBits(const std::vector<Segment>& segments, int version);
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/utf8.h"
+#include "message_codes/text.h"
 #include "qr/segmentation.h"
 #include "qr/symbol_shaping.h"
 
@@ -27,10 +28,10 @@ using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
 using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
 
 Status checkCharacters(std::string_view text) {
-  if (text.empty()) return badInput(message("text-empty"));
+  if (text.empty()) return badInput(message<"text-empty">());
   const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
-  if (nul < broken) return badInput(message("text-holds-nul", with::count<"byte">(nul + 1)));
-  if (broken != text.npos) return badInput(message("text-no-utf8", with::count<"byte">(broken + 1)));
+  if (nul < broken) return badInput(message<"text-holds-nul">(with::count<"byte">(nul + 1)));
+  if (broken != text.npos) return badInput(message<"text-no-utf8">(with::count<"byte">(broken + 1)));
   return {};
 }
 
@@ -50,11 +51,19 @@ QRecLevel toLibrary(ErrorCorrection level) {
 
 constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
 
+/// The parts of SymbolOptions that the bits of a text depend on.
+struct Coding {
+  ErrorCorrection level = ErrorCorrection::M;
+  EciUse eci = EciUse::Auto;
+};
+
 /// Encodes the text in the segments that suit `version`. Returns the smallest symbol from `version` on that holds them;
 /// null if there is none (errno is ERANGE then).
-CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level) {
-  InputHandle input(QRinput_new2(version, toLibrary(level)), &QRinput_free);
+CodeHandle encodeFrom(std::string_view text, int version, Coding coding) {
+  constexpr unsigned kUtf8 = 26;
+  InputHandle input(QRinput_new2(version, toLibrary(coding.level)), &QRinput_free);
   if (!input) return {nullptr, &QRcode_free};
+  if (hasEci(text, coding.eci) && QRinput_appendECIheader(input.get(), kUtf8) != 0) return {nullptr, &QRcode_free};
   for (const Segment& segment : segmentText(text, version)) {
     constexpr std::array<QRencodeMode, 3> kLibraryModes = {QR_MODE_NUM, QR_MODE_AN, QR_MODE_8};
     const auto* bytes = reinterpret_cast<const unsigned char*>(text.data() + segment.begin);
@@ -68,46 +77,47 @@ CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level)
 int lastVersionOfGroup(int version) { return version < 10 ? 9 : version < 27 ? 26 : kLargestVersion; }
 
 /// Encodes the text in the smallest symbol of at least version `from`; null as in encodeFrom.
-CodeHandle encodeSmallest(std::string_view text, int from, ErrorCorrection level) {
-  CodeHandle code = encodeFrom(text, from, level);
+CodeHandle encodeSmallest(std::string_view text, int from, Coding coding) {
+  CodeHandle code = encodeFrom(text, from, coding);
   const int last = lastVersionOfGroup(from);
   const bool outgrewGroup = code ? code->version > last : errno == ERANGE;
-  return outgrewGroup && last < kLargestVersion ? encodeSmallest(text, last + 1, level) : std::move(code);
+  return outgrewGroup && last < kLargestVersion ? encodeSmallest(text, last + 1, coding) : std::move(code);
 }
 
-int smallestVersion(std::string_view text, ErrorCorrection level) {
-  const CodeHandle code = encodeSmallest(text, 1, level);
+int smallestVersion(std::string_view text, Coding coding) {
+  const CodeHandle code = encodeSmallest(text, 1, coding);
   return code ? code->version : 0;
 }
 
 /// Returns what would hold the text, for use within the refusal: a larger version, weaker error correction, or neither.
 Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
-  if (text.size() > kMostCharacters) return message("no-symbol-holds-it");
+  if (text.size() > kMostCharacters) return message<"no-symbol-holds-it">();
   const int asked = options.version.value_or(0);
-  const int needed = smallestVersion(text, options.errorCorrection);
+  const int needed = smallestVersion(text, {options.errorCorrection, options.eci});
   for (int weaker = static_cast<int>(options.errorCorrection) - 1; weaker >= 0; --weaker) {
     const auto level = static_cast<ErrorCorrection>(weaker);
-    const int version = smallestVersion(text, level);
+    const int version = smallestVersion(text, {level, options.eci});
     if (version == 0 || (needed != 0 && version > asked)) continue;
     if (needed == 0)
-      return message("weaker-symbol-holds-it", with::count<"version">(std::max(version, asked)),
-                     with::term<"level">(errorCorrectionName(level)));
-    return message("larger-or-weaker-symbol-holds-it", with::count<"larger">(needed),
-                   with::count<"version">(std::max(version, asked)), with::term<"level">(errorCorrectionName(level)));
+      return message<"weaker-symbol-holds-it">(with::count<"version">(std::max(version, asked)),
+                                               with::term<"level">(errorCorrectionName(level)));
+    return message<"larger-or-weaker-symbol-holds-it">(with::count<"larger">(needed),
+                                                       with::count<"version">(std::max(version, asked)),
+                                                       with::term<"level">(errorCorrectionName(level)));
   }
-  if (needed != 0) return message("larger-symbol-holds-it", with::count<"version">(needed));
-  return message("no-symbol-holds-it");
+  if (needed != 0) return message<"larger-symbol-holds-it">(with::count<"version">(needed));
+  return message<"no-symbol-holds-it">();
 }
 
 tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
   if (options.version)
-    return badInput(message("text-too-long-for-version", with::count<"count">(text.size()),
-                            with::count<"version">(*options.version),
-                            with::term<"level">(errorCorrectionName(options.errorCorrection)),
-                            with::cause<"held">(whatWouldHold(text, options))));
-  return badInput(message("text-too-long", with::count<"count">(text.size()),
-                          with::term<"level">(errorCorrectionName(options.errorCorrection)),
-                          with::cause<"held">(whatWouldHold(text, options))));
+    return badInput(message<"text-too-long-for-version">(
+        with::count<"count">(text.size()), with::count<"version">(*options.version),
+        with::term<"level">(errorCorrectionName(options.errorCorrection)),
+        with::cause<"held">(whatWouldHold(text, options))));
+  return badInput(message<"text-too-long">(with::count<"count">(text.size()),
+                                           with::term<"level">(errorCorrectionName(options.errorCorrection)),
+                                           with::cause<"held">(whatWouldHold(text, options))));
 }
 
 bool isInFinder(int row, int column, int size) {
@@ -151,10 +161,10 @@ Symbol toSymbol(const QRcode& code, ErrorCorrection level) {
   return symbol;
 }
 
-Symbol withRaisedErrorCorrection(std::string_view text, Symbol symbol) {
+Symbol withRaisedErrorCorrection(std::string_view text, EciUse eci, Symbol symbol) {
   for (const ErrorCorrection level : kLevels) {
     if (level <= symbol.errorCorrection) continue;
-    const CodeHandle code = encodeFrom(text, symbol.version, level);
+    const CodeHandle code = encodeFrom(text, symbol.version, {level, eci});
     if (!code || code->version > symbol.version) break;
     symbol = toSymbol(*code, level);
   }
@@ -174,23 +184,32 @@ std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
   return std::nullopt;
 }
 
+const char* eciUseName(EciUse use) { return use == EciUse::Auto ? "auto" : "never"; }
+
+bool hasEci(std::string_view text, EciUse use) {
+  const auto isBeyondAscii = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+  return use == EciUse::Auto && std::any_of(text.begin(), text.end(), isBeyondAscii);
+}
+
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
   if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
-    return fail(ErrorKind::BadUsage, message("no-such-version", with::count<"version">(*options.version)));
+    return fail(ErrorKind::BadUsage, message<"no-such-version">(with::count<"version">(*options.version)));
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
-    return fail(ErrorKind::BadUsage, message("no-such-mask", with::count<"mask">(options.mask)));
+    return fail(ErrorKind::BadUsage, message<"no-such-mask">(with::count<"mask">(options.mask)));
   if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
-  const CodeHandle code = options.version ? encodeFrom(text, *options.version, options.errorCorrection)
-                                          : encodeSmallest(text, 1, options.errorCorrection);
+  const Coding coding = {options.errorCorrection, options.eci};
+  const CodeHandle code =
+      options.version ? encodeFrom(text, *options.version, coding) : encodeSmallest(text, 1, coding);
   if (!code && errno != ERANGE) {
-    return fail(ErrorKind::Internal, message("text-not-encoded", with::count<"errno">(errno)));
+    return fail(ErrorKind::Internal, message<"text-not-encoded">(with::count<"errno">(errno)));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
   Symbol symbol = toSymbol(*code, options.errorCorrection);
-  if (options.raiseErrorCorrection) symbol = withRaisedErrorCorrection(text, std::move(symbol));
+  if (options.raiseErrorCorrection) symbol = withRaisedErrorCorrection(text, options.eci, std::move(symbol));
+  symbol.hasEci = hasEci(text, options.eci);
   if (options.maskRule == MaskRule::Fixed) symbol = withMask(symbol, options.mask);
   if (options.maskRule == MaskRule::Shadiest) symbol = withShadiestMask(symbol);
   return symbol;
@@ -200,11 +219,12 @@ int VersionsByLength::smallest(std::string_view text) {
   if (text.empty() || text.size() > kMostCharacters) return 0;
   std::array<int, 3> bits{};
   for (std::size_t group = 0, version = 1; group < bits.size(); ++group) {
-    bits[group] = segmentBits(segmentText(text, static_cast<int>(version)), static_cast<int>(version));
+    bits[group] = segmentBits(segmentText(text, static_cast<int>(version)), static_cast<int>(version)) +
+                  (hasEci(text, eci_) ? kEciBits : 0);
     version = static_cast<std::size_t>(lastVersionOfGroup(static_cast<int>(version))) + 1;
   }
   const auto [it, isNew] = known_.try_emplace(bits, 0);
-  if (isNew) it->second = smallestVersion(text, level_);
+  if (isNew) it->second = smallestVersion(text, {level_, eci_});
   return it->second;
 }
 

@@ -29,12 +29,25 @@ enum class MaskRule : std::uint8_t {
   Fixed      ///< the requested mask
 };
 
+/// Whether a symbol names the character set of its text, as ECI 26: UTF-8 (docs/decisions/0049).
+enum class EciUse : std::uint8_t {
+  Auto,  ///< if the text goes beyond ASCII
+  Never  ///< for scanners that print the ECI, and old decoders that refuse it
+};
+
+/// Returns "auto" or "never".
+const char* eciUseName(EciUse use);
+
+/// Returns true if a symbol of the text begins with an ECI.
+bool hasEci(std::string_view text, EciUse use);
+
 struct SymbolOptions {
   ErrorCorrection errorCorrection = ErrorCorrection::M;
   std::optional<int> version = std::nullopt;  ///< 1 … 40; empty: the smallest that holds the text
   bool raiseErrorCorrection = false;          ///< raise it to the highest level that needs no larger version
   MaskRule maskRule = MaskRule::Standard;
   int mask = 0;  ///< Fixed: 0 … 7
+  EciUse eci = EciUse::Auto;
 
   bool operator==(const SymbolOptions&) const = default;
 };
@@ -44,6 +57,7 @@ struct Symbol {
   int version = 1;
   ErrorCorrection errorCorrection = ErrorCorrection::M;
   int mask = 0;                    ///< 0 … 7, as in the format information
+  bool hasEci = false;             ///< the text's character set is named, as ECI 26
   int size = 21;                   ///< 17 + 4·version
   std::vector<std::uint8_t> dark;  ///< 1 = dark
   std::vector<ModuleRole> roles;
@@ -56,9 +70,9 @@ struct Symbol {
 /// Quiet zone that the standard requires on each side, in modules.
 inline constexpr int kQuietZoneModules = 4;
 
-/// Encodes a text as UTF-8 bytes without ECI, as every phone expects [ISO/IEC 18004, by libqrencode]. Digits and
-/// capitals get their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that the
-/// standard allows.
+/// Encodes a text as UTF-8 bytes, which an ECI announces if they are not ASCII [ISO/IEC 18004, by libqrencode]. Digits
+/// and capitals get their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that
+/// the standard allows.
 ///
 /// Cost: milliseconds.
 /// @param text  not empty, valid UTF-8, without NUL
@@ -70,7 +84,7 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options 
 /// Cost: microseconds per text, milliseconds for a new number of bits.
 class VersionsByLength {
  public:
-  explicit VersionsByLength(ErrorCorrection level) : level_(level) {}
+  explicit VersionsByLength(ErrorCorrection level, EciUse eci = EciUse::Auto) : level_(level), eci_(eci) {}
 
   /// Returns the smallest version that holds the text; 0: none does.
   /// @param text  as for encodeSymbol()
@@ -78,6 +92,7 @@ class VersionsByLength {
 
  private:
   ErrorCorrection level_;
+  EciUse eci_;
   std::map<std::array<int, 3>, int> known_;  ///< keys: bits in each group of versions with the same length fields
 };
 

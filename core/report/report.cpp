@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/version.h"
 #include "math/angle.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/second_colour.h"
@@ -42,12 +43,14 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
-  return {{"version", symbol.version},
-          {"ecc", errorCorrectionName(symbol.errorCorrection)},
-          {"mask", symbol.mask},
-          {"modules", symbol.size},
-          {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
-          {"rows", rows}};
+  Json json = {{"version", symbol.version},
+               {"ecc", errorCorrectionName(symbol.errorCorrection)},
+               {"mask", symbol.mask},
+               {"modules", symbol.size},
+               {"correctableCodewords", blockStructure(symbol.version, symbol.errorCorrection).correctable()},
+               {"rows", rows}};
+  if (symbol.hasEci) json["eci"] = 26;
+  return json;
 }
 
 Json describeProjection(const EngraveRequest& request, const Placement& placement) {
@@ -112,6 +115,7 @@ Json describeDepth(const EngraveRequest& request, const EngraveResult& result, c
                {"p95Mm", depth.p95Mm},
                {"iterations", result.searchIterations},
                {"limitedSubmodules", result.limitedSubmodules},
+               {"unfinishedSubmodules", result.unfinishedSubmodules},
                {"features", describeFeatures(featuresOf(result), request.print.printer)},
                {"objective", depthObjectiveName(request.depth.objective)},
                {"lights", describeLights(request.lamps())},
@@ -135,6 +139,28 @@ Json describeInlay(const EngraveResult& result) {
           {"modulesLeftOut", result.modulesLeftOut}};
 }
 
+Json describeTried(const ReportContext& context) {
+  Json tried = Json::array();
+  for (const TriedCarving& one : context.tried) {
+    Json changes = Json::array();
+    for (const SettingChange& change : one.changes)
+      changes.push_back({{"setting", change.setting}, {"value", change.value}});
+    const auto counted = [](const std::optional<ReadingCount>& count) {
+      return count ? Json{{"tries", count->tries}, {"reads", count->reads}} : Json();
+    };
+    tried.push_back({{"changes", changes},
+                     {"offered", one.isOffer},
+                     {"delivered", static_cast<int>(tried.size()) == context.delivered},
+                     {"centre", one.centreMm ? triple(*one.centreMm) : Json()},
+                     {"symbolMm", one.symbolMm > 0 ? Json(one.symbolMm) : Json()},
+                     {"design", counted(one.reads)},
+                     {"print", counted(one.printed)},
+                     {"passed", one.passed},
+                     {"failure", one.failure ? describeMessage(*one.failure, context.wording) : Json()}});
+  }
+  return tried;
+}
+
 /// Returns the warnings about printing, without regard to a simulated print.
 std::vector<Message> printingWarnings(const EngraveRequest& request, const EngraveResult& result,
                                       const ReportContext& context) {
@@ -148,7 +174,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                        const ReportContext& context) {
   const SolidityReport& solid = result.solidity;
   Json report;
-  report["qrelief"] = QRELIEF_VERSION;
+  report["qrelief"] = kVersion;
   report["text"] = request.code.text;
   report["input"] = describeInput(model, context);
   report["symbol"] = describeSymbol(result.symbol);
@@ -165,6 +191,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
                     {"keptTriangles", result.keptTriangles},
+                    {"bodies", result.bodies.size()},
+                    {"carvedBody", result.carvedBody + 1},
+                    {"carvedBodyName", result.bodies[result.carvedBody].name},
                     {"closed", solid.closed()},
                     {"manifold", solid.manifold()},
                     {"selfIntersections", solid.selfIntersections},
@@ -172,6 +201,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"inheritedSelfIntersections", result.inheritedSelfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
   report["colour"] = describeColour(result);
+  report["tried"] = describeTried(context);
   const ReadingEvidence& reading = context.reading;
   report["verification"] = {{"decoded", context.verdict.reads.passed()},
                             {"text", reading.text},

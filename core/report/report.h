@@ -8,6 +8,7 @@
 #include "gl/objects.h"
 #include "pipeline/engrave.h"
 #include "report/json_parts.h"
+#include "verdict/tried_carving.h"
 #include "verdict/verdict.h"
 
 namespace qrelief {
@@ -20,6 +21,8 @@ struct ReportContext {
   ReadingEvidence reading;                 ///< decoding results of the pictures
   std::optional<PrintedEvidence> printed;  ///< none: the print was not simulated
   Verdict verdict;                         ///< based on everything known
+  std::vector<TriedCarving> tried;         ///< all attempts of the plan
+  int delivered = 0;                       ///< the number of this one among them
   std::string reader;                      ///< name of the decoder, "ZXing-C++ 1.4.0"
   std::optional<Preset> askedPreset;       ///< the requested preset, if a deeper one was carved
   Wording wording;                         ///< wording of the messages

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/parse_json.h"
+#include "base/version.h"
+#include "message_codes/pipeline.h"
 #include "report/json_parts.h"
 
 namespace qrelief {
@@ -51,7 +53,7 @@ Status readMark(const Json& report, VerifyRequest& request) {
     request.albedo = request.ink.light;
     return {};
   }
-  return badInput(message("report-mark", with::term<"found">(name)));
+  return badInput(message<"report-mark">(with::term<"found">(name)));
 }
 
 /// Reads the request. Throws the exceptions of nlohmann's accessors.
@@ -64,11 +66,12 @@ Result<VerifyRequest> readRequest(const Json& report) {
   request.symbolMm = report.at("size").at("symbolMm").get<double>();
   const Json& symbol = report.at("symbol");
   const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
-  if (!level) return badInput(message("report-ecc"));
+  if (!level) return badInput(message<"report-ecc">());
   auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
                                              .version = symbol.at("version").get<int>(),
                                              .maskRule = MaskRule::Fixed,
-                                             .mask = symbol.at("mask").get<int>()});
+                                             .mask = symbol.at("mask").get<int>(),
+                                             .eci = symbol.contains("eci") ? EciUse::Auto : EciUse::Never});
   if (!encoded) return tl::unexpected(encoded.error());
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());
@@ -133,10 +136,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
   const auto size = static_cast<std::size_t>(symbol.size);
   std::vector<std::uint8_t> flipped(size * size, 0);
   if (rows.size() != size)
-    return badInput(message("report-rows", with::count<"rows">(rows.size()), with::count<"wanted">(size)));
+    return badInput(message<"report-rows">(with::count<"rows">(rows.size()), with::count<"wanted">(size)));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
-      return badInput(message("report-row", with::count<"row">(row + 1), with::count<"wanted">(size)));
+      return badInput(message<"report-row">(with::count<"row">(row + 1), with::count<"wanted">(size)));
     for (std::size_t column = 0; column < size; ++column) {
       const bool dark = rows[row][column] == '1';
       flipped[row * size + column] = symbol.dark[row * size + column] && !dark;
@@ -149,11 +152,11 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
 
 Result<VerifyRequest> requestFromReport(std::string_view json) {
   const Result<Json> report = parseJson(json);
-  if (!report) return badInput(message("report-not-understood", with::cause<"problem">(report.error().message)));
+  if (!report) return badInput(message<"report-not-understood">(with::cause<"problem">(report.error().message)));
   try {
     return readRequest(*report);
   } catch (const Json::exception& error) {
-    return badInput(message("report-not-understood", with::term<"problem">(error.what())));
+    return badInput(message<"report-not-understood">(with::term<"problem">(error.what())));
   }
 }
 
@@ -161,7 +164,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
                              const VerifyReportContext& context) {
   const SolidityReport& solid = result.solidity;
   Json report;
-  report["qrelief"] = QRELIEF_VERSION;
+  report["qrelief"] = kVersion;
   report["text"] = request.text;
   report["verified"] = context.verdict.passed();
   report["failedChecks"] = describeMessages(context.verdict.failed(), context.wording);

@@ -2,6 +2,7 @@
 // Implements the checks of settings.h: the values that a setting accepts.
 #include <cmath>
 
+#include "message_codes/settings_errors.h"
 #include "settings/settings.h"
 
 namespace qrelief {
@@ -20,14 +21,15 @@ NamedValue<kName> inUnit(Unit unit, double value) {
 Status checkNumber(const std::string& key, Unit unit, double value, double min, double max) {
   if (isWithin(value, min, max)) return {};
   return fail(ErrorKind::BadUsage,
-              message("setting-out-of-range", with::setting<"setting">(key), inUnit<"value">(unit, value),
-                      inUnit<"min">(unit, min), inUnit<"max">(unit, max)));
+              message<"setting-out-of-range">(with::setting<"setting">(key), inUnit<"value">(unit, value),
+                                              inUnit<"min">(unit, min), inUnit<"max">(unit, max)));
 }
 
 Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& lamps) {
   if (lamps.size() > kMaxLights)
-    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting<"setting">(setting.key),
-                                             with::count<"count">(lamps.size()), with::count<"max">(kMaxLights)));
+    return fail(ErrorKind::BadUsage,
+                message<"setting-too-many">(with::setting<"setting">(setting.key), with::count<"count">(lamps.size()),
+                                            with::count<"max">(kMaxLights)));
   for (const DirectionalLight& lamp : lamps)
     for (const LampPart& part : lampParts())
       if (const Status checked = checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max); !checked)
@@ -39,19 +41,20 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
   const double length = glm::length(vector);
   if (length > 0 && std::isfinite(length)) return {};
   return fail(ErrorKind::BadUsage,
-              message("setting-no-length", with::setting<"setting">(setting.key), with::place<"vector">(vector)));
+              message<"setting-no-length">(with::setting<"setting">(setting.key), with::place<"vector">(vector)));
 }
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
   if (request.marking.isInColour() && request.marking.ink.contrast() < kLeastInkContrast)
-    return fail(ErrorKind::BadUsage,
-                message("colours-too-alike", with::number<"dark">(request.marking.ink.dark),
-                        with::number<"light">(request.marking.ink.light), with::number<"least">(kLeastInkContrast)));
+    return fail(ErrorKind::BadUsage, message<"colours-too-alike">(with::number<"dark">(request.marking.ink.dark),
+                                                                  with::number<"light">(request.marking.ink.light),
+                                                                  with::number<"least">(kLeastInkContrast)));
   if (request.isForOneLight() && request.lamps().size() > 1)
-    return fail(ErrorKind::BadUsage, message("one-light-has-several", with::setting<"objective">("objective"),
-                                             with::choice<"value">("objective", "one-light"),
-                                             with::count<"count">(request.depth.lights.size())));
+    return fail(ErrorKind::BadUsage,
+                message<"one-light-has-several">(with::setting<"objective">("objective"),
+                                                 with::choice<"value">("objective", "one-light"),
+                                                 with::count<"count">(request.depth.lights.size())));
   return {};
 }
 
@@ -69,7 +72,7 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
       return checked;
     if (setting.isWhole && *n != std::floor(*n))
       return fail(ErrorKind::BadUsage,
-                  message("setting-not-whole", with::setting<"setting">(setting.key), with::number<"value">(*n)));
+                  message<"setting-not-whole">(with::setting<"setting">(setting.key), with::number<"value">(*n)));
     return {};
   }
   if (const std::string* name = std::get_if<std::string>(&value)) {
@@ -112,30 +115,33 @@ Error wrongKind(const Setting& setting, std::string_view found) {
   switch (setting.kind) {
     case Kind::Text:
       return {ErrorKind::BadUsage,
-              message("setting-no-text", with::setting<"setting">(setting.key), with::term<"found">(found))};
+              message<"setting-no-text">(with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Switch:
       return {ErrorKind::BadUsage,
-              message("setting-no-switch", with::setting<"setting">(setting.key), with::term<"found">(found))};
+              message<"setting-no-switch">(with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Number:
       return {ErrorKind::BadUsage,
-              message("setting-no-number", with::setting<"setting">(setting.key), with::term<"found">(found))};
+              message<"setting-no-number">(with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Choice:
-      return {ErrorKind::BadUsage, message("setting-no-choice", with::setting<"setting">(setting.key),
-                                           with::term<"found">(found), with::term<"choices">(choices))};
+      return {ErrorKind::BadUsage,
+              message<"setting-no-choice">(with::setting<"setting">(setting.key), with::term<"found">(found),
+                                           with::term<"choices">(choices))};
     case Kind::ChoiceOrNumber:
-      return {ErrorKind::BadUsage, message("setting-no-choice-or-number", with::setting<"setting">(setting.key),
-                                           with::term<"found">(found), with::term<"choices">(choices))};
+      return {ErrorKind::BadUsage,
+              message<"setting-no-choice-or-number">(with::setting<"setting">(setting.key), with::term<"found">(found),
+                                                     with::term<"choices">(choices))};
     case Kind::ChoiceOrVector:
-      return {ErrorKind::BadUsage, message("setting-no-choice-or-vector", with::setting<"setting">(setting.key),
-                                           with::term<"found">(found), with::term<"choices">(choices))};
+      return {ErrorKind::BadUsage,
+              message<"setting-no-choice-or-vector">(with::setting<"setting">(setting.key), with::term<"found">(found),
+                                                     with::term<"choices">(choices))};
     case Kind::Vector:
       return {ErrorKind::BadUsage,
-              message("setting-no-vector", with::setting<"setting">(setting.key), with::term<"found">(found))};
+              message<"setting-no-vector">(with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Lamps:
       break;
   }
   return {ErrorKind::BadUsage,
-          message("setting-no-lamps", with::setting<"setting">(setting.key), with::term<"found">(found))};
+          message<"setting-no-lamps">(with::setting<"setting">(setting.key), with::term<"found">(found))};
 }
 
 }  // namespace qrelief

@@ -4,18 +4,20 @@
 #include <utility>
 #include <vector>
 
+#include "message_codes/settings_errors.h"
+
 namespace qrelief {
 namespace {
 
 constexpr const char* kSinceSecond = "0.2.0";
 
 std::vector<RemovedSetting> makeRemoved() {
-  const Message reading = message("removed-reading");
+  const Message reading = message<"removed-reading">();
   std::vector<RemovedSetting> all = {
       {"raiseEcc", "--raise-ecc", "", "symbol", true, kSinceSecond,
-       message("removed-raise-ecc", with::setting<"ecc">("ecc"), with::choice<"auto">("ecc", "auto"))},
-      {"breakUp", "--break-up", "", "symbol", true, kSinceSecond, message("removed-break-up")},
-      {"floor", "--floor", "", "depth", false, kSinceSecond, message("removed-floor")},
+       message<"removed-raise-ecc">(with::setting<"ecc">("ecc"), with::choice<"auto">("ecc", "auto"))},
+      {"breakUp", "--break-up", "", "symbol", true, kSinceSecond, message<"removed-break-up">()},
+      {"floor", "--floor", "", "depth", false, kSinceSecond, message<"removed-floor">()},
       {"objective", "--objective", "reading", "", false, kSinceSecond, reading}};
   for (const auto& [key, flag] :
        {std::pair("dataContrast", "--data-contrast"), std::pair("finderContrast", "--finder-contrast"),
@@ -41,8 +43,8 @@ const RemovedSetting* findRemovedChoice(std::string_view key, std::string_view c
 }
 
 Message removedWarning(const RemovedSetting& removed, std::string_view name) {
-  return message("setting-removed", with::term<"name">(name), with::term<"since">(removed.since),
-                 with::cause<"why">(removed.why));
+  return message<"setting-removed">(with::term<"name">(name), with::term<"since">(removed.since),
+                                    with::cause<"why">(removed.why));
 }
 
 }  // namespace qrelief

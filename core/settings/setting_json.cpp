@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parse_json.h"
+#include "message_codes/settings_errors.h"
 #include "settings/removed_settings.h"
 
 namespace qrelief {
@@ -87,11 +88,11 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   const Result<Json> parsed = parseJson(json);
   if (!parsed && parsed.error().message.code != "json-malformed")
     return fail(ErrorKind::BadUsage, parsed.error().message);
-  if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
+  if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message<"settings-no-object">());
   const Json& entries = *parsed;
   for (const auto& [key, value] : entries.items())
     if (!findSetting(key) && !findRemovedSetting(key))
-      return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
+      return fail(ErrorKind::BadUsage, message<"setting-unknown">(with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto it = entries.find(setting.key);

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "settings/preset.h"
+#include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
@@ -197,6 +198,14 @@ Setting mask() {
   return setting;
 }
 
+Setting eci() {
+  Setting setting = choice(
+      "eci", "symbol", [](auto& r) -> auto& { return r.code.symbol.eci; },
+      [] { return namesOf(2, [](int i) { return eciUseName(static_cast<EciUse>(i)); }); });
+  setting.since = kSince030;
+  return setting;
+}
+
 /// Makes the setting for contrast. If left out, it follows the preset.
 Setting contrast() {
   Setting setting = optionalNumber(
@@ -366,6 +375,7 @@ std::vector<Setting> makeSettings() {
       optionalNumber(
           "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.code.symbol.version; }),
       mask(),
+      eci(),
       mark(),
       markDepth(),
       reflectance(
@@ -451,8 +461,10 @@ const Setting* findSetting(std::string_view key) {
 
 void apply(const SettingChange& change, EngraveRequest& request) {
   const Setting* setting = findSetting(change.setting);
-  assert(setting && setting->takesChoice());
-  setting->write(request, change.value);
+  assert(setting && (setting->takesChoice() || setting->takesNumber()));
+  const auto value = valueFromText(*setting, std::vector{change.value});
+  assert(value);
+  setting->write(request, *value);
 }
 
 const char* depthObjectiveName(DepthObjective objective) {

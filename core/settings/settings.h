@@ -79,7 +79,7 @@ struct SettingChange {
 };
 
 /// Writes a change into a request.
-/// @param change  sets a setting that takes choices to one of them
+/// @param change  of a setting that takes choices or a number, to a value that it accepts
 void apply(const SettingChange& change, EngraveRequest& request);
 
 /// Returns the request before the user sets anything: the initialisers, but with error correction raised where that

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <fmt/format.h>
 #include <utility>
 
 namespace qrelief {
 namespace {
 
 constexpr int kBestRank = 2;
+constexpr double kLargerLimit = 2;         // times the usual greatest size
+constexpr double kAtLimitFraction = 0.99;  // of the greatest size
 
 /// Returns 2 for a code that decodes and prints well as a solid, 1 if an aspect is barely good, and else 0.
 int rankOf(const Verdict& verdict) {
@@ -17,49 +20,164 @@ int rankOf(const Verdict& verdict) {
   return kBestRank - static_cast<int>(worst);
 }
 
+/// Adds a change, in place of an earlier one of the same setting.
+void set(std::vector<SettingChange>& changes, const SettingChange& change) {
+  std::erase_if(changes, [&](const SettingChange& other) { return other.setting == change.setting; });
+  changes.push_back(change);
+}
+
 }  // namespace
 
 EngravePlan::EngravePlan(EngraveRequest request, Options options)
     : options_(std::move(options)),
-      looksAtPrint_(options_.looksAtPrint && request.print.process),
-      isMarkOpen_(request.marking.isOpen),
-      kept_{0, request},
-      current_{0, std::move(request)} {}
+      asked_(std::move(request)),
+      looksAtPrint_(options_.looksAtPrint && asked_.print.process),
+      isMarkOpen_(asked_.marking.isOpen),
+      step_(options_.mayMove ? Step::Place : Step::Carve),
+      kept_{0, asked_},
+      current_{0, asked_},
+      tried_(1) {}
 
-/// Returns the change if the options allow it.
-std::optional<SettingChange> EngravePlan::allowed(std::optional<SettingChange> change) const {
-  const auto isFixed = [&] {
-    return std::find(options_.fixed.begin(), options_.fixed.end(), change->setting) != options_.fixed.end();
-  };
-  return change && options_.mayChange && !isFixed() ? change : std::nullopt;
+bool EngravePlan::isFixed(const std::string& key) const {
+  return !options_.mayChange || std::find(options_.fixed.begin(), options_.fixed.end(), key) != options_.fixed.end();
 }
 
-void EngravePlan::carveNext(const SettingChange& change) {
-  change_ = change;
-  current_.number = attempts_++;
+/// Returns true if the user left the setting to the program.
+bool EngravePlan::isOpen(const std::string& key) const {
+  static const EngraveRequest kDefault = defaultRequest();
+  const Setting& setting = *findSetting(key);
+  const bool isChosen = std::find(options_.chosen.begin(), options_.chosen.end(), key) != options_.chosen.end();
+  return !isFixed(key) && !isChosen && setting.read(asked_) == setting.read(kDefault);
+}
+
+/// Carves the current attempt again with a change, at the same spot.
+void EngravePlan::deepen(const SettingChange& change) {
+  TriedCarving next{current().changes};
+  set(next.changes, change);
+  next.centreMm = current().centreMm;
+  current_.number = static_cast<int>(tried_.size());
   apply(change, current_.request);
+  tried_.push_back(std::move(next));
   step_ = Step::Carve;
 }
 
-/// Goes on with the kept carving: to its print, to the next mark in colour, or to its delivery.
+/// Carves the request with changes.
+/// @param moves  true: at its own best spot, if the centre is open
+void EngravePlan::carveAnew(Phase phase, std::vector<SettingChange> changes, bool moves) {
+  const bool findsSpot = options_.mayMove && moves;
+  EngraveRequest request = asked_;
+  if (options_.mayMove && !findsSpot) {
+    request.placement.centreMm = kept_.request.placement.centreMm;
+    request.placement.direction = kept_.request.placement.direction;
+  }
+  for (const SettingChange& change : changes) apply(change, request);
+  current_ = {static_cast<int>(tried_.size()), std::move(request)};
+  tried_.push_back({std::move(changes)});
+  current().isOffer = phase == Phase::Offer;
+  if (!findsSpot) current().centreMm = tried_[static_cast<std::size_t>(kept_.number)].centreMm;
+  phase_ = phase;
+  step_ = findsSpot ? Step::Place : Step::Carve;
+}
+
+/// Goes on with the kept carving: to its print, to a remedy, to the next mark, or to its delivery.
 void EngravePlan::settle() {
   if (phase_ == Phase::Design && looksAtPrint_ && keptRank_) {
     current_ = kept_;
     step_ = Step::Print;
     return;
   }
-  if (keptRank_ != kBestRank && tryOtherMark()) return;
+  if (tryRemedy() || tryOtherMark() || tryOffer()) return;
   current_ = kept_;
   step_ = Step::Deliver;
 }
 
-/// Carves the next of the other marks, if the mark is open and one is left.
+/// Returns the change to the largest size: at the best rotation, unless the user chose one.
+std::optional<SettingChange> EngravePlan::largestSize() const {
+  if (!isOpen("size")) return std::nullopt;
+  const bool isUpChosen =
+      isFixed("up") || std::find(options_.chosen.begin(), options_.chosen.end(), "up") != options_.chosen.end();
+  return SettingChange{"size", sizeModeName(isOpen("rotateDeg") && !isUpChosen ? SizeMode::Best : SizeMode::Oriented)};
+}
+
+/// Returns the changes with those of the size.
+std::vector<SettingChange> EngravePlan::withGrowth(std::vector<SettingChange> changes) const {
+  for (const SettingChange& change : growth_) set(changes, change);
+  return changes;
+}
+
+bool EngravePlan::isSymbolSmallerAt(ErrorCorrection level) const {
+  SymbolOptions options = asked_.code.symbol;
+  const auto now = encodeSymbol(asked_.code.text, options);
+  options.errorCorrection = level;
+  options.raiseErrorCorrection = false;
+  const auto then = encodeSymbol(asked_.code.text, options);
+  return now && then && then->size < now->size;
+}
+
+/// Tries the next remedy for a carving that fails.
+bool EngravePlan::tryRemedy() {
+  if (!fails() || phase_ == Phase::OtherMark || phase_ == Phase::Offer) return false;
+  const TriedCarving& kept = tried_[static_cast<std::size_t>(kept_.number)];
+  const double mostMm = asked_.placement.maxSizeMm;
+  const bool isAtLimit = std::any_of(
+      tried_.begin(), tried_.end(), [&](const TriedCarving& one) { return one.symbolMm >= kAtLimitFraction * mostMm; });
+  while (nextRemedy_ != Remedy::None) {
+    const Remedy remedy = nextRemedy_;
+    nextRemedy_ = static_cast<Remedy>(static_cast<int>(remedy) + 1);
+    switch (remedy) {
+      case Remedy::LargestSize:
+        if (const auto largest = largestSize(); largest && !isAtLimit) {
+          growth_ = {*largest};
+          carveAnew(Phase::Remedy, withGrowth(kept.changes));
+          return true;
+        }
+        break;
+      case Remedy::LargerLimit:
+        if (isAtLimit && isOpen("maxSizeMm") && isOpen("size")) {
+          set(growth_, *largestSize());
+          set(growth_, {"maxSizeMm", fmt::format("{:g}", kLargerLimit * mostMm)});
+          carveAnew(Phase::Remedy, withGrowth(kept.changes));
+          return true;
+        }
+        break;
+      case Remedy::SmallerSymbol:
+        if (isOpen("ecc") && isSymbolSmallerAt(ErrorCorrection::L)) {
+          std::vector<SettingChange> changes = withGrowth(kept.changes);
+          set(changes, {"ecc", std::string(errorCorrectionName(ErrorCorrection::L))});
+          carveAnew(Phase::Remedy, std::move(changes));
+          return true;
+        }
+        break;
+      case Remedy::None:
+        break;
+    }
+  }
+  return false;
+}
+
+/// Carves the next of the other marks, if the mark is open and one is left. A mark that fails gets a larger code first.
 bool EngravePlan::tryOtherMark() {
-  if (!isMarkOpen_ || marksTried_ == options_.otherMarks.size()) return false;
-  const auto change = allowed(SettingChange{"mark", std::string(markName(options_.otherMarks[marksTried_++]))});
-  if (!change) return false;
-  phase_ = Phase::OtherMark;
-  carveNext(*change);
+  if (!isMarkOpen_ || keptRank_ == kBestRank || isFixed("mark")) return false;
+  const bool hasFailed = phase_ == Phase::OtherMark && lastRank_.value_or(0) == 0;
+  const auto largest = largestSize();
+  if (markToGrow_ && hasFailed && largest) {
+    carveAnew(Phase::OtherMark, {*std::exchange(markToGrow_, std::nullopt), *largest});
+    return true;
+  }
+  if (marksTried_ == options_.otherMarks.size()) return false;
+  const SettingChange mark{"mark", std::string(markName(options_.otherMarks[marksTried_++]))};
+  markToGrow_ = growth_.empty() ? std::optional(mark) : std::nullopt;
+  carveAnew(Phase::OtherMark, withGrowth({mark}), fails());
+  return true;
+}
+
+/// Carves the next of the other marks to offer it, until one passes.
+bool EngravePlan::tryOffer() {
+  if (!options_.offersMarks || !fails() || isMarkOpen_ || asked_.marking.isInColour() || !isOpen("mark")) return false;
+  if (passedOffer(tried_) || marksTried_ == options_.otherMarks.size()) return false;
+  std::vector<SettingChange> changes = {{"mark", std::string(markName(options_.otherMarks[marksTried_++]))}};
+  if (const auto largest = largestSize()) set(changes, *largest);
+  carveAnew(Phase::Offer, std::move(changes));
   return true;
 }
 
@@ -68,48 +186,72 @@ void EngravePlan::keepCurrent(const Verdict& verdict) {
   keptRank_ = rankOf(verdict);
 }
 
-/// Keeps a finished carving in colour if it is better, and goes on.
-void EngravePlan::settleColour(const Verdict& verdict) {
-  if (rankOf(verdict) > keptRank_.value_or(-1)) keepCurrent(verdict);
+/// Keeps a finished attempt if it is better, and goes on.
+void EngravePlan::settleAttempt(const Verdict& verdict) {
+  lastRank_ = rankOf(verdict);
+  if (phase_ != Phase::Offer && lastRank_ > keptRank_.value_or(-1)) keepCurrent(verdict);
   settle();
 }
 
-void EngravePlan::carved(const Verdict& verdict) {
+void EngravePlan::placed(const PlacementRequest& placement) {
+  assert(step_ == Step::Place);
+  current_.request.placement = placement;
+  current().centreMm = placement.centreMm;
+  if (kept_.number == current_.number) kept_ = current_;
+  step_ = Step::Carve;
+}
+
+void EngravePlan::carved(const Verdict& verdict, const ReadingCount& reads, double symbolMm) {
   assert(step_ == Step::Carve);
-  const bool reads = verdict.reads.passed();
+  const bool isRead = verdict.reads.passed();
+  current().reads = reads;
+  current().symbolMm = symbolMm;
+  current().passed = verdict.passed();
   if (phase_ != Phase::Design) {
-    if (reads && looksAtPrint_)
+    if (isRead && looksAtPrint_)
       step_ = Step::Print;
-    else if (phase_ == Phase::OtherMark)
-      settleColour(verdict);
-    else
+    else if (phase_ == Phase::Print)
       settle();
+    else
+      settleAttempt(verdict);
     return;
   }
-  if (reads || current_.number == 0) keepCurrent(verdict);
-  if (const auto next = reads ? std::nullopt : allowed(changeToTryNext(current_.request, verdict)))
-    carveNext(*next);
+  if (isRead || current_.number == 0) keepCurrent(verdict);
+  const auto next = isRead ? std::nullopt : changeToTryNext(current_.request, verdict);
+  if (next && !isFixed(next->setting))
+    deepen(*next);
   else
     settle();
 }
 
-void EngravePlan::notCarved() {
-  assert(step_ == Step::Carve && mayFail());
+void EngravePlan::notCarved(const Error& error) {
+  assert(step_ == Step::Carve || step_ == Step::Place);
+  current().failure = error.message;
+  lastRank_.reset();
+  if (error.kind != ErrorKind::NoSolution && current_.number == 0) {
+    step_ = Step::Deliver;
+    return;
+  }
+  for (const char* needsWall : {"nothing-can-be-carved", "no-spot-wall-too-thin"})
+    if (error.message.code == needsWall) nextRemedy_ = Remedy::None;  // a larger code needs deeper pockets
   settle();
 }
 
 void EngravePlan::printed(const Verdict& verdict, const PrintedEvidence& evidence) {
   assert(step_ == Step::Print);
-  if (phase_ == Phase::OtherMark) {
-    settleColour(verdict);
+  current().printed = evidence.reading.count;
+  current().passed = verdict.passed();
+  if (phase_ != Phase::Design && phase_ != Phase::Print) {
+    settleAttempt(verdict);
     return;
   }
   const bool isMended = phase_ == Phase::Print && evidence.reading.count.enough();
   if (isMended || kept_.number == current_.number) keepCurrent(verdict);
   phase_ = Phase::Print;
   const bool mayHelp = !isMended && verdict.reads.passed();  // deeper designs that do not decode were tried before
-  if (const auto next = mayHelp ? allowed(changeToTryNext(current_.request, verdict, &evidence)) : std::nullopt)
-    carveNext(*next);
+  const auto next = mayHelp ? changeToTryNext(current_.request, verdict, &evidence) : std::nullopt;
+  if (next && !isFixed(next->setting))
+    deepen(*next);
   else
     settle();
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "message_codes/verdict.h"
 #include "verdict/ink_advice.h"
 #include "verification/printability.h"
 
@@ -28,23 +29,23 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
   const Placement& placement = result.placement;
   if (place.sizeMode == SizeMode::Fixed) {
     if (placement.guaranteedMm > placement.symbolMm + 0.1)
-      remedies.push_back({message("remedy-as-large-as-fits"), "size", "free"});
+      remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "free"});
     return;
   }
   const double neededMm = std::ceil(std::max(kLarger * placement.symbolMm, leastModuleMm * result.symbol.size));
   if (placement.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
-    remedies.push_back({message("remedy-allow-size", with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
+    remedies.push_back({message<"remedy-allow-size">(with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
   else if (place.sizeMode != SizeMode::Best)
-    remedies.push_back({message("remedy-turn"), "size", "best"});
+    remedies.push_back({message<"remedy-turn">(), "size", "best"});
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
   if (request.marking.isInColour()) return;
   if (request.depth.contrast) {
-    remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
+    remedies.push_back({message<"remedy-preset-contrast">(), "contrast", ""});
   } else if (const std::optional<Preset> deeper = deeperPreset(request.depth.preset)) {
     const char* name = presetName(*deeper);
-    remedies.push_back({message("remedy-deeper", with::choice<"preset">("preset", name)), "preset", name});
+    remedies.push_back({message<"remedy-deeper">(with::choice<"preset">("preset", name)), "preset", name});
   }
 }
 
@@ -52,19 +53,19 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
 /// there.
 void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
   if (request.isForOneLight())
-    remedies.push_back({message("remedy-any-light"), "objective", depthObjectiveName(DepthObjective::Contrast)});
+    remedies.push_back({message<"remedy-any-light">(), "objective", depthObjectiveName(DepthObjective::Contrast)});
 }
 
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
   request.depth.carveFor = CarveFor::Print;
-  if (request.isForPrint()) remedies.push_back({message("remedy-carve-for-print"), "carveFor", "print"});
+  if (request.isForPrint()) remedies.push_back({message<"remedy-carve-for-print">(), "carveFor", "print"});
 }
 
 /// Adds paint, which needs no wall.
 void addPaint(const EngraveRequest& request, const EngraveResult& result, std::vector<Remedy>& remedies) {
   if (request.marking.mark == Mark::Inlay && (result.modulesLeftOut > 0 || result.markDepthMm < result.opaqueDepthMm))
-    remedies.push_back({message("remedy-paint"), "mark", std::string(markName(Mark::Paint))});
+    remedies.push_back({message<"remedy-paint">(), "mark", std::string(markName(Mark::Paint))});
 }
 
 void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Remedy>& remedies) {
@@ -72,7 +73,7 @@ void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Re
     return mm <= mostMm + kRoundingMm && mm < request.print.printer.nozzleMm;
   });
   if (finer != kNozzlesMm.end())
-    remedies.push_back({message("remedy-nozzle", with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
+    remedies.push_back({message<"remedy-nozzle">(with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
 }
 
 std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result) {
@@ -87,7 +88,7 @@ std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const Eng
 
 }  // namespace
 
-Remedy anotherSpot() { return {message("remedy-another-spot"), "", ""}; }
+Remedy anotherSpot() { return {message<"remedy-another-spot">(), "", ""}; }
 
 std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result) {
   std::vector<Remedy> remedies;
@@ -96,7 +97,7 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   addPaint(request, result, remedies);
   addLargerCode(request, result, 0, remedies);
   if (request.code.symbol.errorCorrection == ErrorCorrection::L && !request.code.symbol.raiseErrorCorrection)
-    remedies.push_back({message("remedy-more-correction"), "ecc", ""});
+    remedies.push_back({message<"remedy-more-correction">(), "ecc", ""});
   remedies.push_back(anotherSpot());
   return remedies;
 }
@@ -116,7 +117,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   if (isTooFine) {
     if (request.code.modulePattern && request.code.modulePattern != ModulePattern::ThickPlus) {
       const char* pattern = request.code.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
-      remedies.push_back({message("remedy-pattern", with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
+      remedies.push_back({message<"remedy-pattern">(with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
     }
     addFinerNozzle(printableNozzleMm(features), request, remedies);
   }
@@ -126,7 +127,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
     const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
                                       [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });
     if (thinner != kLayersMm.end())
-      remedies.push_back({message("remedy-layer", with::lengthMm<"layer">(*thinner)), "layerMm", plain(*thinner)});
+      remedies.push_back({message<"remedy-layer">(with::lengthMm<"layer">(*thinner)), "layerMm", plain(*thinner)});
   }
   remedies.push_back(anotherSpot());
   return remedies;

@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "message_codes/verdict.h"
+#include "pipeline/label_pockets.h"
 #include "printing/build_direction.h"
 #include "verdict/ink_advice.h"
 #include "verdict/remedies.h"
 #include "verification/grades.h"
+#include "verification/printability.h"
 
 namespace qrelief {
 namespace {
@@ -29,17 +32,17 @@ std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::
                                      std::optional<double> meanDepthMm, const SymbolGrades* grades) {
   const ReadingCount& count = reading.count;
   if (!reading.text.empty() && reading.text != expected)
-    return {message("other-text", with::quoted<"found">(reading.text), with::quoted<"wanted">(expected))};
+    return {message<"other-text">(with::quoted<"found">(reading.text), with::quoted<"wanted">(expected))};
   if (count.enough()) return {};
   if (meanDepthMm && grades && grades->cellContrast.value < kGoodContrast)
-    return {message("too-shallow", with::lengthMm<"depth">(*meanDepthMm),
-                    with::fraction<"contrast">(grades->cellContrast.value), with::count<"reads">(count.reads),
-                    with::count<"tries">(count.tries), with::count<"needed">(count.needed()))};
+    return {message<"too-shallow">(
+        with::lengthMm<"depth">(*meanDepthMm), with::fraction<"contrast">(grades->cellContrast.value),
+        with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(count.needed()))};
   if (!meanDepthMm)
-    return {message("ink-unreadable", with::count<"reads">(count.reads), with::count<"tries">(count.tries),
-                    with::count<"needed">(count.needed()))};
-  return {message("unreadable", with::count<"reads">(count.reads), with::count<"tries">(count.tries),
-                  with::count<"needed">(count.needed()))};
+    return {message<"ink-unreadable">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                                      with::count<"needed">(count.needed()))};
+  return {message<"unreadable">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                                with::count<"needed">(count.needed()))};
 }
 
 /// Returns the warning that must come with a code that is read under one lamp.
@@ -48,31 +51,31 @@ Message oneLightNeeded(const DirectionalLight& lamp) {
     const double azimuth = lamp.azimuthDeg - 360 * std::floor(lamp.azimuthDeg / 360);
     switch (static_cast<int>(std::floor((azimuth + 22.5) / 45)) % 8) {
       case 0:
-        return message("light-from-right");
+        return message<"light-from-right">();
       case 1:
-        return message("light-from-top-right");
+        return message<"light-from-top-right">();
       case 2:
-        return message("light-from-top");
+        return message<"light-from-top">();
       case 3:
-        return message("light-from-top-left");
+        return message<"light-from-top-left">();
       case 4:
-        return message("light-from-left");
+        return message<"light-from-left">();
       case 5:
-        return message("light-from-bottom-left");
+        return message<"light-from-bottom-left">();
       case 6:
-        return message("light-from-bottom");
+        return message<"light-from-bottom">();
       default:
-        return message("light-from-bottom-right");
+        return message<"light-from-bottom-right">();
     }
   };
-  return message("needs-one-light", with::cause<"from">(from()), with::angleDeg<"elevation">(lamp.elevationDeg));
+  return message<"needs-one-light">(with::cause<"from">(from()), with::angleDeg<"elevation">(lamp.elevationDeg));
 }
 
 Message readingSummary(const ReadingEvidence& reading, const std::string& expected, Level level) {
-  if (reading.text.empty()) return message("reads-not");
-  if (reading.text != expected) return message("reads-wrong", with::quoted<"text">(reading.text));
-  if (level == Level::Good) return message("reads-as", with::term<"text">(expected));
-  return message("barely-reads-as", with::term<"text">(expected));
+  if (reading.text.empty()) return message<"reads-not">();
+  if (reading.text != expected) return message<"reads-wrong">(with::quoted<"text">(reading.text));
+  if (level == Level::Good) return message<"reads-as">(with::term<"text">(expected));
+  return message<"barely-reads-as">(with::term<"text">(expected));
 }
 
 /// @param meanDepthMm  none: a code in colour, which is graded like ink on paper
@@ -84,29 +87,30 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected,
   aspect.level = reading.text != expected ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
   aspect.summary = readingSummary(reading, expected, aspect.level);
   if (reading.text.empty()) {
-    aspect.reasons.push_back(message("no-reader-found-it"));
+    aspect.reasons.push_back(message<"no-reader-found-it">());
     return aspect;
   }
   const ReadingCount& count = reading.count;
-  aspect.reasons.push_back(reading.traced
-                               ? message("tries-on-traced-pictures", with::count<"reads">(count.reads),
-                                         with::count<"tries">(count.tries), with::count<"needed">(count.needed()))
-                               : message("tries-on-drawn-pictures", with::count<"reads">(count.reads),
-                                         with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+  aspect.reasons.push_back(
+      reading.traced
+          ? message<"tries-on-traced-pictures">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                                                with::count<"needed">(count.needed()))
+          : message<"tries-on-drawn-pictures">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
+                                               with::count<"needed">(count.needed())));
   if (grades)
     aspect.reasons.push_back(
-        message("correction-left", with::fraction<"left">(std::max(0.0, grades->unusedCorrection.value))));
-  if (weak) aspect.reasons.push_back(message("graded-weak"));
+        message<"correction-left">(with::fraction<"left">(std::max(0.0, grades->unusedCorrection.value))));
+  if (weak) aspect.reasons.push_back(message<"graded-weak">());
   return aspect;
 }
 
 /// Describes how a code faces in the printer, for use within a sentence.
 Message facing(double facingDeg) {
   constexpr double kFacingDeg = 15;
-  if (facingDeg <= kFacingDeg) return message("facing-up");
-  if (std::abs(facingDeg - 90) <= kFacingDeg) return message("facing-aside");
-  return facingDeg < 90 ? message("facing-slanted", with::angleDeg<"angle">(std::round(facingDeg)))
-                        : message("facing-down", with::angleDeg<"angle">(std::round(facingDeg)));
+  if (facingDeg <= kFacingDeg) return message<"facing-up">();
+  if (std::abs(facingDeg - 90) <= kFacingDeg) return message<"facing-aside">();
+  return facingDeg < 90 ? message<"facing-slanted">(with::angleDeg<"angle">(std::round(facingDeg)))
+                        : message<"facing-down">(with::angleDeg<"angle">(std::round(facingDeg)));
 }
 
 /// Describes how a code is printed, for use within a sentence.
@@ -115,12 +119,12 @@ Message printing(const Printer& printer) {
     case PrintTechnique::Filament:
       break;
     case PrintTechnique::Resin:
-      return message("printed-in-resin", with::lengthMm<"layer">(printer.layerMm));
+      return message<"printed-in-resin">(with::lengthMm<"layer">(printer.layerMm));
     case PrintTechnique::Powder:
-      return message("printed-in-powder", with::lengthMm<"layer">(printer.layerMm));
+      return message<"printed-in-powder">(with::lengthMm<"layer">(printer.layerMm));
   }
-  return message("printed-by-nozzle", with::lengthMm<"nozzle">(printer.nozzleMm),
-                 with::lengthMm<"layer">(printer.layerMm));
+  return message<"printed-by-nozzle">(with::lengthMm<"nozzle">(printer.nozzleMm),
+                                      with::lengthMm<"layer">(printer.layerMm));
 }
 
 /// Judges whether a code prints.
@@ -133,28 +137,34 @@ Aspect judgePrinting(std::vector<Message> advice, const Message& because, const 
   Aspect aspect;
   aspect.reasons = std::move(advice);
   if (aspect.reasons.empty()) {
-    aspect.summary = message("prints", with::lengthMm<"nozzle">(printer.nozzleMm));
+    aspect.summary = message<"prints">(with::lengthMm<"nozzle">(printer.nozzleMm));
     aspect.reasons.push_back(because);
   } else {
     aspect.level = Level::Barely;
-    aspect.summary = message("may-not-print", with::lengthMm<"nozzle">(printer.nozzleMm));
+    aspect.summary = message<"may-not-print">(with::lengthMm<"nozzle">(printer.nozzleMm));
   }
   return aspect;
+}
+
+/// Adds a warning that is none of the reasons.
+void addUnlessReason(Aspect& aspect, std::optional<Message> warning) {
+  if (warning && std::find(aspect.reasons.begin(), aspect.reasons.end(), *warning) == aspect.reasons.end())
+    aspect.warnings.push_back(std::move(*warning));
 }
 
 Aspect judgePocketPrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
                            const PrintedEvidence* printed, const std::string& expected) {
   const double layers = features.leastDepthMm / printer.layerMm;
   return judgePrinting(advisePrinting(features, printer, minWallMm),
-                       message("prints-because", with::lengthMm<"pocket">(features.pocketMm),
-                               with::count<"count">(std::floor(layers + 1e-9))),
+                       message<"prints-because">(with::lengthMm<"pocket">(features.pocketMm),
+                                                 with::count<"count">(std::floor(layers + 1e-9))),
                        printer, printed, expected);
 }
 
 Aspect judgeInkPrinting(const InkedCode& code, const PrintedEvidence* printed, const std::string& expected) {
   return judgePrinting(adviseInkPrinting(code),
-                       message("colour-prints-because", with::lengthMm<"module">(code.moduleMm),
-                               with::lengthMm<"line">(lineWidthMm(code.printer))),
+                       message<"colour-prints-because">(with::lengthMm<"module">(code.moduleMm),
+                                                        with::lengthMm<"line">(lineWidthMm(code.printer))),
                        code.printer, printed, expected);
 }
 
@@ -165,19 +175,19 @@ Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   own.selfIntersections -= std::min(inherited, solid.selfIntersections);
   for (const SolidityFinding& finding : own.findings())
     aspect.failed.push_back(
-        finding.at ? message("not-solid-at", with::cause<"problem">(finding.message), with::place<"at">(*finding.at))
-                   : message("not-solid", with::cause<"problem">(finding.message)));
+        finding.at ? message<"not-solid-at">(with::cause<"problem">(finding.message), with::place<"at">(*finding.at))
+                   : message<"not-solid">(with::cause<"problem">(finding.message)));
   if (!aspect.passed()) {
     aspect.level = Level::Bad;
-    aspect.summary = message("solid-not");
+    aspect.summary = message<"solid-not">();
     aspect.reasons = aspect.failed;
   } else if (solid.selfIntersections > 0) {
     aspect.level = Level::Barely;
-    aspect.summary = message("solid-but-crossing");
-    aspect.reasons.push_back(message("inherited-crossings", with::count<"count">(solid.selfIntersections)));
+    aspect.summary = message<"solid-but-crossing">();
+    aspect.reasons.push_back(message<"inherited-crossings">(with::count<"count">(solid.selfIntersections)));
   } else {
-    aspect.summary = message("solid");
-    aspect.reasons.push_back(message("solid-because", with::count<"count">(solid.triangles)));
+    aspect.summary = message<"solid">();
+    aspect.reasons.push_back(message<"solid-because">(with::count<"count">(solid.triangles)));
   }
   return aspect;
 }
@@ -191,23 +201,23 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
     case SymbolPose::AsWanted:
       break;
     case SymbolPose::Mirrored:
-      failed.push_back(message("mirrored"));
+      failed.push_back(message<"mirrored">());
       break;
     case SymbolPose::Turned90:
     case SymbolPose::Turned180:
     case SymbolPose::Turned270:
-      failed.push_back(message("turned", with::angleDeg<"turn">(90 * (static_cast<int>(profile.pose) -
-                                                                      static_cast<int>(SymbolPose::AsWanted)))));
+      failed.push_back(message<"turned">(
+          with::angleDeg<"turn">(90 * (static_cast<int>(profile.pose) - static_cast<int>(SymbolPose::AsWanted)))));
       break;
     case SymbolPose::None:
       // A decoder may still find a code: then its modules are not the expected ones, and nothing is known about them.
-      if (!result.reading.frontal.enough()) failed.push_back(message("no-code"));
+      if (!result.reading.frontal.enough()) failed.push_back(message<"no-code">());
       return failed;
   }
   if (depth < -kFlatMm)
-    failed.push_back(message("raised", with::lengthMm<"height">(-depth)));
+    failed.push_back(message<"raised">(with::lengthMm<"height">(-depth)));
   else if (depth <= kFlatMm)
-    failed.push_back(message("not-carved"));
+    failed.push_back(message<"not-carved">());
   return failed;
 }
 
@@ -222,14 +232,18 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
   aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
   const Message how = facing(printed.facingDeg), by = printing(printer);
   if (aspect.level == Level::Good)
-    aspect.summary = message("reads-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
+    aspect.summary = message<"reads-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
   else if (aspect.level == Level::Barely)
-    aspect.summary = message("barely-reads-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
+    aspect.summary = message<"barely-reads-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
   else
-    aspect.summary = message("reads-not-as-printed", with::cause<"facing">(how), with::cause<"printing">(by));
-  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count<"reads">(count.reads),
-                                   with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
-  if (hangs) aspect.reasons.push_back(message("faces-down"));
+    aspect.summary = message<"reads-not-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
+  aspect.reasons.push_back(message<"tries-on-printed-pictures">(
+      with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+  if (!some)
+    aspect.failed.push_back(message<"unreadable-as-printed">(
+        with::cause<"facing">(how), with::cause<"printing">(by), with::count<"reads">(count.reads),
+        with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+  if (hangs) aspect.reasons.push_back(message<"faces-down">());
   if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
   return aspect;
 }
@@ -273,11 +287,14 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
   if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink);
   if (result.modulesLeftOut > 0)
-    verdict.reads.warnings.push_back(message("modules-left-out", with::count<"count">(result.modulesLeftOut),
-                                             with::lengthMm<"wall">(request.depth.minWallMm)));
+    verdict.reads.warnings.push_back(message<"modules-left-out">(with::count<"count">(result.modulesLeftOut),
+                                                                 with::lengthMm<"wall">(request.depth.minWallMm)));
+  if (result.unfinishedSubmodules > 0)
+    verdict.reads.warnings.push_back(message<"search-ended">(with::count<"count">(result.unfinishedSubmodules),
+                                                             with::count<"passes">(result.searchIterations)));
   if (verdict.reads.level != Level::Good) {
-    if (result.limitedSubmodules > 0)
-      verdict.reads.reasons.push_back(message("submodules-limited", with::count<"count">(result.limitedSubmodules)));
+    const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules;
+    if (atLimit > 0) verdict.reads.reasons.push_back(message<"submodules-limited">(with::count<"count">(atLimit)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
   verdict.prints = request.marking.isInColour()
@@ -286,12 +303,14 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
                                           printed, request.code.text)
                        : judgePocketPrinting(featuresOf(result), request.print.printer, request.depth.minWallMm,
                                              printed, request.code.text);
+  if (const auto capitalMm = labelCapitalMm(request.code.label, result.symbol.size, result.placement.moduleMm))
+    addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.print.printer));
   if (verdict.prints.level != Level::Good)
     verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
   if (result.inlay)
     for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)
-      verdict.solid.failed.push_back(message("inlay-not-solid", with::cause<"problem">(failure)));
+      verdict.solid.failed.push_back(message<"inlay-not-solid">(with::cause<"problem">(failure)));
   if (!verdict.solid.passed()) verdict.solid.remedies = {anotherSpot()};
   return verdict;
 }
@@ -307,18 +326,18 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
                                result.grades ? &*result.grades : nullptr);
   if (request.oneLight) verdict.reads.warnings = {oneLightNeeded(*request.oneLight)};
   if (isInColour) verdict.reads.warnings = adviseInk(request.ink);
-  if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message("paint-not-checked"));
+  if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message<"paint-not-checked">());
   std::vector<Message> failed = isInColour ? std::vector<Message>() : shapeFailures(result);
   const bool isExplained = !isInColour && (profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm);
   if (!reading.otherText.empty())
     failed.push_back(
-        message("other-text", with::quoted<"found">(reading.otherText), with::quoted<"wanted">(request.text)));
+        message<"other-text">(with::quoted<"found">(reading.otherText), with::quoted<"wanted">(request.text)));
   else if (!isExplained)
     failed.insert(failed.end(), verdict.reads.failed.begin(), verdict.reads.failed.end());
-  if (reading.mirrored && profile.pose != SymbolPose::Mirrored) failed.push_back(message("mirrored"));
+  if (reading.mirrored && profile.pose != SymbolPose::Mirrored) failed.push_back(message<"mirrored">());
   const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
   if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
-    failed.push_back(message("misplaced", with::number<"modules">(std::round(10 * *reading.cornerErrorModules) / 10)));
+    failed.push_back(message<"misplaced">(with::number<"modules">(std::round(10 * *reading.cornerErrorModules) / 10)));
   if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
   if (isInColour)

@@ -58,15 +58,15 @@ struct PrintedEvidence {
 /// - The code reads if at least ReadingCount::needed() tries succeed; in `verify`, also no try may give another text.
 ///   It barely reads if fewer succeed, or if a verifier would grade it F (ISO/IEC 29158).
 /// - It prints if the simulated print still reads by the same rule. It barely prints if at least one in six tries
-///   succeeds (fewer are luck), or if it faces down by more than kSteepestOverhangDeg. If the print was not simulated,
-///   the code prints if published prints give no warning (verification/printability.h). Either way this is advice and
-///   not a check: it always passes.
+///   succeeds (fewer are luck), or if it faces down by more than kSteepestOverhangDeg; fewer tries do not pass. If the
+///   print was not simulated, published prints give the answer (verification/printability.h). That is advice and always
+///   passes.
 /// - It is a solid if the whole file is closed, manifold and free of crossing triangles. Crossings that the model
 ///   already had are reported, but pass.
 struct Verdict {
   Aspect reads, prints, solid;
 
-  bool passed() const { return reads.passed() && solid.passed(); }
+  bool passed() const { return reads.passed() && prints.passed() && solid.passed(); }
   std::vector<Message> failed() const;  ///< failed checks of all three
 };
 

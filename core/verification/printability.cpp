@@ -9,9 +9,13 @@
 #include <limits>
 
 #include "label/label_layout.h"
+#include "message_codes/text.h"
+#include "message_codes/verdict.h"
 
 namespace qrelief {
 namespace {
+
+constexpr double kRoundingMm = 1e-9;
 
 constexpr int kN = kSubmodulesPerModule;
 
@@ -167,19 +171,27 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
   return features;
 }
 
+std::optional<Message> adviseLabel(double capitalMm, const Printer& printer) {
+  const auto process = processOf(printer);
+  if (!process) return std::nullopt;
+  const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
+  if (capitalMm >= leastMm - kRoundingMm) return std::nullopt;
+  return message<"label-too-small">(with::lengthMm<"height">(capitalMm), with::lengthMm<"least">(leastMm));
+}
+
 std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
   std::vector<Message> advice;
   const double minPocketMm = kMinPocketNozzles * printer.nozzleMm;
-  constexpr double kRoundingMm = 1e-9;
   if (features.pocketMm < minPocketMm - kRoundingMm) {
     const double neededMm = inTwentieths(features.moduleMm * minPocketMm / features.pocketMm);
     if (features.pattern == ModulePattern::ThinPlus)
-      advice.push_back(message("thin-plus-narrower-than-nozzle", with::lengthMm<"pocket">(features.pocketMm),
-                               with::lengthMm<"nozzle">(printer.nozzleMm), with::lengthMm<"needed">(neededMm),
-                               with::choice<"square">("pattern", "square")));
+      advice.push_back(message<"thin-plus-narrower-than-nozzle">(
+          with::lengthMm<"pocket">(features.pocketMm), with::lengthMm<"nozzle">(printer.nozzleMm),
+          with::lengthMm<"needed">(neededMm), with::choice<"square">("pattern", "square")));
     else
-      advice.push_back(message("pockets-narrower-than-nozzle", with::lengthMm<"pocket">(features.pocketMm),
-                               with::lengthMm<"nozzle">(printer.nozzleMm), with::lengthMm<"needed">(neededMm)));
+      advice.push_back(message<"pockets-narrower-than-nozzle">(with::lengthMm<"pocket">(features.pocketMm),
+                                                               with::lengthMm<"nozzle">(printer.nozzleMm),
+                                                               with::lengthMm<"needed">(neededMm)));
   } else if (features.pattern) {
     const auto least = leastModuleNozzles(*features.pattern);
     const double neededMm = inTwentieths(least.value_or(0) * printer.nozzleMm);
@@ -187,28 +199,26 @@ std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printe
     if (!least || features.moduleMm >= *least * printer.nozzleMm - kRoundingMm) {
       // no smaller than modules that were printed and read
     } else if (*features.pattern == ModulePattern::ThickPlus) {
-      advice.push_back(message("thick-plus-smaller-than-printed", with::lengthMm<"module">(features.moduleMm),
-                               with::choice<"pattern">("pattern", pattern), with::lengthMm<"nozzle">(printer.nozzleMm),
-                               with::lengthMm<"needed">(neededMm)));
+      advice.push_back(message<"thick-plus-smaller-than-printed">(
+          with::lengthMm<"module">(features.moduleMm), with::choice<"pattern">("pattern", pattern),
+          with::lengthMm<"nozzle">(printer.nozzleMm), with::lengthMm<"needed">(neededMm)));
     } else {
-      advice.push_back(message("modules-smaller-than-printed", with::lengthMm<"module">(features.moduleMm),
-                               with::choice<"pattern">("pattern", pattern), with::lengthMm<"nozzle">(printer.nozzleMm),
-                               with::lengthMm<"needed">(neededMm), with::choice<"thickPlus">("pattern", "thick-plus")));
+      advice.push_back(message<"modules-smaller-than-printed">(
+          with::lengthMm<"module">(features.moduleMm), with::choice<"pattern">("pattern", pattern),
+          with::lengthMm<"nozzle">(printer.nozzleMm), with::lengthMm<"needed">(neededMm),
+          with::choice<"thickPlus">("pattern", "thick-plus")));
     }
   }
   if (features.leastDepthMm < kMinDepthLayers * printer.layerMm - kRoundingMm)
-    advice.push_back(message("shallower-than-layers", with::lengthMm<"depth">(features.leastDepthMm),
-                             with::number<"layers">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
-                             with::lengthMm<"layer">(printer.layerMm)));
-  if (const auto process = processOf(printer); process && features.labelCapitalMm) {
-    const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
-    if (*features.labelCapitalMm < leastMm - kRoundingMm)
-      advice.push_back(message("label-too-small", with::lengthMm<"height">(*features.labelCapitalMm),
-                               with::lengthMm<"least">(leastMm)));
-  }
+    advice.push_back(message<"shallower-than-layers">(
+        with::lengthMm<"depth">(features.leastDepthMm),
+        with::number<"layers">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
+        with::lengthMm<"layer">(printer.layerMm)));
+  if (features.labelCapitalMm)
+    if (auto label = adviseLabel(*features.labelCapitalMm, printer)) advice.push_back(std::move(*label));
   if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
     advice.push_back(
-        message("wall-behind-pocket", with::lengthMm<"wall">(*features.wallMm), with::number<"wanted">(minWallMm)));
+        message<"wall-behind-pocket">(with::lengthMm<"wall">(*features.wallMm), with::number<"wanted">(minWallMm)));
   return advice;
 }
 

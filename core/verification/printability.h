@@ -37,6 +37,10 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
 /// @param minWallMm  material that should stay behind every floor
 std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
 
+/// Returns a warning about a label whose strokes are thinner than the printer's line; none if there is no cause.
+/// @param capitalMm  height of its capitals
+std::optional<Message> adviseLabel(double capitalMm, const Printer& printer);
+
 /// Invert these bounds: the smallest module that this nozzle prints with these pockets, the widest nozzle that prints
 /// these modules, and the thickest layer that leaves the shallowest modules deep enough, mm.
 double printableModuleMm(const CarvedFeatures& features, double nozzleMm);

@@ -2,48 +2,22 @@
 #include "verification/solidity.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "mesh/clean.h"
 #include "mesh/collinear.h"
+#include "mesh/corner_fans.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
 
-/// Sets of triangle corners that belong to one fan, built by joining corners.
-class Fans {
- public:
-  explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Groups corners into fans. All triangles that share an edge, however many, join one fan at both of its ends.
-Fans fansOf(const Mesh& mesh, const EdgeTable& edges) {
-  Fans fans(3 * mesh.triangles.size());
-  const auto cornerAt = [&](std::uint32_t halfEdge, std::uint32_t vertex) {
-    const Triangle& t = mesh.triangles[halfEdge / 3];
-    return halfEdge - halfEdge % 3 + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
-  };
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::uint32_t first = edges.at(e)[0];
-    const Triangle& t = mesh.triangles[first / 3];
-    for (const std::uint32_t other : edges.at(e))
-      for (const std::uint32_t vertex : {t[first % 3], t[(first + 1) % 3]})
-        fans.join(cornerAt(first, vertex), cornerAt(other, vertex));
-  }
+CornerFans fansOf(const Mesh& mesh, const EdgeTable& edges) {
+  CornerFans fans(mesh);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (const std::uint32_t other : edges.at(e)) fans.joinAlong(edges.at(e)[0], other);
   return fans;
 }
 
@@ -52,7 +26,7 @@ Vec3 middleOf(const Mesh& mesh, std::size_t triangle) {
 }
 
 void findVerticesOfSeveralFans(const Mesh& mesh, const EdgeTable& edges, SolidityReport& report) {
-  Fans fans = fansOf(mesh, edges);
+  CornerFans fans = fansOf(mesh, edges);
   constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<std::uint32_t> fanOf(mesh.positions.size(), kNone);
   std::vector<char> several(mesh.positions.size(), 0);
@@ -112,19 +86,19 @@ std::vector<SolidityFinding> SolidityReport::findings() const {
   const auto add = [&](std::size_t n, Message what, Vec3 at) {
     if (n > 0) findings.push_back({std::move(what), at});
   };
-  add(openEdges, message("solid-open-edges", with::count<"count">(openEdges)), openAt);
-  add(nonManifoldEdges, message("solid-crowded-edges", with::count<"count">(nonManifoldEdges)), nonManifoldEdgeAt);
-  add(misorientedEdges, message("solid-misoriented-edges", with::count<"count">(misorientedEdges)), misorientedAt);
-  add(nonManifoldVertices, message("solid-touching-vertices", with::count<"count">(nonManifoldVertices)),
+  add(openEdges, message<"solid-open-edges">(with::count<"count">(openEdges)), openAt);
+  add(nonManifoldEdges, message<"solid-crowded-edges">(with::count<"count">(nonManifoldEdges)), nonManifoldEdgeAt);
+  add(misorientedEdges, message<"solid-misoriented-edges">(with::count<"count">(misorientedEdges)), misorientedAt);
+  add(nonManifoldVertices, message<"solid-touching-vertices">(with::count<"count">(nonManifoldVertices)),
       nonManifoldVertexAt);
-  add(degenerateTriangles, message("solid-triangles-without-area", with::count<"count">(degenerateTriangles)),
+  add(degenerateTriangles, message<"solid-triangles-without-area">(with::count<"count">(degenerateTriangles)),
       degenerateAt);
-  add(duplicateTriangles, message("solid-duplicate-triangles", with::count<"count">(duplicateTriangles)), duplicateAt);
-  add(selfIntersections, message("solid-crossing-pairs", with::count<"count">(selfIntersections)), selfIntersectionAt);
+  add(duplicateTriangles, message<"solid-duplicate-triangles">(with::count<"count">(duplicateTriangles)), duplicateAt);
+  add(selfIntersections, message<"solid-crossing-pairs">(with::count<"count">(selfIntersections)), selfIntersectionAt);
   if (triangles == 0)
-    findings.push_back({message("solid-no-triangle"), std::nullopt});
+    findings.push_back({message<"solid-no-triangle">(), std::nullopt});
   else if (!(volumeMm3 > 0))
-    findings.push_back({message("solid-inside-out", with::number<"volumeMm3">(volumeMm3)), std::nullopt});
+    findings.push_back({message<"solid-inside-out">(with::number<"volumeMm3">(volumeMm3)), std::nullopt});
   return findings;
 }
 

@@ -4,6 +4,7 @@ import { expect } from '@playwright/test';
 import { hold, showOverlays } from './hands.js';
 import { Inspector } from './inspector.js';
 import { isOrange, isTeal, shareOf } from './pixels.js';
+import { poll } from './poll.js';
 import { unzip } from './three_mf.js';
 import { freeze, thaw } from './workers.js';
 
@@ -14,19 +15,19 @@ export const kOfTheCarving = {
     const before = await place();
     await app.canvas.focus();
     for (let i = 0; i < 4; i += 1) await page.keyboard.press('Shift+ArrowRight');
-    await expect.poll(place).not.toBe(before);
+    await poll(place).not.toBe(before);
     await press('fit');
-    await expect.poll(place).toBe(before);
+    await poll(place).toBe(before);
   },
   'show-section': async ({ at, press }) => {
     await press('show-section');
     await expect(at('section-position')).toBeVisible();
   },
   'section-position': async ({ app, at, press }) => {
-    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+    await poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
     const before = await shareOf(app.canvas, isOrange);
     await at('section-position').fill('0.9');
-    await expect.poll(async () => Math.abs((await shareOf(app.canvas, isOrange)) / before - 1)).toBeGreaterThan(0.05);
+    await poll(async () => Math.abs((await shareOf(app.canvas, isOrange)) / before - 1)).toBeGreaterThan(0.05);
     await press('show-section');
     await expect(at('section-position')).toBeHidden();
   },
@@ -47,12 +48,12 @@ export const kOfTheCarving = {
   },
   'show-before': async ({ app, at, page }) => {
     await showOverlays(page, false); // they use the colours of depths, too
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
       await expect(at('show-before')).toHaveAttribute('aria-pressed', 'true');
-      await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
+      await poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
     });
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
+    await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await showOverlays(page, true);
   },
   'reader-view': async ({ page, press }) => {
@@ -61,9 +62,9 @@ export const kOfTheCarving = {
   },
   inspector: async ({ page, press }) => {
     await press('inspector');
-    await expect.poll(() => new Inspector(page).state()).toBeDefined();
+    await poll(() => new Inspector(page).state()).toBeDefined();
     await press('inspector');
-    await expect.poll(() => new Inspector(page).state()).toBeUndefined();
+    await poll(() => new Inspector(page).state()).toBeUndefined();
   },
   slicer: async ({ app, at }) => {
     await expect(at('slicer')).toBeHidden();
@@ -79,9 +80,10 @@ export const kOfTheCarving = {
     await at('format').selectOption('PLY');
     expect((await app.download()).name).toMatch(/\.ply$/);
   },
-  download: async ({ page, press }) => {
+  download: async ({ at, page, press }) => {
+    const format = await at('format').inputValue();
     const [download] = await Promise.all([page.waitForEvent('download'), press('download')]);
-    expect(download.suggestedFilename()).toMatch(/\.ply$/);
+    expect(download.suggestedFilename()).toMatch(new RegExp(`\\.${format}$`));
   },
   'save-report': async ({ page, press }) => {
     const [download] = await Promise.all([page.waitForEvent('download'), press('save-report')]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lies round a QR code in a picture of the page.
 import { findCode } from './decode.js';
+import { readPng } from './read_png.js';
 
 const kModules = 21; // of the shortest codes
 const kDark = 0.6; // of the brightness of the quiet zone
@@ -15,24 +16,13 @@ export async function lookRound(element) {
   const symbol = await findCode(png);
   if (!symbol) return undefined;
   const { topLeft, bottomRight } = symbol.position;
-  const grey = await element.page().evaluate(async (encoded) => {
-    const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
-    const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const { width, height } = picture;
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
-      new OffscreenCanvas(width, height).getContext('2d')
-    );
-    context.drawImage(picture, 0, 0);
-    const { data } = context.getImageData(0, 0, width, height);
-    return { width, values: Array.from({ length: width * height }, (_, i) => data[4 * i + 1]) };
-  }, png.toString('base64'));
-  return new CodeInPicture(grey, topLeft, (bottomRight.x - topLeft.x) / kModules);
+  return new CodeInPicture(readPng(png), topLeft, (bottomRight.x - topLeft.x) / kModules);
 }
 
 class CodeInPicture {
-  /** @param {{ width: number, values: number[] }} grey @param {{ x: number, y: number }} corner @param {number} module */
-  constructor(grey, corner, module) {
-    this.grey_ = grey;
+  /** @param {import('./read_png.js').Pixels} picture @param {{ x: number, y: number }} corner @param {number} module */
+  constructor(picture, corner, module) {
+    this.picture_ = picture;
     this.corner_ = corner;
     this.module_ = module;
     this.light_ = this.at_(-2, -2);
@@ -44,9 +34,9 @@ class CodeInPicture {
 
   /** Returns the brightness at a place in modules from the symbol's upper left. @param {number} x @param {number} y */
   at_(x, y) {
-    const { width, values } = this.grey_;
+    const { width, channels, data } = this.picture_;
     const [column, row] = [this.corner_.x + x * this.module_, this.corner_.y + y * this.module_].map(Math.floor);
-    return values[row * width + column];
+    return data[channels * (row * width + column) + 1]; // of green
   }
 
   /**

@@ -2,6 +2,7 @@
 // The page as its user knows it, by roles and names.
 import { readFile } from 'node:fs/promises';
 import { expect } from '@playwright/test';
+import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
@@ -35,8 +36,8 @@ export class Engraver {
 
   /** Waits until a model is loaded and its code is placed. */
   async expectReady() {
-    await expect(this.placement).toContainText('mm wide');
-    await expect(this.status).toHaveText('Ready.');
+    await poll(() => this.placement.textContent()).toContain('mm wide');
+    await poll(() => this.status.textContent()).toBe('Ready.');
     await expect(this.engraveButton).toBeEnabled();
   }
 
@@ -69,7 +70,7 @@ export class Engraver {
   /** Asks for suggested spots and waits for them. */
   async suggest() {
     await this.page.getByRole('button', { name: 'Suggest spots' }).click();
-    await expect(this.status).toHaveText('Choose a spot, or click the model.');
+    await poll(() => this.status.textContent()).toBe('Choose a spot, or click the model.');
   }
 
   /** Clicks Engrave and waits for the result. */
@@ -80,7 +81,7 @@ export class Engraver {
 
   /** Waits until the engraving in progress has ended. */
   async expectResult() {
-    await expect(this.status).toHaveText(/^Engraved/, { timeout: 240_000 });
+    await poll(() => this.status.textContent(), { timeout: 240_000 }).toMatch(/^Engraved/);
     await expect(this.result).toBeVisible();
     await expect(this.alert).toHaveCount(0);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inspector. Its controls are pixels of the canvas, so tests press where its state says they are.
-import { expect } from '@playwright/test';
+import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {import('../../web/engine/types.js').InspectorState} State */
@@ -16,7 +16,7 @@ export class Inspector {
 
   async open() {
     await this.button.click();
-    await expect.poll(() => this.state()).toBeDefined();
+    await poll(() => this.state()).toBeDefined();
   }
 
   /** @returns {Promise<State | undefined>} */
@@ -27,12 +27,10 @@ export class Inspector {
 
   /** Waits until the state has the expected value. @param {(state: State) => unknown} value @param {unknown} expected */
   async expectState(value, expected) {
-    await expect
-      .poll(async () => {
-        const state = await this.state();
-        return state && value(state);
-      })
-      .toEqual(expected);
+    await poll(async () => {
+      const state = await this.state();
+      return state && value(state);
+    }).toEqual(expected);
   }
 
   /**
@@ -42,12 +40,10 @@ export class Inspector {
    */
   async placeOf(control, share = { x: 0.5, y: 0.5 }) {
     /** @type {State | undefined} */ let state;
-    await expect
-      .poll(async () => {
-        state = await this.state();
-        return state?.still ? Object.keys(state.controls) : [];
-      })
-      .toContain(control);
+    await poll(async () => {
+      state = await this.state();
+      return state?.still ? Object.keys(state.controls) : [];
+    }).toContain(control);
     const [x, y, width, height] = /** @type {State} */ (state).controls[control];
     const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
     return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
@@ -76,34 +72,19 @@ export class Inspector {
   async expectStill(clip) {
     let last = '';
     let alike = 0;
-    await expect
-      .poll(
-        async () => {
-          const now = (await this.page.screenshot({ clip })).toString('base64');
-          alike = now === last ? alike + 1 : 0;
-          last = now;
-          return alike;
-        },
-        { intervals: [500] },
-      )
-      .toBe(4);
+    await poll(
+      async () => {
+        const now = (await this.page.screenshot({ clip })).toString('base64');
+        alike = now === last ? alike + 1 : 0;
+        last = now;
+        return alike;
+      },
+      { intervals: [500] },
+    ).toBe(4);
   }
 
-  /**
-   * Returns a part of the page as RGBA.
-   * @param {Clip} clip
-   * @returns {Promise<number[]>}
-   */
-  async pixels(clip) {
-    const png = (await this.page.screenshot({ clip })).toString('base64');
-    return this.page.evaluate(async (base64) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${base64}`;
-      await image.decode();
-      const canvas = new OffscreenCanvas(image.width, image.height);
-      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
-      context.drawImage(image, 0, 0);
-      return [...context.getImageData(0, 0, image.width, image.height).data];
-    }, png);
+  /** Returns a picture of a part of the page, as PNG. @param {Clip} clip */
+  picture(clip) {
+    return this.page.screenshot({ clip });
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effects of the controls of the page as a whole and of the buttons that turn the view; see controls.spec.js.
 import { expect } from '@playwright/test';
+import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {import('./hands.js').Hands} Hands */
@@ -18,14 +19,14 @@ export const kOfTheView = {
       async (/** @type {Hands} */ { page, press }) => {
         await press('views');
         await press(side);
-        await expect.poll(() => sidesOf(page)).toEqual([side]);
+        await poll(() => sidesOf(page)).toEqual([side]);
       },
     ]),
   ),
   iso: async ({ page, press }) => {
     await press('views');
     await press('iso');
-    await expect.poll(async () => (await sidesOf(page)).length).toBe(3);
+    await poll(async () => (await sidesOf(page)).length).toBe(3);
   },
   views: async ({ at, press }) => {
     await press('views');
@@ -60,7 +61,7 @@ export const kOfThePage = {
     const ground = () => at('panel').evaluate((panel) => getComputedStyle(panel).backgroundColor);
     const before = await ground();
     await at('theme').selectOption('dark');
-    await expect.poll(ground).not.toBe(before);
+    await poll(ground).not.toBe(before);
   },
   language: async ({ at, page }) => {
     await at('language').selectOption('de');

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours in a picture of the page.
+import { readPng } from './read_png.js';
 
 /** @typedef {(red: number, green: number, blue: number) => boolean} Colour */
+
+/** Counts the pixels of a picture that have a colour. @param {import('./read_png.js').Pixels} picture @param {Colour} colour */
+export function countOf({ channels, data }, colour) {
+  let count = 0;
+  for (let i = 0; i < data.length; i += channels) if (colour(data[i], data[i + 1], data[i + 2])) count += 1;
+  return count;
+}
 
 /**
  * Returns the share of an element's pixels that have a colour, 0 … 1.
@@ -9,22 +17,8 @@
  * @param {Colour} colour
  */
 export async function shareOf(element, colour) {
-  const png = (await element.screenshot()).toString('base64');
-  const pixels = await element.page().evaluate(async (encoded) => {
-    const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
-    const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const scale = Math.min(1, 240 / picture.width); // enough pixels, yet few to transfer
-    const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
-      new OffscreenCanvas(width, height).getContext('2d')
-    );
-    context.imageSmoothingEnabled = false;
-    context.drawImage(picture, 0, 0, width, height);
-    return [...context.getImageData(0, 0, width, height).data];
-  }, png);
-  let count = 0;
-  for (let i = 0; i < pixels.length; i += 4) if (colour(pixels[i], pixels[i + 1], pixels[i + 2])) count += 1;
-  return (4 * count) / pixels.length;
+  const picture = readPng(await element.screenshot());
+  return countOf(picture, colour) / (picture.width * picture.height);
 }
 
 /** A section, or the part of a code that misses the surface. @type {Colour} */

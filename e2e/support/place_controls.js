@@ -3,6 +3,7 @@
 import { expect } from '@playwright/test';
 import { settingsFile, showOverlays } from './hands.js';
 import { isDark, shareOf } from './pixels.js';
+import { poll } from './poll.js';
 
 /** @typedef {import('./engraver.js').Engraver} Engraver */
 
@@ -18,7 +19,7 @@ async function placeAt(app, field, value, confirm) {
   await field.fill(value);
   const typed = await app.centre();
   await confirm();
-  await expect.poll(() => app.centre()).not.toEqual(typed);
+  await poll(() => app.centre()).not.toEqual(typed);
   await app.expectReady();
 }
 
@@ -124,12 +125,12 @@ export const kOfThePlace = {
   'dark-reflectance': async ({ app, at, page }) => {
     await showOverlays(page, false);
     const inkShare = () => shareOf(app.canvas, isDark);
-    await expect.poll(inkShare).toBeGreaterThan(0.001);
+    await poll(inkShare).toBeGreaterThan(0.001);
     const before = await inkShare();
     await at('dark-reflectance').fill('0.6');
     await at('dark-reflectance').press('Tab');
     await app.expectReady();
-    await expect.poll(inkShare).toBeLessThan(before / 2);
+    await poll(inkShare).toBeLessThan(before / 2);
     await showOverlays(page, true);
     expect((await settingsFile(app)).settings.darkReflectance).toBe(0.6);
   },
@@ -159,17 +160,17 @@ export const kOfThePlace = {
   'centre-x': ({ app, at, press }) => placeAt(app, at('centre-x'), '12', () => press('place-here')),
   'centre-y': ({ app, at }) => placeAt(app, at('centre-y'), '-7', () => at('centre-y').press('Enter')),
   'centre-z': ({ app, at, press }) => placeAt(app, at('centre-z'), '30', () => press('place-here')),
-  'place-here': ({ app, at, press }) => placeAt(app, at('centre-x'), '0', () => press('place-here')),
+  'place-here': ({ app, at, press }) => placeAt(app, at('centre-x'), '9', () => press('place-here')),
   undo: async ({ app, press }) => {
     const before = await app.centre();
     await press('undo');
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
   },
   redo: async ({ app, press }) => {
     const before = await app.centre();
     await press('redo');
-    await expect.poll(() => app.centre()).not.toEqual(before);
+    await poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
   },
   suggest: async ({ app, press }) => {

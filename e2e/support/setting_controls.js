@@ -26,6 +26,7 @@ export const kSettings =
     'carve-for': { value: 'design', saved: { carveFor: 'design' }, reported: ({ depth }) => depth.carvedFor },
     version: { value: '5', saved: { version: 5 }, reported: ({ symbol }) => symbol.version },
     mask: { value: '3', saved: { mask: 3 }, reported: ({ symbol }) => symbol.mask },
+    eci: { value: 'never', saved: { eci: 'never' } },
     'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
     'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
     process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },

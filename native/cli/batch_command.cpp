@@ -8,18 +8,26 @@
 #include <set>
 
 #include "base/clock.h"
+#include "base/unicode.h"
 #include "batch/batch_layout.h"
 #include "batch/batch_progress.h"
 #include "batch/manifest.h"
 #include "cli/batch_run.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/shard_flags.h"
+#include "cli/unused_flags.h"
+#include "io/sniff_format.h"
+#include "message_codes/batch.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/text_lines.h"
 
 namespace qrelief {
 namespace {
+
+constexpr std::size_t kMostNumber = 1'000'000'000'000;  // of a row
 
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
   if (path == "-") return readText(std::cin, kMostLineBytes);
@@ -30,7 +38,7 @@ Result<std::vector<std::uint8_t>> readList(const std::string& path) {
 
 /// Returns the rows of the list, or the rows that --count numbers.
 Result<BatchList> listOf(const BatchOptions& options) {
-  if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message("batch-list-or-count"));
+  if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message<"batch-list-or-count">());
   if (options.count > 0) return countedBatchList(options.count);
   const auto bytes = readList(options.list);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -46,16 +54,19 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
 
 /// Writes the manifest of all rows and prints a summary. @returns exit status
 int finish(const BatchFolder& folder, const BatchPlan& plan) {
-  BatchProgress progress({.rows = plan.size()});
+  const BatchLayout layout = {.rows = plan.size(), .firstNumber = plan.firstNumber()};
+  BatchProgress progress(layout);
   const Status read = folder.forEach([&](const ManifestEntry& entry) -> Status {
     progress.note(entry);
-    if (entry.number > plan.size() || entry.status == RowStatus::Done) return {};  // from an earlier, longer list
+    // The folder may have rows of another list or series.
+    if (layout.rowOf(entry.number) >= plan.size() || entry.status == RowStatus::Done) return {};
     fmt::print(stderr, "qrelief: row {} ({}) {}: {}\n", entry.number, entry.id, rowStatusName(entry.status),
                entry.reason);
     return {};
   });
   if (!read) return printError(read.error());
-  if (const Status written = folder.writeManifest(plan.size()); !written) return printError(written.error());
+  if (const Status written = folder.writeManifest(plan.firstNumber() + plan.size() - 1); !written)
+    return printError(written.error());
   const BatchProgress::Counts counts = progress.counts();
   fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), counts.done, counts.failed, counts.waiting);
   return counts.done == plan.size() ? kEngraved : kCheckFailed;
@@ -65,13 +76,14 @@ int finish(const BatchFolder& folder, const BatchPlan& plan) {
 int merge(const BatchOptions& options, const BatchPlan& plan) {
   const auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
-  std::size_t next = 1, told = 0, lost = 0;
+  const std::size_t first = plan.firstNumber(), last = first + plan.size() - 1;
+  std::size_t next = first, told = 0, lost = 0;
   const auto tellMissing = [&](std::size_t end) {
     for (; next < end && told < BatchPlan::kMostProblems; ++next, ++told)
-      fmt::print(stderr, "qrelief: row {} ({}) is missing\n", next, plan.row(next - 1).id);
+      fmt::print(stderr, "qrelief: row {} ({}) is missing\n", next, plan.row(next - first).id);
   };
   const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
-    if (entry.number > plan.size()) return {};
+    if (entry.number < first || entry.number > last) return {};
     tellMissing(entry.number);
     next = entry.number + 1;
     if (entry.status != RowStatus::Done) return {};
@@ -83,7 +95,7 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
     return {};
   });
   if (!read) return printError(read.error());
-  tellMissing(plan.size() + 1);
+  tellMissing(last + 1);
   const std::vector<std::size_t> doubles = folder->doubles();
   for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: two shares made row {}\n", number);
   const int status = finish(*folder, plan);
@@ -105,30 +117,99 @@ void printProgress(const std::vector<ManifestEntry>& entries, const BatchProgres
                leftMs ? fmt::format("; {} left", durationInWords(*leftMs / 1000)) : "");
 }
 
+/// Returns the first row with a model. The model's place is the one for its code, whichever share a row is in.
+std::size_t firstRowOf(const BatchPlan& plan, const std::string& model) {
+  if (!model.empty()) return plan.models().at(model);
+  std::size_t row = 0;
+  while (!plan.models().empty() && !plan.row(row).model.empty()) ++row;
+  return row;
+}
+
+/// Checks that each model that the rows need can be opened.
+int checkModels(const BatchOptions& options, const BatchPlan& plan) {
+  if (options.model.path.empty() && plan.needsModel())
+    return printError({ErrorKind::BadUsage, message<"model-missing">()});
+  if (options.perPlate > 0 && !plan.models().empty())
+    return printError({ErrorKind::BadUsage, message<"models-on-plate">()});
+  int status = kEngraved;
+  for (const auto& [model, row] : plan.models())
+    if (const auto opened = openFile(modelPath(options, model)); !opened)
+      status = printError(
+          {ErrorKind::BadInput,
+           message<"list-line">(with::count<"line">(plan.row(row).line),
+                                with::cause<"problem">(message<"row-model">(
+                                    with::quoted<"model">(model), with::cause<"problem">(opened.error().message))))},
+          options.list);
+  return status;
+}
+
+/// Files that the command reads and that lie in the output folder, by their names without capitals.
+std::map<std::string, std::string> inputsInFolder(const BatchOptions& options, const BatchPlan& plan) {
+  std::vector<std::string> inputs = {options.model.path, options.list == "-" ? "" : options.list};
+  for (const auto& [model, row] : plan.models()) inputs.push_back(modelPath(options, model));
+  std::map<std::string, std::string> inside;
+  for (const std::string& input : inputs)
+    if (!input.empty() && isSameFile(options.folder + "/" + fileNameOf(input), input))
+      inside.emplace(caseFolded(fileNameOf(input)), input);
+  return inside;
+}
+
+/// Refuses rows whose files would overwrite the model or the list.
+Status checkOverwrites(const BatchOptions& options, const BatchPlan& plan) {
+  const auto inside = inputsInFolder(options, plan);
+  if (inside.empty()) return {};
+  std::vector<std::string> names = {"manifest.jsonl", "manifest.csv"};
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const BatchRow row = plan.row(i);
+    for (const std::string& file : row.files()) names.push_back(file);
+    if (options.reports) names.push_back(row.file + ".json");
+  }
+  for (const std::string& name : names)
+    if (const auto same = inside.find(caseFolded(name)); same != inside.end())
+      return fail(ErrorKind::BadUsage,
+                  message<"output-is-input">(with::term<"output">("-o"), with::term<"path">(same->second),
+                                             with::term<"input">("this command")));
+  return {};
+}
+
+/// Checks --for and --palette against the files of the rows.
+Status checkFileFlags(const BatchOptions& options, const BatchPlan& plan) {
+  if (options.perPlate > 0) return {};
+  std::string output = plan.row(0).file;
+  for (std::size_t i = 0; i < plan.size() && formatOfName(output) != ModelFormat::ThreeMf; ++i)
+    output = plan.row(i).file;
+  return options.fileFlags.check(output);
+}
+
 int runRows(const BatchOptions& options, const GivenShard& share, const BatchRequest& request, BatchList list) {
   const BatchPlan plan = BatchPlan::make(std::move(list), request);
-  if (!plan.problems().empty()) return printProblems(plan, options.list);
   for (const Message& warning : plan.warnings()) printWarning(warning, options.list);
+  if (!plan.problems().empty()) return printProblems(plan, options.list);
   if (!plan.unusedColumns().empty())
     fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(plan.unusedColumns(), ", "));
   if (options.merge) return merge(options, plan);
+  if (const int status = checkModels(options, plan); status != kEngraved) return status;
+  if (const Status writable = checkFileFlags(options, plan); !writable) return printError(writable.error());
+  if (const Status safe = checkOverwrites(options, plan); !safe) return printError(safe.error());
   auto folder = BatchFolder::open(options.folder, share.shard);
   if (!folder) return printError(folder.error());
   if (!share.shard.isWhole())
     fmt::print(stderr, "share {} of {} ({})\n", share.shard.index, share.shard.count, share.from);
   BatchRun run(options, std::move(*folder));
-  EngraveRequest first = plan.row(0).request;
-  if (const Status prepared = run.prepare(first); !prepared) return printError(prepared.error(), options.model.path);
 
   const auto start = Clock::now();
-  const BatchLayout layout = {plan.size(), options.perPlate, options.printEvery};
+  const BatchLayout layout = {plan.size(), options.perPlate, options.printEvery, options.first};
   BatchProgress progress(layout, share.shard);
   const std::size_t mine = layout.rowsOf(share.shard);
   std::size_t passed = 0;  // rows carved now that passed
   while (const auto unit = progress.take()) {
     std::vector<BatchRow> rows;
     for (std::size_t i = layout.begin(*unit); i < layout.end(*unit); ++i) rows.push_back(plan.row(i));
-    const auto carved = run.make(std::move(rows), first, layout.plate(*unit));
+    const std::string model = rows.front().model;
+    const Status used = run.use(model, plan.row(firstRowOf(plan, model)).request);
+    if (!used && model.empty()) return printError(used.error(), options.model.path);
+    const auto carved =
+        used ? run.make(std::move(rows), layout.plate(*unit)) : run.refuse(std::move(rows), used.error().message);
     if (!carved) return printError(carved.error());
     if (carved->isNew)
       progress.settle(carved->entries);
@@ -172,17 +253,16 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     std::string text, file;
   };
   std::map<std::string, KnownRow> known;  // by each of its files
-  std::size_t next = 1;
+  std::size_t next = options.first;
   const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
     known[entry.file] = {entry.number, entry.text, entry.file};
     if (!entry.second.empty()) known[entry.second] = known[entry.file];
-    next = entry.number + 1;
+    next = std::max(next, entry.number + 1);
     return {};
   });
   if (!read) return printError(read.error());
   BatchRun run(options, std::move(*folder));
   bool hasFailed = false;
-  std::optional<EngraveRequest> placed;
   LineReader lines(std::cin, kMostLineBytes);
   for (auto line = lines.next(); line; line = lines.next()) {
     auto row = *line ? rowOf(**line, request, next, warned) : tl::unexpected(line->error());
@@ -191,7 +271,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       for (const std::string& file : row->files())
         if (same == known.end()) same = known.find(file);
     if (same != known.end() && (same->second.text != row->request.code.text || same->second.file != row->file))
-      row = badInput(message("name-taken", with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
+      row = badInput(message<"name-taken">(with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;
@@ -200,17 +280,16 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       std::cout << manifestLine(refused) << std::endl;
       continue;
     }
-    if (!placed) {
-      placed = row->request;
-      if (const Status prepared = run.prepare(*placed); !prepared)
-        return printError(prepared.error(), options.model.path);
-    }
+    if (row->model.empty() && options.model.path.empty())
+      return printError({ErrorKind::BadUsage, message<"model-missing">()});
+    const Status used = run.use(row->model, row->request);
+    if (!used && row->model.empty()) return printError(used.error(), options.model.path);
     if (same != known.end())
       row->number = same->second.number;
     else
       for (const std::string& file : row->files()) known[file] = {next, row->request.code.text, row->file};
     if (same == known.end()) ++next;
-    const auto carved = run.make({*row}, *placed);
+    const auto carved = used ? run.make({*row}) : run.refuse({*row}, used.error().message);
     if (!carved) return printError(carved.error());
     const ManifestEntry& entry = carved->entries.front();
     hasFailed |= entry.status != RowStatus::Done;
@@ -220,10 +299,11 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
 }
 
 int runBatch(const BatchOptions& options) {
-  if (const Status writable = options.fileFlags.check(); !writable) return printError(writable.error());
+  if (const Status writable = options.fileFlags.check("any.3mf"); !writable) return printError(writable.error());
   const auto all = options.flags.request();
   if (!all) return printError(all.error());
-  const BatchRequest request{*all, options.name};
+  for (const Message& unused : unusedFlags(options.flags, *all)) printWarning(unused, {});
+  const BatchRequest request{*all, options.name, options.first};
   if (options.stream) return runStream(options, request);
   const auto share = shardFrom(options.merge ? "0/1" : options.shardFlag, options.merge ? 0 : options.shards);
   if (!share) return printError(share.error());
@@ -238,8 +318,12 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   auto o = std::make_shared<BatchOptions>();
   CLI::App* c = app.add_subcommand("batch", "Engrave a different code into each copy of a model");
   addModelFlags(*c, o->model);
-  c->add_option("--list", o->list, "rows as CSV or JSON lines; - reads standard input");
+  c->get_option("MODEL")->required(false)->description(
+      fmt::format("{}; a list may name models instead, in its column model", kModelFormats));
+  c->add_option("--list", o->list, "rows as CSV or JSON; - reads standard input");
   c->add_option("--count", o->count, "number of rows, without a list; {n} in --text is the row's number");
+  c->add_option("--first", o->first, "number of the first row, for {n} and the manifest [1]")
+      ->check(CLI::Range(std::size_t{1}, kMostNumber));
   o->flags.add(
       *c, "text",
       "template; a column's name in braces is replaced, and {n:05} is the row's number in five digits [{text}]: ");
@@ -268,6 +352,10 @@ std::function<int()> addBatchCommand(CLI::App& app) {
               "read requests from standard input, one per line, and answer each with its line of the manifest");
   c->add_flag("--reports", o->reports, "also write a report for each row, as FILE.json");
   c->add_flag("--quiet", o->quiet, "do not show progress");
+  for (const char* option : {"--list", "--count", "--per-plate", "--shard", "--shards", "--merge"})
+    c->get_option("--stream")->excludes(option);
+  for (const char* option : {"--shard", "--shards", "--retry-failed"}) c->get_option("--merge")->excludes(option);
+  c->get_option("--shard")->excludes("--shards");
   o->flags.addAll(*c);
   o->fileFlags.add(*c);
   return [o] { return runBatch(*o); };

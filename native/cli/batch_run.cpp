@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/batch_run.h"
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +10,9 @@
 #include "batch/plate_layout.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
+#include "cli/unused_flags.h"
 #include "io/write_checked.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/sha256.h"
@@ -19,6 +22,8 @@
 
 namespace qrelief {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Returns everything that a row's output depends on beyond its request.
 std::string otherSettings(const BatchOptions& options) {
@@ -34,36 +39,66 @@ std::vector<std::string> hashesOf(std::vector<std::string> texts) {
 
 }  // namespace
 
-Status BatchRun::prepare(EngraveRequest& all) {
-  const auto hash = sha256OfFile(options_->model.path);
+std::string modelPath(const BatchOptions& options, const std::string& model) {
+  if (model.empty()) return options.model.path;
+  const bool isFile = !options.list.empty() && options.list != "-";
+  const fs::path folder = isFile ? fs::path(options.list).parent_path() : fs::path();
+  return (folder / model).string();  // an absolute path stays
+}
+
+Status BatchRun::use(const std::string& model, const EngraveRequest& first) {
+  if (used_ == model) return {};
+  used_.reset();
+  ModelFlags flags = options_->model;
+  flags.path = modelPath(*options_, model);
+  const auto hash = sha256OfFile(flags.path);
   if (!hash) return tl::unexpected(hash.error());
   input_ = *hash;
-  auto loaded = loadEngravable(options_->model);
+  auto loaded = loadEngravable(flags);
   if (!loaded) return tl::unexpected(loaded.error());
   partNames_ = loaded->partNames;
-  report_.fileName = fileNameOf(options_->model.path);
+  report_.fileName = fileNameOf(flags.path);
   report_.format = loaded->format;
   report_.scaleToMm = loaded->scaleToMm;
-  graphics_ = Graphics::open();
-  report_.gl = graphics_.capabilities;
+  if (!graphics_) graphics_.emplace(Graphics::open());
+  report_.gl = graphics_->capabilities;
   report_.wording = commandWording();
   report_.reader = zxingName();
-  model_ = EngravableModel::create(std::move(loaded->prepared), graphics_.pass);
+  engraver_.reset();
+  model_ = EngravableModel::create(std::move(loaded->prepared), graphics_->pass);
   auto engraver = Engraver::create(model_);
   if (!engraver) return tl::unexpected(engraver.error());
   engraver_.emplace(std::move(*engraver));
-  if (!options_->at.empty()) {
-    all.placement.centreMm = Vec3(options_->at[0], options_->at[1], options_->at[2]) * report_.scaleToMm;
-    return {};
+  hasToldMoved_ = false;
+  if (!places_.contains(model)) {
+    EngraveRequest placed = first;
+    if (!options_->at.empty())
+      placed.placement.centreMm = Vec3(options_->at[0], options_->at[1], options_->at[2]) * report_.scaleToMm;
+    else if (const Status chosen = chooseSpot(model_, placed, report_.scaleToMm, options_->quiet, stderr);
+             !chosen)  // stdout is for answers
+      return chosen;
+    places_[model] = placed.placement;
   }
-  return chooseSpot(model_, all, report_.scaleToMm, options_->quiet, stderr);  // stdout is for answers
+  used_ = model;
+  return {};
 }
 
-Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveRequest& placed,
-                                      const std::string& plate) {
+Result<BatchRun::Made> BatchRun::refuse(std::vector<BatchRow> rows, const Message& why) {
+  const BatchUnit unit = {std::move(rows), {}, isFiled(), {}, otherSettings(*options_)};
+  Made result = {pendingEntries(unit, hashesOf(rowsToHash(unit, {}))), true};
+  for (ManifestEntry& entry : result.entries) {
+    entry.status = RowStatus::Failed;
+    entry.reason = sentenceAndHint(why);
+    if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
+  }
+  return result;
+}
+
+Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const std::string& plate) {
+  const PlacementRequest& placed = places_.at(*used_);
   for (BatchRow& row : rows) {
-    row.request.placement.centreMm = placed.placement.centreMm;
-    if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
+    row.request.placement.centreMm = placed.centreMm;
+    if (!row.request.placement.direction) row.request.placement.direction = placed.direction;
   }
   const BatchUnit unit = {std::move(rows), plate, isFiled(), input_, otherSettings(*options_)};
   Made result = {pendingEntries(unit, hashesOf(rowsToHash(unit, hashesOf(matesToHash(unit))))), false};
@@ -73,7 +108,7 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const EngraveR
     if (known.isOpen(options_->retryFailed)) {
       result.isNew = true;
     } else if (known.state == EarlierRow::State::Changed) {
-      entry.reason = sentenceAndHint(message("file-changed"));
+      entry.reason = sentenceAndHint(message<"file-changed">());
       changed.push_back(entry);
     } else {
       entry = known.entry;
@@ -108,7 +143,7 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
     for (ModelObject& object :
-         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay()), row.id,
+         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
                      row.request.code.text, offsets[i]))
       objects.push_back(std::move(object));
   }
@@ -124,12 +159,13 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
 /// Carves a row, fills its entry, and writes its file if it has one. @returns an error if that fails
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
-  const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - 1);
-  EngravePlan::Options plan{.looksAtPrint = looksAtPrint};
+  const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - options_->first);
+  EngravePlan::Options plan{.looksAtPrint = looksAtPrint, .chosen = options_->flags.given()};
   if (isFiled()) plan.otherMarks = marksInColour(formatOfName(row.file));
   auto engraved = engraver_->engrave(
       row.request, [](const Progress&) {}, plan);
   if (!engraved) return engraved;
+  tellMoved(engraved->result);
   entry.details = describeRow({engraved->request, engraved->result, engraved->reading, engraved->printed,
                                engraved->verdict, millisecondsSince(start)});
   if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
@@ -152,11 +188,19 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   return engraved;
 }
 
+/// Prints once for each model that its surface lies far from --at.
+void BatchRun::tellMoved(const EngraveResult& result) {
+  if (hasToldMoved_ || options_->at.empty()) return;
+  hasToldMoved_ = true;
+  if (const auto moved = centreMoved(places_.at(*used_).centreMm, result.placement))
+    printWarning(*moved, report_.fileName);
+}
+
 /// Prints once why the contents of the model's 3MF file are lost.
 void BatchRun::tellNotKept(const std::optional<Message>& why) {
   if (!why || hasToldNotKept_) return;
   hasToldNotKept_ = true;
-  printWarning(message("3mf-not-kept", with::cause<"cause">(*why)), {});
+  printWarning(message<"3mf-not-kept">(with::cause<"cause">(*why)), {});
 }
 
 Status BatchRun::writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const {
@@ -164,6 +208,8 @@ Status BatchRun::writeReport(const BatchRow& row, const Engraved& engraved, doub
   context.printed = engraved.printed;
   context.reading = engraved.reading;
   context.verdict = engraved.verdict;
+  context.tried = engraved.tried;
+  context.delivered = engraved.attempt;
   context.askedPreset = row.request.depth.preset;
   context.totalMs = totalMs;
   return writeFileAtomically(folder_.pathOf(row.file) + ".json",

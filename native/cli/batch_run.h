@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,18 +26,23 @@ struct BatchOptions {
   FileFlags fileFlags;
   std::string list, folder, name, shardFlag;
   std::vector<double> at;
-  std::size_t count = 0, shards = 0, perPlate = 0, printEvery = 1;
+  std::size_t count = 0, first = 1, shards = 0, perPlate = 0, printEvery = 1;
   bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
 };
 
-/// Carves one process's rows of a batch into the folder. Call prepare() first.
+/// Returns the path of a row's model: relative to the list's folder. @param model  as in BatchRow::model
+std::string modelPath(const BatchOptions& options, const std::string& model);
+
+/// Carves one process's rows of a batch into the folder.
 class BatchRun {
  public:
   /// @param options  kept by reference
   BatchRun(const BatchOptions& options, BatchFolder folder) : options_(&options), folder_(std::move(folder)) {}
 
-  /// Loads the model, and finds the place that all rows share. @param all  any row's request; receives the place
-  Status prepare(EngraveRequest& all);
+  /// Loads the model of the rows that follow, unless it is loaded, and finds the place that all its rows share.
+  /// @param model  as in BatchRow::model
+  /// @param first  request of the first row with this model
+  Status use(const std::string& model, const EngraveRequest& first);
 
   /// The rows of a unit: carved now, or as they were before.
   struct Made {
@@ -44,11 +50,14 @@ class BatchRun {
     bool isNew = false;                  ///< carved now
   };
 
-  /// Carves the rows that are not done yet: a single row, or all rows of a plate. Writes their lines last.
-  /// @param placed  has the place that prepare() found
-  /// @param plate   name of the plate's file; empty: none
+  /// Carves the rows that are not done yet: a single row, or all rows of a plate. Writes their lines last. Call
+  /// use() for their model first.
+  /// @param plate  name of the plate's file; empty: none
   /// @returns an error only if nothing more can be written
-  Result<Made> make(std::vector<BatchRow> rows, const EngraveRequest& placed, const std::string& plate = {});
+  Result<Made> make(std::vector<BatchRow> rows, const std::string& plate = {});
+
+  /// Writes the lines of rows whose model cannot be used.
+  Result<Made> refuse(std::vector<BatchRow> rows, const Message& why);
 
   const BatchFolder& folder() const { return folder_; }
 
@@ -56,18 +65,21 @@ class BatchRun {
   bool isFiled() const;
   Status carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& entries);
   Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry);
+  void tellMoved(const EngraveResult& result);
   void tellNotKept(const std::optional<Message>& why);
   Status writeReport(const BatchRow& row, const Engraved& engraved, double totalMs) const;
 
   const BatchOptions* options_;
   BatchFolder folder_;
-  Graphics graphics_;  // outlives the GL objects below
+  std::optional<Graphics> graphics_;                // outlives the GL objects below
+  std::optional<std::string> used_;                 // the loaded model
+  std::map<std::string, PlacementRequest> places_;  // by model
   std::shared_ptr<const EngravableModel> model_;
   std::optional<Engraver> engraver_;
   std::vector<std::string> partNames_;
   std::string input_;     // SHA-256 of the model's file
   ReportContext report_;  // common to the reports of all rows
-  bool hasToldNotKept_ = false;
+  bool hasToldNotKept_ = false, hasToldMoved_ = false;
 };
 
 }  // namespace qrelief

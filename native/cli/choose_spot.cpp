@@ -8,6 +8,12 @@
 
 namespace qrelief {
 
+void printSpot(Vec3 centreMm, double scaleToMm, std::FILE* to) {
+  const int decimals = centreDecimals(scaleToMm);
+  const Vec3 centre = centreMm / scaleToMm;
+  fmt::print(to, "placed at {:.{}f},{:.{}f},{:.{}f}\n", centre.x, decimals, centre.y, decimals, centre.z, decimals);
+}
+
 Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet,
                   std::FILE* to) {
   const auto spot = [&] {
@@ -17,9 +23,7 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
   }();
   if (!spot) return tl::unexpected(spot.error());
   request.placement = placedAt(*spot, request.placement);
-  const int decimals = centreDecimals(scaleToMm);
-  fmt::print(to, "placed at {:.{}f},{:.{}f},{:.{}f}\n", spot->centreFileUnits.x, decimals, spot->centreFileUnits.y,
-             decimals, spot->centreFileUnits.z, decimals);
+  printSpot(spot->centreMm, scaleToMm, to);
   return {};
 }
 

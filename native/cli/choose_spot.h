@@ -8,6 +8,9 @@
 
 namespace qrelief {
 
+/// Prints the position of a spot in the file's units.
+void printSpot(Vec3 centreMm, double scaleToMm, std::FILE* to);
+
 /// Completes a request without a centre: sets the best spot for the requested size, or the spot with the largest size,
 /// and prints its position.
 /// @param scaleToMm  of the file; the position is printed in the file's units

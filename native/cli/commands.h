@@ -24,6 +24,9 @@ int printError(const Error& error, std::string_view file = {});
 /// Prints "qrelief: warning: FILE: MESSAGE" and the hint to stderr.
 void printWarning(const Message& message, std::string_view file);
 
+/// Prints "qrelief: note: MESSAGE" and the hint to stderr.
+void printNote(const Message& message);
+
 /// Returns the wording of messages in reports.
 Wording commandWording();
 
@@ -37,8 +40,10 @@ std::function<int()> addInfoCommand(CLI::App& app);
 std::function<int()> addPlaceCommand(CLI::App& app);
 std::function<int()> addVerifyCommand(CLI::App& app);
 
-/// Returns the factor from file units to mm, if one of the two options sets it; `units` is one of mm, cm, m, in or
-/// empty.
+/// Returns the names that --units takes: "mm", "in", …
+std::vector<std::string> unitNames();
+
+/// Returns the factor from file units to mm, if one of the two options sets it; `units` is one of unitNames() or empty.
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units);
 
 }  // namespace qrelief

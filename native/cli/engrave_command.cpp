@@ -7,10 +7,14 @@
 #include "cli/commands.h"
 #include "cli/file_flags.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
+#include "cli/unused_flags.h"
 #include "io/sniff_format.h"
+#include "io/write_files.h"
+#include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/engraver.h"
 #include "native/files.h"
@@ -19,6 +23,7 @@
 #include "native/zxing_decoder.h"
 #include "pipeline/carved_file.h"
 #include "pipeline/carved_objects.h"
+#include "qr/link_advice.h"
 #include "report/report.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -43,20 +48,32 @@ std::string whyNotWritable(const std::string& path) {
                                         : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
 }
 
+Status checkFiles(const EngraveOptions& options) {
+  const MarkRequest& marking = options.request.marking;
+  std::vector<FileUse> outputs;
+  for (const std::string& file : fileNames(options.output, marking.isTwoColoured() || marking.isOpen))
+    outputs.push_back({outputs.empty() ? "-o" : "the second file of -o", file});
+  outputs.push_back({"--report", options.report});
+  outputs.push_back({"--preview", options.preview});
+  const FileUse model = {"MODEL", options.model.path};
+  return checkOutputs(std::span(&model, 1), outputs);
+}
+
 Status completeRequest(EngraveOptions& options) {
   auto request = options.flags.request();
   if (!request) return tl::unexpected(request.error());
   options.request = std::move(*request);
-  if (const Status writable = options.file.check(); !writable) return writable;
+  if (const Status writable = options.file.check(options.output); !writable) return writable;
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term<"output">(options.output)));
+    return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
   if (options.request.marking.isInColour() && !isHeld)
-    return fail(ErrorKind::BadUsage, message("colour-has-no-place", with::setting<"setting">("mark"),
-                                             with::term<"mark">(markName(options.request.marking.mark)),
-                                             with::term<"output">(options.output)));
-  if (!isHeld) return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term<"output">(options.output)));
-  return {};
+    return fail(ErrorKind::BadUsage,
+                message<"colour-has-no-place">(with::setting<"setting">("mark"),
+                                               with::term<"mark">(markName(options.request.marking.mark)),
+                                               with::term<"output">(options.output)));
+  if (!isHeld) return fail(ErrorKind::BadUsage, message<"inlay-is-for-3mf">(with::term<"output">(options.output)));
+  return checkFiles(options);
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
@@ -65,7 +82,7 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
   const auto encoded = encodeCarved(model.prepared, result, options.output, partNames,
                                     options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
   if (!encoded) return tl::unexpected(encoded.error());
-  if (encoded->notKept) printWarning(message("3mf-not-kept", with::cause<"cause">(*encoded->notKept)), {});
+  if (encoded->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded->notKept)), {});
   for (const NamedFile& file : encoded->files)
     if (const Status written = writeFileAtomically(file.name, file.bytes); !written) return written;
   if (!options.preview.empty()) {
@@ -89,30 +106,36 @@ std::string depthInWords(const EngraveResult& result) {
 void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
   fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
              result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
-  if (result.limitedSubmodules > 0)
-    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n",
-               result.limitedSubmodules);
+  if (const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules; atLimit > 0)
+    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
-  for (const Message& warning : context.verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
+    for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
     const bool foundOut = aspect == &context.verdict.prints && context.printed;
-    if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;
+    if (!foundOut && (aspect->level == Level::Good || !aspect->passed())) continue;
     fmt::print("{}\n", sentence(aspect->summary));
     for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
   }
 }
 
 /// Prints what was carved instead, if the code could not be carved or did not decode as requested.
-void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
-  if (carved.marking.mark != asked.marking.mark)
-    fmt::print("made as {}: as a shadow, the code or its print did not decode reliably\n",
-               markName(carved.marking.mark));
-  else if (carved.depth.preset != asked.depth.preset)
-    fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
-               presetName(carved.depth.preset), presetName(asked.depth.preset));
-  else if (carved != asked)
-    fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
+void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
+  constexpr const char* kNot = "the code or its print did not decode reliably";
+  std::string flags;
+  for (const SettingChange& change : carved.tried[static_cast<std::size_t>(carved.attempt)].changes) {
+    if (change.setting == "mark")
+      fmt::print("made as {}: as a shadow, {}\n", change.value, kNot);
+    else if (change.setting == "preset")
+      fmt::print("engraved with preset {}: with {}, {}\n", change.value, presetName(asked.depth.preset), kNot);
+    else if (change.setting == "carveFor")
+      fmt::print(
+          "engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
+    else
+      flags += fmt::format(" {} {}", flagOf(change.setting), change.value);
+  }
+  if (!flags.empty()) fmt::print("engraved with{}: as asked, {}\n", flags, kNot);
 }
 
 /// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
@@ -130,9 +153,22 @@ Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, c
   return {};
 }
 
+/// Prints advice on the text before it is carved.
+void tellOfText(const EngraveOptions& options) {
+  const CodeRequest& code = options.request.code;
+  for (const TextAdvice& advice : adviseText(code.text))
+    if (advice.severity == TextAdvice::Severity::Warning)
+      printWarning(advice.message, {});
+    else if (!options.quiet)
+      printNote(advice.message);
+  if (const auto smaller = adviseCapitals(code.text, code.symbol); smaller && !options.quiet) printNote(*smaller);
+}
+
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  for (const Message& unused : unusedFlags(options.flags, options.request)) printWarning(unused, {});
+  tellOfText(options);
   ReportContext context;
   context.fileName = fileNameOf(options.model.path);
   auto input = loadEngravable(options.model);
@@ -149,23 +185,24 @@ int engraveModel(EngraveOptions& options) {
   const auto model = EngravableModel::create(std::move(input->prepared), graphics.pass);
   context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
-  const auto choosing = Clock::now();
-  if (options.at.empty()) {
-    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet, stdout); !chosen)
-      return printError(chosen.error(), context.fileName);
-    context.spotMs = millisecondsSince(choosing);
-  }
   const auto engraver = Engraver::create(model);
   if (!engraver) return printError(engraver.error());
   const EngraveRequest asked = options.request;
   auto carved = [&] {
     ProgressBar bar(options.quiet);
     return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); },
-                             {.otherMarks = marksInColour(formatOfName(options.output))});
+                             {.mayMove = options.at.empty(),
+                              .offersMarks = true,
+                              .chosen = options.flags.given(),
+                              .otherMarks = marksInColour(formatOfName(options.output))});
   }();
   if (!carved) return printError(carved.error(), context.fileName);
   options.request = carved->request;
-  tellWhatWasCarved(asked, carved->request);
+  if (options.at.empty()) printSpot(options.request.placement.centreMm, input->scaleToMm, stdout);
+  tellWhatWasCarved(asked, *carved);
+  context.tried = carved->tried;
+  context.delivered = carved->attempt;
+  context.spotMs = carved->spotMs;
   const EngraveResult& result = carved->result;
   context.printed = carved->printed;
   context.reading = carved->reading;
@@ -177,6 +214,9 @@ int engraveModel(EngraveOptions& options) {
   if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
+  if (!options.at.empty())
+    if (const auto moved = centreMoved(asked.placement.centreMm, result.placement))
+      printWarning(*moved, context.fileName);
   if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
     if (const Status tried = tryOtherPrints(*engraver, options, result); !tried) return printError(tried.error());
   return printFailed(context.verdict);

@@ -5,7 +5,10 @@
 #include <map>
 
 #include "io/slicer_names.h"
+#include "io/sniff_format.h"
 #include "io/write_3mf.h"
+#include "message_codes/command.h"
+#include "message_codes/files.h"
 
 namespace qrelief {
 
@@ -21,8 +24,10 @@ void FileFlags::add(CLI::App& command) {
                    "wrote it");
 }
 
-Status FileFlags::check() const {
-  if (palette_ && !hasPalette(slicer_)) return fail(ErrorKind::BadUsage, message("write-no-palette"));
+Status FileFlags::check(const std::string& output) const {
+  if (palette_ && !hasPalette(slicer_)) return fail(ErrorKind::BadUsage, message<"write-no-palette">());
+  if (slicer_ != Slicer::Any && formatOfName(output) != ModelFormat::ThreeMf)
+    return fail(ErrorKind::BadUsage, message<"slicer-is-for-3mf">(with::term<"output">(output)));
   return {};
 }
 

@@ -13,8 +13,9 @@ class FileFlags {
  public:
   /// FileFlags must outlive the parsing.
   void add(CLI::App& command);
-  /// @returns BadUsage for a palette in files of a program that reads none
-  Status check() const;
+  /// @param output  name of a file that will be written
+  /// @returns BadUsage for a palette in files of a program that reads none, or for a slicer without a 3MF file
+  Status check(const std::string& output) const;
   WriteOptions writeOptions(const std::string& title, bool ascii = false) const;
   /// Returns the flags as text, to be hashed.
   std::string text() const;

@@ -5,6 +5,7 @@
 #include "base/message_json.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 
@@ -37,8 +38,27 @@ Json jsonOf(const Finding& finding) {
           {"values", jsonOf(finding.message)["values"]}};
 }
 
+/// Lists the bodies, with their names and numbers of triangles.
+Json bodiesOf(const PreparedModel& model) {
+  const std::vector<std::size_t> triangles = model.bodySizes();
+  Json bodies = Json::array();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    bodies.push_back({{"name", model.bodies[b].name}, {"triangles", triangles[b]}});
+  return bodies;
+}
+
+void printBodies(const Json& bodies) {
+  constexpr std::size_t kMostPrinted = 20;
+  for (std::size_t b = 0; b < std::min(bodies.size(), kMostPrinted); ++b)
+    fmt::print("body {}: {}{} triangles\n", b + 1,
+               bodies[b]["name"].get<std::string>().empty() ? "" : bodies[b]["name"].get<std::string>() + ", ",
+               bodies[b]["triangles"].get<std::size_t>());
+  if (bodies.size() > kMostPrinted) fmt::print("and {} more bodies\n", bodies.size() - kMostPrinted);
+}
+
 int describe(const InfoOptions& options) {
   const std::string name = fileNameOf(options.model.path);
+  if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const auto input = loadModel(options.model);
   if (!input) return printError(input.error(), name);
   const PreparedModel& model = input->prepared;
@@ -51,6 +71,7 @@ int describe(const InfoOptions& options) {
                {"triangles", model.mesh.triangles.size()},
                {"vertices", model.mesh.positions.size()},
                {"shells", model.shells},
+               {"bodies", bodiesOf(model)},
                {"scaleToMm", input->scaleToMm},
                {"sizeMm", {size.x, size.y, size.z}},
                {"minMm", {box.min.x, box.min.y, box.min.z}},
@@ -63,6 +84,7 @@ int describe(const InfoOptions& options) {
   fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format, model.mesh.triangles.size(),
              model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
+  if (model.bodies.size() > 1) printBodies(json["bodies"]);
   for (const Message& warning : input->warnings) fmt::print("warning: {}\n", sentence(warning));
   for (const Finding& finding : model.findings) {
     json["findings"].push_back(jsonOf(finding));
@@ -71,7 +93,9 @@ int describe(const InfoOptions& options) {
   }
   fmt::print("{}\n", engravable ? "closed solid: ready to engrave" : "not a closed solid: repair it before engraving");
   if (!options.json.empty())
-    if (const Status written = writeFileAtomically(options.json, json.dump(2) + "\n"); !written)
+    if (const Status written =
+            writeFileAtomically(options.json, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        !written)
       return printError(written.error());
   return kEngraved;
 }

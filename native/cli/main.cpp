@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <new>
 
+#include "base/version.h"
 #include "cli/commands.h"
+#include "message_codes/model.h"
 #include "messages/sentences.h"
 
 namespace qrelief {
@@ -26,6 +28,12 @@ int exitStatusOf(ErrorKind code) {
 
 namespace {
 
+struct FileUnit {
+  const char* name;
+  double mm;
+};
+constexpr FileUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"ft", 304.8}, {"um", 0.001}};
+
 void print(const char* severity, std::string_view file, const Message& message) {
   fmt::print(stderr, "qrelief: {}: {}{}{}\n", severity, file, file.empty() ? "" : ": ", sentence(message));
   if (const std::string helps = hint(message); !helps.empty()) fmt::print(stderr, "  hint: {}\n", helps);
@@ -40,23 +48,46 @@ int printError(const Error& error, std::string_view file) {
 
 void printWarning(const Message& message, std::string_view file) { print("warning", file, message); }
 
+void printNote(const Message& message) { print("note", {}, message); }
+
 Wording commandWording() {
   return {[](const Message& message) { return sentence(message); },
           [](const Message& message) { return hint(message); }};
 }
+
+namespace {
+
+/// Returns a remedy's change as a flag, in brackets; empty if it changes no setting.
+std::string changeInFlags(const Remedy& remedy) {
+  if (remedy.setting.empty()) return {};
+  if (remedy.value.empty()) return fmt::format(" (without {})", flagOf(remedy.setting));
+  return fmt::format(" ({} {})", flagOf(remedy.setting), remedy.value);
+}
+
+}  // namespace
 
 int printFailed(const Verdict& verdict) {
   for (const Message& failure : verdict.failed()) {
     fmt::print(stderr, "qrelief: check failed: {}\n", sentence(failure));
     if (const std::string helps = hint(failure); !helps.empty()) fmt::print(stderr, "  hint: {}\n", helps);
   }
+  for (const Aspect* aspect : {&verdict.solid, &verdict.reads, &verdict.prints})
+    for (const Remedy& remedy : aspect->passed() ? std::vector<Remedy>() : aspect->remedies)
+      fmt::print(stderr, "  may help: {}{}\n", sentence(remedy.message), changeInFlags(remedy));
   return verdict.passed() ? kEngraved : kCheckFailed;
 }
 
+std::vector<std::string> unitNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, mm] : kUnits) names.emplace_back(name);
+  return names;
+}
+
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
-  if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
+  for (const auto& [name, mm] : kUnits)
+    if (units == name) return mm;
   if (scale && !(*scale > 0 && *scale < 1e12))
-    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number<"scale">(*scale)));
+    return fail(ErrorKind::BadUsage, message<"scale-not-positive">(with::number<"scale">(*scale)));
   return scale;
 }
 
@@ -64,7 +95,7 @@ namespace {
 
 int run(int argc, char** argv) {
   CLI::App app("Engraves a QR code into a 3D model, just deep enough for a phone to read it by its shadow.", "qrelief");
-  app.set_version_flag("--version", "qrelief " QRELIEF_VERSION);
+  app.set_version_flag("--version", std::string("qrelief ") + kVersion);
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);
   const auto engraveList = addBatchCommand(app);

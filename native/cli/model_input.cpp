@@ -10,8 +10,7 @@ namespace qrelief {
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
   command.add_option("MODEL", flags.path, kModelFormats)->required();
   command.add_option("--scale", flags.scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  command.add_option("--units", flags.units, "unit of the file; replaces --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  command.add_option("--units", flags.units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
   addRepairFlags(command, flags.repair);
 }
 

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
+#include "base/version.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "generate/command_settings.h"
@@ -56,12 +58,12 @@ Status completeRequest(PlaceOptions& options) {
   return {};
 }
 
-Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles,
+Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles, std::span<const Body> bodies,
               const SpotSearchResult& result) {
   const SpotSearchRequest& request = options.request;
   const bool isFixed = request.placement.sizeMode == SizeMode::Fixed;
   Json json;
-  json["qrelief"] = QRELIEF_VERSION;
+  json["qrelief"] = kVersion;
   json["input"] = {{"file", fileNameOf(options.model.path)},
                    {"format", input.format},
                    {"triangles", triangles},
@@ -87,6 +89,8 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
   for (const Spot& spot : result.spots)
     json["spots"].push_back({{"centre", triple(spot.centreFileUnits)},
                              {"centreMm", triple(spot.centreMm)},
+                             {"body", spot.body + 1},
+                             {"bodyName", bodies[spot.body].name},
                              {"direction", triple(spot.direction)},
                              {"needsDirection", spot.needsDirection},
                              {"facesDown", spot.facesDown},
@@ -102,7 +106,10 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
   return json;
 }
 
-void printSpots(const SpotSearchResult& result, double scaleToMm) {
+/// Returns the name of a body, to follow its number; empty if it has none.
+std::string quotedName(const Body& body) { return body.name.empty() ? "" : fmt::format(" (\"{}\")", body.name); }
+
+void printSpots(const SpotSearchResult& result, std::span<const Body> bodies, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const Spot& spot = result.spots[i];
     fmt::print(
@@ -113,6 +120,8 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
         spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
         std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
         std::floor(spot.aimToleranceDeg));
+    if (bodies.size() > 1)
+      fmt::print("   on body {} of {}{}\n", spot.body + 1, bodies.size(), quotedName(bodies[spot.body]));
     if (spot.colourLayers > 0) fmt::print("   about {} layers with both colours\n", spot.colourLayers);
     for (const Message& concern : spot.concerns) fmt::print("   {}\n", sentenceAndHint(concern));
   }
@@ -121,6 +130,7 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
 int findSpots(PlaceOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const std::string file = fileNameOf(options.model.path);
   auto input = loadEngravable(options.model);
   if (!input) return printError(input.error(), file);
@@ -134,12 +144,12 @@ int findSpots(PlaceOptions& options) {
   if (!job) return printError(job.error(), file);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
   const SpotSearchResult result = (*job)->takeResult();
-  printSpots(result, input->scaleToMm);
+  printSpots(result, model->prepared.bodies, input->scaleToMm);
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: found {} of {} spots\n", file, result.spots.size(),
                options.request.count);
   if (options.json.empty()) return kEngraved;
-  Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
+  Json json = describe(options, *input, model->prepared.mesh.triangles.size(), model->prepared.bodies, result);
   json["timingsMs"] = {
       {"prepare", prepareMs}, {"place", millisecondsSince(placing)}, {"total", millisecondsSince(start)}};
   // A file name that is not UTF-8 must not lose the report.

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "message_codes/command.h"
+
 namespace qrelief {
 namespace {
 
@@ -17,7 +19,7 @@ Result<std::optional<double>> millimetresOrAuto(const std::string& text, const c
   } catch (const std::exception&) {
   }
   return fail(ErrorKind::BadUsage,
-              message("tolerance-not-a-length", with::term<"option">(option), with::quoted<"given">(text)));
+              message<"tolerance-not-a-length">(with::term<"option">(option), with::quoted<"given">(text)));
 }
 
 }  // namespace

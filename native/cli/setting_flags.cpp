@@ -98,6 +98,13 @@ bool SettingFlags::isGiven(std::string_view key) const {
   return flag && flag->option->count() > 0;
 }
 
+std::vector<std::string> SettingFlags::given() const {
+  std::vector<std::string> keys;
+  for (const Flag& flag : flags_)
+    if (flag.option->count() > 0) keys.push_back(flag.setting->key);
+  return keys;
+}
+
 Result<SettingValue> SettingFlags::value(std::string_view key) const {
   const Setting& setting = *findSetting(key);
   if (!isGiven(key)) return setting.read(defaultRequest());

@@ -26,6 +26,9 @@ class SettingFlags {
 
   bool isGiven(std::string_view key) const;
 
+  /// Returns the keys of the given settings.
+  std::vector<std::string> given() const;
+
   /// Returns the given value, or the default. @returns BadUsage for a value that is invalid or out of its range
   Result<SettingValue> value(std::string_view key) const;
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "message_codes/command.h"
+
 namespace qrelief {
 namespace {
 
@@ -17,8 +19,8 @@ std::string variable(const char* name) {
 Result<GivenShard> shardOf(const std::string& index, const std::string& first, const std::string& count,
                            const char* from) {
   const auto unknown = [&] {
-    return fail(ErrorKind::BadUsage, message("shard-unknown", with::quoted<"shard">(fmt::format("{}/{}", index, count)),
-                                             with::term<"from">(from)));
+    return fail(ErrorKind::BadUsage, message<"shard-unknown">(with::quoted<"shard">(fmt::format("{}/{}", index, count)),
+                                                              with::term<"from">(from)));
   };
   try {
     const auto shard = Shard::parse(fmt::format("{}/{}", std::stoll(index) - std::stoll(first), std::stoll(count)));
@@ -36,7 +38,7 @@ Result<GivenShard> shardFrom(const std::string& flag, std::size_t shards) {
     const auto shard = Shard::parse(flag);
     if (!shard)
       return fail(ErrorKind::BadUsage,
-                  message("shard-unknown", with::quoted<"shard">(flag), with::term<"from">("--shard")));
+                  message<"shard-unknown">(with::quoted<"shard">(flag), with::term<"from">("--shard")));
     return GivenShard{*shard, "--shard"};
   }
   const auto counted = [&](const char* name) { return shards > 0 ? std::to_string(shards) : variable(name); };
@@ -47,7 +49,7 @@ Result<GivenShard> shardFrom(const std::string& flag, std::size_t shards) {
     return shardOf(index, "0", counted("AWS_BATCH_JOB_ARRAY_SIZE"), "AWS_BATCH_JOB_ARRAY_INDEX");
   if (const std::string index = variable("JOB_COMPLETION_INDEX"); !index.empty() && shards > 0)
     return shardOf(index, "0", std::to_string(shards), "JOB_COMPLETION_INDEX");
-  if (shards > 1) return fail(ErrorKind::BadUsage, message("shards-without-index"));
+  if (shards > 1) return fail(ErrorKind::BadUsage, message<"shards-without-index">());
   return GivenShard{};
 }
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
+#include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
 #include "generate/command_settings.h"
 #include "io/read_model.h"
+#include "message_codes/command.h"
+#include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/read_carving.h"
@@ -31,7 +35,7 @@ struct VerifyOptions {
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
   if (settings.code.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
-    return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
+    return fail(ErrorKind::BadUsage, message<"verify-place-unknown">());
   VerifyRequest request;
   request.text = settings.code.text;
   request.symbolMm = place.sizeMm;
@@ -53,7 +57,30 @@ Result<VerifyRequest> requestFromFile(const std::string& report) {
   return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
+/// Refuses flags whose values a report gives.
+Status checkFlags(const VerifyOptions& options) {
+  if (options.report.empty()) return {};
+  if (!options.at.empty()) return fail(ErrorKind::BadUsage, message<"report-gives-it">(with::term<"option">("--at")));
+  const auto isAmong = [](const auto& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  for (const std::string& key : options.flags.given()) {
+    const bool isOfPlace = isAmong(kVerifyPlaceKeys, key) || isAmong(kVerifyMarkKeys, key);
+    if (isOfPlace || findSetting(key)->group == kVerifyGroups[0])
+      return fail(ErrorKind::BadUsage, message<"report-gives-it">(with::setting<"option">(key)));
+  }
+  return {};
+}
+
+Status checkFiles(const VerifyOptions& options) {
+  const FileUse inputs[] = {{"MODEL", options.path}, {"--report", options.report}};
+  const FileUse output = {"--json", options.json};
+  return checkOutputs(inputs, std::span(&output, 1));
+}
+
 Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
+  if (const Status good = checkFlags(options); !good) return tl::unexpected(good.error());
+  if (const Status good = checkFiles(options); !good) return tl::unexpected(good.error());
   const auto settings = options.flags.request();
   if (!settings) return tl::unexpected(settings.error());
   auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
@@ -63,9 +90,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
   if (settings->depth.lights.size() > 1)
-    return fail(ErrorKind::BadUsage,
-                message("setting-too-many", with::setting<"setting">("light"),
-                        with::count<"count">(settings->depth.lights.size()), with::count<"max">(1)));
+    return fail(ErrorKind::BadUsage, message<"setting-too-many">(with::setting<"setting">("light"),
+                                                                 with::count<"count">(settings->depth.lights.size()),
+                                                                 with::count<"max">(1)));
   if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
   return request;
 }
@@ -174,8 +201,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
   c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
   c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  c->add_option("--units", o->units, "unit of the file; replaces --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
   c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);

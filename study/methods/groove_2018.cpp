@@ -99,7 +99,7 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
       code.ownEstimate[k] /= open;
       if (code.ownEstimate[k] <= 1 - options.contrast) continue;
       const bool isAtLimit = wantedMm[dark[k]] >= limitMm[dark[k]];
-      code.limited += isAtLimit;
+      code.limited += isAtLimit || code.passes == options.maxPasses;
       if (isAtLimit) continue;
       control[dark[k]] += stepMm;
       deepened = true;

@@ -172,7 +172,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
       double& depth = code.depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
       deepened = deepened || deeper > depth;
-      code.limited += deeper <= depth;
+      code.limited += deeper <= depth || code.passes == options.maxPasses;
       depth = std::max(depth, deeper);
     }
   }

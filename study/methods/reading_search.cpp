@@ -138,17 +138,29 @@ double ReadingSearch::doneFraction() const {
   return pockets_.empty() ? 1 : static_cast<double>(done) / static_cast<double>(pockets_.size());
 }
 
-std::size_t ReadingSearch::limitedCount() const {
+template <class Counts>
+std::size_t ReadingSearch::submodulesOf(const Counts& counts) const {
   std::size_t count = 0;
   const int m = target_.symbol->size;
   for (const Pocket& pocket : pockets_) {
-    if (!pocket.limited) continue;
+    if (!counts(pocket)) continue;
     const int row = static_cast<int>(pocket.module) / m, column = static_cast<int>(pocket.module) % m;
     for (int k = 0; k < kN * kN; ++k)
       count +=
           target_.mask->carved[static_cast<std::size_t>((row * kN + k / kN) * depths_.size + column * kN + k % kN)];
   }
   return count;
+}
+
+std::size_t ReadingSearch::limitedCount() const {
+  return submodulesOf([](const Pocket& pocket) { return pocket.limited; }) + unfinishedCount();
+}
+
+std::size_t ReadingSearch::unfinishedCount() const {
+  if (!finished_) return 0;
+  return submodulesOf([&](const Pocket& pocket) {
+    return !pocket.done && !pocket.limited && contrast_[pocket.module] < pocket.wanted;
+  });
 }
 
 }  // namespace qrelief::study

@@ -38,6 +38,7 @@ class ReadingSearch final : public DepthSolver {
   double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
+  std::size_t unfinishedCount() const override;
   /// Returns the last measured contrast of each dark module, row-major; 0 for light ones.
   const std::vector<double>& contrasts() const { return contrast_; }
 
@@ -53,6 +54,8 @@ class ReadingSearch final : public DepthSolver {
     bool done = false, limited = false;
   };
 
+  template <class Counts>
+  std::size_t submodulesOf(const Counts& counts) const;
   void carve(const Pocket& pocket);
   void deepen(Pocket& pocket, double contrast);
 

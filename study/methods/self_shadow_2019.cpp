@@ -86,7 +86,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
       double& depth = code.depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
       deepened = deepened || deeper > depth;
-      code.limited += deeper <= depth;
+      code.limited += deeper <= depth || code.passes == options.maxPasses;
       depth = std::max(depth, deeper);
     }
   }

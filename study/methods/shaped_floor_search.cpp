@@ -133,6 +133,13 @@ std::size_t ShapedFloorSearch::limitedCount() const {
   std::size_t count = 0;
   for (const Floor& floor : floors_)
     if (floor.state == State::Limited) count += floor.steps.size();
+  return count + unfinishedCount();
+}
+
+std::size_t ShapedFloorSearch::unfinishedCount() const {
+  std::size_t count = 0;
+  for (const Floor& floor : floors_)
+    if (finished_ && floor.state == State::TooBright) count += floor.steps.size();
   return count;
 }
 

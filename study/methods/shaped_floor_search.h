@@ -59,6 +59,7 @@ class ShapedFloorSearch final : public DepthSolver {
   double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
+  std::size_t unfinishedCount() const override;
   /// Returns the last measured contrast of each dark module's floor, row-major; 0 for light ones.
   const std::vector<double>& contrasts() const { return contrast_; }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "message_codes/text.h"
+
 namespace qrelief {
 namespace {
 
@@ -27,7 +29,7 @@ TEST(MessageJson, WritesTheKindOfEachValue) {
   EXPECT_EQ(valueOf(with::setting<"n">("minWallMm")), Json({{"setting", "minWallMm"}}));
   EXPECT_EQ(valueOf(with::choice<"n">("ecc", "L")), Json({{"choice", {{"key", "ecc"}, {"value", "L"}}}}));
   EXPECT_EQ(valueOf(with::indices<"n">({4, 2})), Json({{"indices", {4.0, 2.0}}}));
-  EXPECT_EQ(valueOf(with::cause<"n">(message("text-empty"))),
+  EXPECT_EQ(valueOf(with::cause<"n">(message<"text-empty">())),
             Json({{"cause", {{"code", "text-empty"}, {"values", Json::object()}}}}));
 }
 

@@ -31,6 +31,15 @@ TEST(BatchLayout, CountsTheRowsOfAShare) {
   EXPECT_EQ(layout.rowsOf({1, 2}), 3u);
 }
 
+TEST(BatchLayout, ASeriesNamesPlatesByTheirFirstRow) {
+  const BatchLayout layout = {.rows = 5, .perPlate = 2, .firstNumber = 1001};
+  EXPECT_EQ(layout.plate(0), "plate-1001.3mf");
+  EXPECT_EQ(layout.plate(2), "plate-1005.3mf");
+  EXPECT_EQ(layout.rowOf(1001), 0u);
+  EXPECT_EQ(layout.rowOf(1005), 4u);
+  EXPECT_EQ(layout.rowOf(7), layout.rows) << "a row of another series";
+}
+
 TEST(BatchLayout, PrintsEveryNthRowFromTheFirst) {
   const BatchLayout layout = {.rows = 7, .printEvery = 3};
   std::vector<std::size_t> printed;

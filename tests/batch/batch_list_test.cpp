@@ -65,6 +65,67 @@ TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {
   EXPECT_EQ(list->line(1), 3u);
 }
 
+TEST(BatchList, JsonNumbersKeepTheirCharacters) {
+  const auto list = read(R"({"iccid": 89490200001234567890, "gtin": 4006381333931, "x": 1.50, "y": 1e3, "z": -0.0})");
+  ASSERT_TRUE(list) << list.error().message;
+  EXPECT_THAT(row(list, 0), ElementsAre("89490200001234567890", "4006381333931", "1.50", "1e3", "-0.0"));
+}
+
+TEST(BatchList, ReadsAnArrayOfObjects) {
+  const auto list = read("[{\"id\":\"A1\",\"text\":\"a ] , \\\" }\"},\n {\"id\":\"A2\",\n  \"text\":[1, 2.50]}\n]\n");
+  ASSERT_TRUE(list) << list.error().message.code;
+  EXPECT_THAT(list->columns(), ElementsAre("id", "text"));
+  EXPECT_THAT(row(list, 0), ElementsAre("A1", "a ] , \" }"));
+  EXPECT_THAT(row(list, 1), ElementsAre("A2", "1,2.50"));
+  EXPECT_EQ(list->line(0), 1u);
+  EXPECT_EQ(list->line(1), 2u);
+}
+
+TEST(BatchList, ReadsTheSeparatorThatAFirstLineNames) {
+  for (const std::string separator : {",", ";", "\t", "|", ":"}) {
+    const auto list = read("\xEF\xBB\xBFsep=" + separator + "\r\nid" + separator + "text\r\n1" + separator + "a b\r\n");
+    ASSERT_TRUE(list) << list.error().message.code;
+    EXPECT_THAT(list->columns(), ElementsAre("id", "text"));
+    EXPECT_THAT(row(list, 0), ElementsAre("1", "a b"));
+    EXPECT_EQ(list->line(0), 3u);
+  }
+  EXPECT_THAT(read("sep=x\na\n")->columns(), ElementsAre("sep=x")) << "a name";
+}
+
+TEST(BatchList, IgnoresEmptyColumnsWithoutANameAndBars) {
+  const auto trailing = read("id;text;;\r\nA1;a;;\r\nA2;b\r\nA3;c;;;;\r\n");
+  ASSERT_TRUE(trailing) << trailing.error().message.code;
+  EXPECT_THAT(trailing->columns(), ElementsAre("id", "text"));
+  EXPECT_THAT(row(trailing, 1), ElementsAre("A2", "b"));
+  EXPECT_THAT(row(trailing, 2), ElementsAre("A3", "c"));
+  const auto within = read("id,,text\n1,,a\n");
+  ASSERT_TRUE(within) << within.error().message.code;
+  EXPECT_THAT(row(within, 0), ElementsAre("1", "a"));
+  EXPECT_THAT(row(read("id|text\n1|a,b\n"), 0), ElementsAre("1", "a,b"));
+}
+
+TEST(BatchList, FindsColumnsWhateverTheirCapitalsAndUnseenSpaces) {
+  const auto list = read("ID,\u00A0Text\u200B,GR\u00D6SSE\n1,a,5\n");
+  ASSERT_TRUE(list) << list.error().message.code;
+  EXPECT_EQ(list->find("id"), 0u);
+  EXPECT_EQ(list->find("text"), 1u);
+  EXPECT_EQ(list->find("gr\u00F6\u00DFe"), 2u);
+  EXPECT_EQ(list->find("label"), std::nullopt);
+}
+
+TEST(BatchList, ReadsUtf16AsExcelWritesUnicodeText) {
+  for (const bool isBigEndian : {false, true}) {
+    std::string wide;
+    for (const char16_t c : std::u16string(u"\uFEFFid\ttext\r\n7\tZ\u00FCrich\r\n")) {
+      const char low = static_cast<char>(c & 0xFF), high = static_cast<char>(c >> 8);
+      wide += isBigEndian ? std::string{high, low} : std::string{low, high};
+    }
+    const auto list = read(wide);
+    ASSERT_TRUE(list) << list.error().message.code;
+    EXPECT_THAT(row(list, 0), ElementsAre("7", "Z\u00FCrich"));
+  }
+}
+
 TEST(BatchList, ReadsBackAHundredThousandRows) {
   std::string text = "id,text\n";
   for (int i = 0; i < 100000; ++i) text += std::to_string(i) + ",https://example.org/" + std::to_string(i) + "\n";
@@ -111,8 +172,8 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"a mark alone", "\xEF\xBB\xBF", "list-no-rows"},
       {"blank lines", "\n\n  \n", "list-no-rows"},
       {"names alone", "id,text\n", "list-no-rows"},
-      {"UTF-16", "\xFF\xFEi\0d\0\n\0"s, "list-encoding"},
-      {"UTF-16, other end", "\xFE\xFF\0i\0d\0\n"s, "list-encoding"},
+      {"UTF-16, cut off", "\xFF\xFEi\0d\0\n\0x"s, "list-encoding"},
+      {"UTF-16 with half a pair", "\xFF\xFEi\0d\0\n\0\0\xD8"s, "list-encoding"},
       {"a workbook", "PK\x03\x04 and more", "list-spreadsheet"},
       {"an old workbook", "\xD0\xCF\x11\xE0 and more", "list-spreadsheet"},
       {"Latin-1", "id,text\n1,caf\xE9\n", "list-no-utf8", 2},
@@ -122,7 +183,9 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"an open quotation", "id,text\n1,\"abc\n2,def\n", "list-quote-open", 2},
       {"a quotation mark within", "id,text\n1,a\"b\n", "list-quote", 2},
       {"text behind a quotation", "id,text\n1,\"a\"b\n", "list-quote", 2},
-      {"an unnamed column", "id,,text\n1,2,3\n", "list-column-unnamed"},
+      {"an unnamed column", "id,,text\n1,2,3\n", "list-column-unnamed", 2},
+      {"a cell beyond the names", "id,text,\n1,a,b\n", "list-column-unnamed", 2},
+      {"two columns of one name but for capitals", "text,TEXT\n1,2\n", "list-column-twice"},
       {"two columns of one name", "text,text\n1,2\n", "list-column-twice"},
       {"too many cells", "id,text\n1,a,b\n", "list-row-length", 2},
       {"too few cells", "id,text\n1,a\n2\n", "list-row-length", 3},
@@ -143,7 +206,13 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"very many columns", names(kMostColumns + 1) + "\n", "list-too-many-columns"},
       {"very many keys", "{" + keys(0, kMostColumns + 1) + "}\n", "list-too-many-columns"},
       {"new keys in every line", "{" + keys(0, 600) + "}\n{" + keys(600, 600) + "}\n", "list-too-many-columns"},
-      {"a key without name", "{\"\": \"a\"}\n", "list-column-unnamed"},
+      {"a key without name", "{\"\": \"a\"}\n", "list-column-unnamed", 1},
+      {"an array that does not end", "[{\"text\": \"a\"}\n", "list-array", 2},
+      {"an array of texts", "[\"a\",\n\"b\"]", "list-no-object", 1},
+      {"an array with text behind it", "[{\"text\": \"a\"}]\nmore", "list-array", 2},
+      {"an array without a comma", "[{\"text\": \"a\"}\n{\"text\": \"b\"}]", "list-no-object", 1},
+      {"an array with a damaged object", "[{\"text\": \"a\"},\n{\"text\" \"b\"}]", "list-no-object", 2},
+      {"an empty array", "[]", "list-no-rows"},
       {"a long value", "{\"text\": \"" + cell + "\"}\n", "list-cell-too-long", 1},
       {"UTF-8 that is none, in an object", "{\"text\": \"\xFF\"}\n", "list-no-utf8", 1},
   };

@@ -163,6 +163,89 @@ TEST(BatchPlan, RefusesDuplicateTextsNamesAndIds) {
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n", "the same")), ElementsAre("3 text-twice"));
 }
 
+TEST(BatchPlan, RefusesNamesThatAreOneFileOnMacOsAndWindows) {
+  EXPECT_THAT(problemsOf(planOf("id,text\n\u00E9,a\ne\u0301,b\n")), ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n\u0416,a\n\u0436,b\n")), ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text\nSTRASSE,a\nstra\u00DFe,b\n")), ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text\ne,a\n\u00E9,b\n")), IsEmpty());
+}
+
+TEST(BatchPlan, FindsColumnsAndSettingsWhateverTheirCapitals) {
+  const BatchPlan plan = planOf("ID,Text,MinWallMM,Model\n7,a,1.5,b.stl\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(0).id, "7");
+  EXPECT_EQ(plan.row(0).model, "b.stl");
+  EXPECT_EQ(plan.row(0).request.depth.minWallMm, 1.5);
+  EXPECT_THAT(plan.unusedColumns(), IsEmpty());
+  EXPECT_EQ(planOf("LOT\n7\n", "lot {lot}").row(0).request.code.text, "lot 7");
+}
+
+TEST(BatchPlan, KnowsTheModelsThatRowsName) {
+  const BatchPlan some = planOf("text,model\na,x.stl\nb,\nc,x.stl\nd,y.stl\n");
+  EXPECT_THAT(some.models(), testing::UnorderedElementsAre(testing::Pair("x.stl", 0u), testing::Pair("y.stl", 3u)));
+  EXPECT_TRUE(some.needsModel());
+  EXPECT_FALSE(planOf("text,model\na,x.stl\n").needsModel());
+  EXPECT_TRUE(planOf("text\na\n").needsModel());
+}
+
+TEST(BatchPlan, SaysThatAListHasNoNames) {
+  EXPECT_THAT(problemsOf(planOf("https://example.org/1\nhttps://example.org/2\n")), ElementsAre("list-without-names"));
+}
+
+/// Returns the codes of the warnings about a column with these cells, used in the text.
+std::vector<std::string> warningsOf(const std::vector<std::string>& cells) {
+  std::string list = "v;unused\n";
+  for (const std::string& cell : cells) list += cell + ";" + "9,52E+12\n";
+  const BatchPlan plan = planOf(list, "{n} {v}");
+  EXPECT_THAT(problemsOf(plan), IsEmpty());
+  std::vector<std::string> codes;
+  for (const Message& warning : plan.warnings()) codes.push_back(warning.code);
+  return codes;
+}
+
+TEST(BatchPlan, WarnsOfValuesThatASpreadsheetHasChanged) {
+  EXPECT_THAT(warningsOf({"9,52112E+12", "9,52113E+12"}), ElementsAre("cell-scientific"));
+  EXPECT_THAT(warningsOf({"1.10E+03"}), ElementsAre("cell-scientific"));
+  EXPECT_THAT(warningsOf({"5E-05"}), ElementsAre("cell-scientific"));
+  EXPECT_THAT(warningsOf({"89490200001234500000"}), ElementsAre("cell-rounded"));
+  EXPECT_THAT(warningsOf({"1001.0"}), ElementsAre("cell-decimal"));
+  for (const char* date : {"02-Mar", "2. Mrz", "2-M\u00E4r", "Sep-07", "1-Dec"})
+    EXPECT_THAT(warningsOf({date}), ElementsAre("cell-date")) << date;
+  EXPECT_THAT(warningsOf({"12345", "1234", "54321", "67890"}), ElementsAre("cell-zeros-lost"));
+  const BatchPlan plan = planOf("id;gtin\n1;9,52112E+12\n", "{gtin}");
+  ASSERT_EQ(plan.warnings().size(), 1u);
+  EXPECT_EQ(sentence(plan.warnings()[0]),
+            "Line 2: 9,52112E+12 in the column \"gtin\" is a number that a spreadsheet has shortened");
+}
+
+TEST(BatchPlan, DoesNotWarnOfOrdinaryValues) {
+  for (const char* value : {"12E5", "E+12", "4006381333931", "8949020000123456789", "1.5", "2026-03-01", "MARCH1",
+                            "may-be", "3-4", "00123", "", "1000000000000001"})
+    EXPECT_THAT(warningsOf({value}), IsEmpty()) << value;
+  EXPECT_THAT(warningsOf({"99998", "99999", "100000", "100001", "100002", "100003"}), IsEmpty()) << "a count";
+  EXPECT_THAT(warningsOf({"1", "22", "333", "22", "1"}), IsEmpty()) << "short numbers";
+}
+
+TEST(BatchPlan, WarnsOnceOfEachKindOfFaultyLink) {
+  const BatchPlan plan = planOf(
+      "id,text\n1,https://example.com/1\u00A0\n2,https://example.com/2\u200B\n3,https://example.com/3\u00A0\n"
+      "4,\u201Chttps://example.com/4\u201D\n5,example.com/5\n6,https://example.com/6\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  std::vector<std::string> warnings;
+  for (const Message& warning : plan.warnings()) warnings.push_back(sentence(warning));
+  EXPECT_THAT(warnings, ElementsAre("Line 2 and 1 more: There are spaces before or after the link",
+                                    "Line 3: The link has characters that nobody sees, such as zero-width spaces",
+                                    "Line 5: The link is in quotation marks or brackets, which become part of it",
+                                    "Line 6: Many phones open this as a link only if it begins with https://"));
+  EXPECT_EQ(plan.row(0).request.code.text, "https://example.com/1\u00A0") << "the text stays";
+}
+
+TEST(BatchPlan, RefusesTheErrorsOfASpreadsheet) {
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,#REF!\n2,b\n")), ElementsAre("cell-error"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,########\n")), ElementsAre("cell-error"));
+  EXPECT_THAT(problemsOf(planOf("id,text,note\n1,a,#REF!\n")), IsEmpty());
+}
+
 TEST(BatchPlan, RefusesRowsThatCannotBeCarved) {
   const std::string tooLong(200, 'x');
   EXPECT_THAT(
@@ -179,8 +262,9 @@ TEST(BatchPlan, ReportsAtMostTwentyProblems) {
 }
 
 TEST(BatchPlan, AcceptsOnlyPlainFileNames) {
-  for (const char* name : {"../x.stl", "a/b.stl", "/etc/x.stl", "..\\x.stl", "C:x.stl", ".x.stl", "..", "a\nb.stl",
-                           "con.stl", "NUL.3mf", "lpt1.stl", "a?.stl", "a|b.stl", "\x7f.stl"})
+  for (const char* name :
+       {"../x.stl", "a/b.stl", "/etc/x.stl", "..\\x.stl", "C:x.stl", ".x.stl", "..", "a\nb.stl", "con.stl", "NUL.3mf",
+        "lpt1.stl", "a?.stl", "a|b.stl", "\x7f.stl", "COM0.stl", "com\u00B2.stl", "con .stl", "conout$.stl"})
     EXPECT_EQ(whyNoPlainName(name).value_or(Message()).code, "name-no-plain-name") << name;
   EXPECT_EQ(whyNoPlainName("")->code, "name-empty");
   EXPECT_EQ(whyNoPlainName("a.txt")->code, "name-not-writable");

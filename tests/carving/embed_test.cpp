@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
 #include <set>
 
@@ -69,6 +70,50 @@ TEST(Embed, SinksOneSubmoduleWithFourWallsAndAFloor) {
   EXPECT_EQ(result->newTriangles.size(), 8u + 2u + 7u);
   const double expected = oracle::pocketVolume(frame, field, [&](Vec2 p) { return flatDistance(frame, p); });
   EXPECT_NEAR(volumeLost(mesh, *result), expected, 2e-5 * expected);
+}
+
+TEST(Embed, KnowsWhereEachFacetComesFrom) {
+  using Kind = FacetOrigin::Kind;
+  const Mesh mesh = shapes::plate({80, 80}, 10, 1, 1);
+  const ProjectionFrame frame = makeFrame({11, -9, 0}, kTowardsZ, {0, 1, 0}, 250);
+  const DepthField field = fieldOf(3, 3, [](int r, int c) { return r == 1 && c == 1 ? 0.5 : 0.0; });
+  const auto result = carve(mesh, frame, field);
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->origins.size(), result->mesh.triangles.size());
+  std::map<Kind, std::size_t> counts;
+  std::set<std::uint32_t> cut;
+  for (std::size_t t = 0; t < result->origins.size(); ++t) {
+    const FacetOrigin& origin = result->origins[t];
+    ++counts[origin.kind];
+    EXPECT_FALSE(origin.isOfLabel);
+    const Vec3 normal = triangleNormal(result->mesh, t);
+    for (int k = 0; origin.kind == Kind::Kept && k < 3; ++k)
+      EXPECT_EQ(result->mesh.corner(t, k), mesh.corner(origin.facet, k));
+    if (origin.kind == Kind::Piece) {
+      cut.insert(origin.facet);
+      EXPECT_NEAR(glm::distance(normal, triangleNormal(mesh, origin.facet)), 0, 1e-4);
+    }
+    if (origin.kind == Kind::Floor) {
+      EXPECT_NEAR(result->mesh.corner(t, 0).z, -0.5, 0.01);
+    }
+    if (origin.kind == Kind::Wall) {
+      EXPECT_NEAR(normal.z, 0, 0.05);
+    }
+  }
+  EXPECT_EQ(counts, (std::map<Kind, std::size_t>{
+                        {Kind::Kept, mesh.triangles.size() - 1}, {Kind::Piece, 7}, {Kind::Floor, 2}, {Kind::Wall, 8}}));
+  EXPECT_EQ(cut.size(), 1u);
+}
+
+TEST(Embed, CarvesTheBodyOfThePatchAndKeepsTheNumbersOfBodies) {
+  Mesh mesh =
+      shapes::together(shapes::translated(shapes::box({5, 5, 5}), {100, 0, 0}), shapes::plate({80, 80}, 10, 1, 1));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.bodyOf.push_back(t < 12 ? 0 : 1);
+  const ProjectionFrame frame = makeFrame({11, -9, 0}, kTowardsZ, {0, 1, 0}, 250);
+  const auto result = carve(mesh, frame, fieldOf(3, 3, [](int r, int c) { return r == 1 && c == 1 ? 0.5 : 0.0; }));
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->mesh.bodyOf.size(), result->mesh.triangles.size());
+  for (std::size_t t = 0; t < result->mesh.bodyOf.size(); ++t) EXPECT_EQ(result->mesh.bodyOf[t], t < 12 ? 0u : 1u);
 }
 
 TEST(Embed, RemovesTheVolumeOfThePocketsFromAPlate) {

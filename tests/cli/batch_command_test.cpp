@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "cli/command_fixture.h"
@@ -110,6 +111,27 @@ TEST_F(BatchCommandTest, AnOpenMarkWritesTheFilesOfTheMarkThatItTook) {
   EXPECT_EQ(manifest().size(), 1u) << "the row is done";
 }
 
+TEST_F(BatchCommandTest, ARowThatDoesNotReadAsPrintedFailsAndIsRetried) {
+  model_ = writeModel("tag.stl", shapes::box({12, 12, 3}));
+  const auto batch = [&](const char* mayRetry) {
+    return run({"batch", model_, "-o", path("out"), "--at", "0,0,1.5", "--size", "8", "--no-quiet-zone", "--quiet",
+                "--count", "1", "--text", "https://example.com/{n}", mayRetry});
+  };
+  const Outcome first = batch("--reports");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_THAT(first.out, HasSubstr("1 failed"));
+  ASSERT_EQ(manifest().size(), 1u);
+  EXPECT_EQ(manifest()[0]["status"], "failed");
+  EXPECT_EQ(manifest()[0]["verdict"]["passed"], false);
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("does not read as printed"));
+  const std::string lines = contentOf(path("out/manifest.jsonl"));
+  writeText("out/manifest.jsonl", std::regex_replace(lines, std::regex("does not read as printed"), "is known"));
+  EXPECT_EQ(batch("--reports").status, 1);
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("is known")) << "not tried again";
+  EXPECT_EQ(batch("--retry-failed").status, 1);
+  EXPECT_THAT(manifest()[0]["reason"].get<std::string>(), HasSubstr("does not read as printed"));
+}
+
 TEST_F(BatchCommandTest, ResumesAndRedoesChangedRows) {
   const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
   ASSERT_EQ(run(arguments({"--list", list})).status, 0);
@@ -153,6 +175,79 @@ TEST_F(BatchCommandTest, SharesMakeTheFilesOfASingleRun) {
   for (const char* file : {"1.stl", "2.stl", "3.stl"})
     EXPECT_EQ(contentOf(path("out/" + std::string(file))), contentOf(path("shared/" + std::string(file))));
   EXPECT_EQ(manifest("shared").size(), 3u);
+}
+
+TEST_F(BatchCommandTest, ASeriesGoesOnAtItsFirstNumber) {
+  const std::vector<std::string> rows = {"--count", "2", "--text", "part {n}"};
+  ASSERT_EQ(run(arguments(rows)).status, 0);
+  std::vector<std::string> later = rows;
+  later.insert(later.end(), {"--first", "1001"});
+  const Outcome outcome = run(arguments(later));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 rows: 2 done, 0 failed, 0 missing"));
+  EXPECT_EQ(filesIn("out"),
+            (std::vector<std::string>{"1.stl", "1001.stl", "1002.stl", "2.stl", "manifest.csv", "manifest.jsonl"}));
+  const std::vector<Json> entries = manifest();
+  ASSERT_EQ(entries.size(), 4u);
+  EXPECT_EQ(entries[2]["number"], 1001);
+  EXPECT_EQ(entries[2]["text"], "part 1001");
+  const std::string before = contentOf(path("out/1001.stl"));
+  EXPECT_EQ(run(arguments(later)).status, 0) << "done before";
+  EXPECT_EQ(contentOf(path("out/1001.stl")), before);
+}
+
+TEST_F(BatchCommandTest, ARowMayHaveItsOwnModel) {
+  writeModel("thick.stl", shapes::plate({40, 40}, 9, 4, 4));
+  const std::string list = writeText("l.csv", "id,Model,text\n1,thick.stl,a\n2,,b\n3,thick.stl,c\n");
+  std::vector<std::string> all = {"batch",  model_, "-o",        path("out"), "--list", list,
+                                  "--size", "21",   "--process", "none",      "--quiet"};
+  const Outcome outcome = run(all);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto thickness = [&](const std::string& name) {
+    const auto soup = readBack(name);
+    EXPECT_TRUE(soup.has_value());
+    const auto [low, high] = std::minmax_element(soup->positions.begin(), soup->positions.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+    return high->z - low->z;
+  };
+  EXPECT_NEAR(thickness("out/1.stl"), 9, 1e-3);
+  EXPECT_NEAR(thickness("out/2.stl"), 5, 1e-3);
+  EXPECT_NEAR(thickness("out/3.stl"), 9, 1e-3);
+
+  const std::string wrong = writeText("w.csv", "id,model,text\n1,thick.stl,a\n2,absent.stl,b\n");
+  const Outcome absent = run(arguments({"--list", wrong}, "none"));
+  EXPECT_EQ(absent.status, 3);
+  EXPECT_THAT(absent.err, HasSubstr("Line 3: The model \"absent.stl\""));
+  EXPECT_THAT(filesIn("none"), IsEmpty());
+  EXPECT_EQ(run(arguments({"--list", list, "--per-plate", "2"}, "none")).status, 2);
+  EXPECT_EQ(run({"batch", "--list", list, "-o", path("none")}).status, 2) << "row 2 has no model";
+}
+
+TEST_F(BatchCommandTest, TheModelAndTheListAreNotOverwritten) {
+  ASSERT_TRUE(fs::create_directory(path("out")));
+  const std::string inside = writeModel("out/1.stl", shapes::plate({40, 40}, 5, 4, 4));
+  const std::string before = contentOf(inside);
+  const Outcome outcome = run({"batch", inside, "--count", "2", "--text", "{n}", "-o", path("out")});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("would overwrite"));
+  EXPECT_EQ(contentOf(inside), before);
+  const std::string list = writeText("out/manifest.csv", "id,text\n7,a\n");
+  EXPECT_EQ(run(arguments({"--list", list})).status, 2);
+}
+
+TEST_F(BatchCommandTest, RefusesOptionsWithoutEffect) {
+  EXPECT_EQ(run(arguments({"--stream", "--count", "2"})).status, 2);
+  EXPECT_EQ(run(arguments({"--count", "2", "--text", "{n}", "--merge", "--shard", "0/2"})).status, 2);
+  const Outcome slicer = run(arguments({"--count", "2", "--text", "{n}", "--for", "bambu"}));
+  EXPECT_EQ(slicer.status, 2);
+  EXPECT_THAT(slicer.err, HasSubstr("--for is only for 3MF"));
+}
+
+TEST_F(BatchCommandTest, NumbersOfAListKeepTheirCharacters) {
+  const std::string list = writeText("l.jsonl", R"({"id": "a", "iccid": 89490200001234567890})");
+  const Outcome outcome = run(arguments({"--list", list, "--text", "ICCID:{iccid}"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(manifest()[0]["text"], "ICCID:89490200001234567890");
 }
 
 TEST_F(BatchCommandTest, PlacesNamedPartsSideBySideOnPlates) {

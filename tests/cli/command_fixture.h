@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <span>
 #include <string>
-#include <sys/wait.h>
 #include <vector>
 
 #include "io/read_model.h"
@@ -65,13 +63,7 @@ class CommandTest : public testing::Test {
   }
 
   /// Runs the command; quotes the arguments for the shell.
-  Outcome run(const std::vector<std::string>& arguments) const {
-    std::string line = "'" QRELIEF_COMMAND "'";
-    for (const std::string& argument : arguments) line += " '" + argument + "'";
-    line += " >'" + path("stdout") + "' 2>'" + path("stderr") + "'";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path("stdout")), contentOf(path("stderr"))};
-  }
+  Outcome run(const std::vector<std::string>& arguments) const;
 
   std::filesystem::path folder_;
 };

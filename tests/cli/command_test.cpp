@@ -7,6 +7,7 @@
 
 #include "cli/command_fixture.h"
 #include "generate/option_texts.h"
+#include "support/paths.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -54,7 +55,7 @@ TEST_F(CommandTest, EngraveHasAFlagAndHelpForEverySetting) {
 }
 
 TEST_F(CommandTest, TheDocumentationNamesEveryFlagOfTheHelp) {
-  const std::filesystem::path docs = std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs";
+  const std::filesystem::path docs = sourceFolder() / "docs";
   const std::string documents = contentOf(docs / "command-line.md") + contentOf(docs / "options.md");
   const std::regex flag("\n  (?:-\\w,)?(--?[\\w-]+)");
   std::size_t flags = 0;

@@ -150,6 +150,74 @@ TEST_F(EngraveCommandTest, CarvesALabelAndAFrame) {
   EXPECT_EQ(labelled["colour"]["changes"], 0);
 }
 
+TEST_F(EngraveCommandTest, ChecksTheNamesOfItsFilesBeforeAnyWork) {
+  const std::string model = writeModel("box-2.stl", shapes::box({40, 40, 8}));
+  const std::string before = contentOf(model);
+  const auto refused = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"engrave", model, "--text", "x", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(contentOf(model), before);
+    EXPECT_EQ(outcome.out, "");
+    return outcome;
+  };
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("x.stl")}).status, 2);
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--preview", path("./X.STL")}).status, 2);
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("r"), "--preview", path("r")}).status, 2);
+  EXPECT_EQ(refused({"-o", model}).status, 2);
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", model}).status, 2);
+  const Outcome second = refused({"-o", path("box.stl"), "--mark", "inlay"});
+  EXPECT_EQ(second.status, 2);
+  EXPECT_NE(second.err.find("the second file of -o would overwrite"), std::string::npos) << second.err;
+  EXPECT_EQ(refused({"-o", path("box.stl"), "--mark", "auto"}).status, 2);
+  const Outcome folder = refused({"-o", path("none/x.stl")});
+  EXPECT_EQ(folder.status, 3);
+  EXPECT_NE(folder.err.find("No such file or directory"), std::string::npos) << folder.err;
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("box-2.stl/r.json")}).status, 3);
+  std::filesystem::create_directory(path("folder.stl"));
+  EXPECT_EQ(refused({"-o", path("folder.stl")}).status, 3);
+  std::filesystem::create_symlink(model, path("link.stl"));
+  EXPECT_EQ(refused({"-o", path("link.stl")}).status, 2) << "a link to the model";
+}
+
+TEST_F(EngraveCommandTest, SaysWhichOptionsHaveNoEffect) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const Outcome slicer = run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--for", "bambu"});
+  EXPECT_EQ(slicer.status, 2);
+  EXPECT_NE(slicer.err.find("--for is only for 3MF"), std::string::npos) << slicer.err;
+  const Outcome painted = run({"engrave", model, "--text", "x", "-o", path("x.3mf"), "--at", "0,0,4", "--size", "25",
+                               "--max-size", "30", "--mark", "paint", "--solver", "fast", "--quiet"});
+  EXPECT_EQ(painted.status, 0) << painted.err;
+  EXPECT_NE(painted.err.find("--solver has no effect"), std::string::npos) << painted.err;
+  EXPECT_NE(painted.err.find("--max-size has no effect"), std::string::npos) << painted.err;
+  const Outcome shadow = run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--at", "0,0,800", "--size", "25",
+                              "--mark-depth", "1", "--process", "none", "--quiet"});
+  EXPECT_EQ(shadow.status, 0) << shadow.err;
+  EXPECT_NE(shadow.err.find("--mark-depth has no effect"), std::string::npos) << shadow.err;
+  EXPECT_NE(shadow.err.find("796 mm away from --at"), std::string::npos) << shadow.err;
+  const Outcome near = run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--at", "0,0,4.5", "--size", "25",
+                            "--process", "none", "--quiet"});
+  EXPECT_EQ(near.err, "");
+}
+
+TEST_F(EngraveCommandTest, NamesTheCharacterSetUnlessToldNotTo) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const auto symbol = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"engrave",   model,  "--at",        "0,0,4",    "--size",
+                                          "25",        "-o",   path("x.stl"), "--report", path("x.json"),
+                                          "--process", "none", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 0);
+    EXPECT_EQ(
+        run({"verify", path("x.stl"), "--report", path("x.json"), "--process", "none", "--quick", "--quiet"}).status,
+        0);
+    return nlohmann::json::parse(contentOf(path("x.json")))["symbol"];
+  };
+  EXPECT_EQ(symbol({"--text", "Z\u00FCrich"})["eci"], 26);
+  EXPECT_FALSE(symbol({"--text", "Z\u00FCrich", "--eci", "never"}).contains("eci"));
+  EXPECT_FALSE(symbol({"--text", "Zurich"}).contains("eci"));
+}
+
 TEST_F(EngraveCommandTest, NamesTheCharactersThatALabelCannotHave) {
   const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 5, 4, 4));
   const Outcome outcome =
@@ -209,6 +277,57 @@ TEST_F(EngraveCommandTest, AnOpenMarkTakesAnInlayWhereWallsAreTooThinForAShadow)
   const auto inlaid = nlohmann::json::parse(contentOf(path("stl.json")));
   EXPECT_EQ(inlaid["mark"], "inlay") << "STL holds no paint";
   EXPECT_TRUE(std::filesystem::exists(path("out-2.stl")));
+}
+
+/// Tests of small or thin models whose code fails as requested.
+class FailingCodeTest : public EngraveCommandTest {
+ protected:
+  Outcome engrave(const Mesh& mesh, std::vector<std::string> more, const std::string& output = "out.3mf") const {
+    std::vector<std::string> all = {"engrave",  writeModel("model.stl", mesh),
+                                    "--text",   "https://example.com/a1",
+                                    "-o",       path(output),
+                                    "--report", path("out.json"),
+                                    "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+  nlohmann::json report() const { return nlohmann::json::parse(contentOf(path("out.json"))); }
+  Mesh tag_ = shapes::box({25, 25, 3});
+};
+
+TEST_F(FailingCodeTest, ACodeThatDoesNotReadAsPrintedFailsAndIsWritten) {
+  const Outcome outcome = engrave(tag_, {"--size", "free", "--label", "A-001", "--mark", "shadow"});
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  EXPECT_NE(outcome.err.find("check failed: The code does not read as printed"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("may help: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--size best"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(path("out.3mf")));
+  const nlohmann::json verdict = report()["verification"]["verdict"];
+  EXPECT_EQ(verdict["passed"], false);
+  EXPECT_EQ(verdict["prints"]["passed"], false);
+  EXPECT_EQ(report()["tried"].size(), 1u) << "nothing was left open";
+}
+
+TEST_F(FailingCodeTest, ALargerCodeIsFoundWithoutBeingAsked) {
+  const Outcome outcome = engrave(tag_, {"--label", "A-001"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("engraved with --size best"), std::string::npos) << outcome.out;
+  EXPECT_EQ(report()["size"]["mode"], "best");
+  const nlohmann::json tried = report()["tried"];
+  ASSERT_EQ(tried.size(), 2u);
+  EXPECT_EQ(tried[0]["passed"], false);
+  EXPECT_EQ(tried[1]["delivered"], true);
+  EXPECT_EQ(tried[1]["changes"][0], (nlohmann::json{{"setting", "size"}, {"value", "best"}}));
+  EXPECT_GT(tried[1]["symbolMm"], tried[0]["symbolMm"]);
+}
+
+TEST_F(FailingCodeTest, ThinWallsAreToldToTakeTheMarkThatWasTried) {
+  const Outcome outcome = engrave(shapes::box({50, 50, 1}), {});
+  EXPECT_EQ(outcome.status, 4) << outcome.out;
+  EXPECT_EQ(outcome.err.find("--min-wall"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("hint: Use --mark "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("of 72 tries"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out.3mf")));
 }
 
 TEST_F(EngraveCommandTest, AnInlayIsWrittenReportedAndVerified) {

@@ -75,6 +75,24 @@ TEST_F(PlaceCommandTest, ReportsSpotsThatFaceDownInTheRequestedPose) {
   EXPECT_EQ(json["spots"].back()["facesDown"], true);
 }
 
+TEST_F(PlaceCommandTest, SuggestsAUnitInWhichEngravingSucceeds) {
+  const std::string inches = writeModel("bracket.stl", shapes::box({12, 3, 2}));
+  const Outcome place = run({"place", inches, "--quiet"});
+  EXPECT_EQ(place.status, 4);
+  EXPECT_NE(place.err.find("--units in makes it 305 × 76.2 × 50.8 mm"), std::string::npos) << place.err;
+  const std::vector<std::string> engrave = {"engrave", inches, "--text", "x", "-o", path("out.stl"), "--quiet"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = engrave;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const Outcome here = with({"--at", "0,0,1"});
+  EXPECT_EQ(here.status, 4);
+  EXPECT_NE(here.err.find("--units in makes it"), std::string::npos) << here.err;
+  EXPECT_EQ(with({"--units", "in", "--process", "none"}).status, 0);
+  EXPECT_EQ(with({"--units", "um"}).status, 4);
+}
+
 TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeIfNothingFits) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});

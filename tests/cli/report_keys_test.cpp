@@ -9,6 +9,7 @@
 
 #include "command_fixture.h"
 #include "io/write_stl.h"
+#include "support/paths.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -56,7 +57,7 @@ std::vector<std::string> expanded(const std::string& pattern) {
 /// Returns the keys in the table under a heading of docs/report.md.
 Keys documented(const std::string& heading) {
   static const std::regex kRow(R"(\| `([^`]+)` \| ([a-z ]+) \| [^|]+ \|)");
-  std::istringstream lines(contentOf(std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs/report.md"));
+  std::istringstream lines(contentOf(sourceFolder() / "docs/report.md"));
   Keys keys;
   bool isUnder = false;
   for (std::string line; std::getline(lines, line);) {
@@ -113,8 +114,9 @@ class ReportKeys : public CommandTest {
   Json jsonOf(const std::string& name) const { return Json::parse(contentOf(path(name))); }
 
   /// Engraves the plate and returns the report, out.json.
-  Json engrave(const std::vector<std::string>& more, const std::string& output = "out.3mf") const {
-    std::vector<std::string> arguments = {"engrave",    plate_,     "--text",         "HELLO",  "-o",
+  Json engrave(const std::vector<std::string>& more, const std::string& output = "out.3mf",
+               const std::string& text = "HELLO") const {
+    std::vector<std::string> arguments = {"engrave",    plate_,     "--text",         text,     "-o",
                                           path(output), "--report", path("out.json"), "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
@@ -150,7 +152,9 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(engrave(at({"--mark", "paint", "--process", "none"})), "", engraved);
   collect(engrave(at({"--mark", "inlay", "--build-up", "code-up"})), "", engraved);
   collect(verify("out.3mf", {"--quick"}), "", verified);
-  collect(engrave(at({"--process", "none"}), "out.stl"), "", engraved);
+  collect(engrave(at({"--process", "none"}), "out.stl", "Gr\u00FC\u00DFe"), "", engraved);
+  plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));
+  collect(engrave({"--mark", "auto"}), "", engraved);  // no shadow can be carved
   Mesh open = shapes::plate({60, 60}, 5, 4, 4);
   open.triangles.pop_back();
   writeModel("open.stl", open);

@@ -76,6 +76,18 @@ TEST_F(VerifyCommandTest, FindsAnotherProcessOrPoseThatWouldDecode) {
   EXPECT_EQ(fine.out.find("other"), std::string::npos) << fine.out;
 }
 
+TEST_F(VerifyCommandTest, RefusesFlagsThatTheReportGives) {
+  for (const std::vector<std::string>& given : std::vector<std::vector<std::string>>{
+           {"--text", "OTHER"}, {"--at", "0,0,4"}, {"--size", "20"}, {"--ecc", "H"}, {"--mark", "paint"}}) {
+    std::vector<std::string> arguments = {"verify", path("x.stl"), "--report", path("x.json")};
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find(given[0] + " has no effect with --report"), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(run({"verify", path("x.stl"), "--report", path("x.json"), "--json", path("x.json")}).status, 2);
+}
+
 TEST_F(VerifyCommandTest, NeedsThePlacementOfTheCode) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   const Outcome nowhere = run({"verify", model, "--text", "HELLO", "--quiet"});

@@ -92,6 +92,18 @@ TEST_F(DepthSearchTest, NeverExceedsALimitAndCountsIt) {
   EXPECT_NEAR(search.worstExcess(), 0.25, 1e-12);
 }
 
+TEST_F(DepthSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
+  darken(10, 10);
+  DepthSearch search = start(5, {.maxIterations = 3});
+  while (!search.finished()) {
+    EXPECT_EQ(search.unfinishedCount(), 0u);
+    search.update(luminances(search, [](int, int, double) { return 0.95; }));
+  }
+  EXPECT_EQ(search.iterations(), 3);
+  EXPECT_EQ(search.unfinishedCount(), 25u);
+  EXPECT_EQ(search.limitedCount(), 25u);
+}
+
 TEST_F(DepthSearchTest, TakesLargerStepsWhileTheLuminanceStalls) {
   darken(10, 10);
   DepthSearch search = start(1000);

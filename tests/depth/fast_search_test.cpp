@@ -164,6 +164,15 @@ TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   EXPECT_GT(fast.limitedCount(), 0u);
 }
 
+TEST_F(FastSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
+  FastSearch fast(target(5), {.contrast = kContrast, .maxIterations = 1});
+  run(fast);
+  EXPECT_EQ(fast.iterations(), 1);
+  EXPECT_EQ(fast.limitedCount(), static_cast<std::size_t>(tooBright(fast.depths())));
+  EXPECT_EQ(fast.unfinishedCount(), fast.limitedCount());
+  EXPECT_GT(fast.unfinishedCount(), 0u);
+}
+
 TEST_F(FastSearchTest, CarvesNothingIfTheLimitIsZero) {
   FastSearch fast(target(0), {.contrast = kContrast});
   run(fast);

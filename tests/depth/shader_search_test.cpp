@@ -223,6 +223,21 @@ TEST_F(ShaderSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   }
   EXPECT_GT(tooBright, 0u);
   EXPECT_EQ((*search)->limitedCount(), tooBright);
+  EXPECT_EQ((*search)->unfinishedCount(), 0u);
+}
+
+TEST_F(ShaderSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
+  makeLight();
+  ShaderSearch::Place place;
+  place.light = &light_;
+  place.cells = cells_;
+  place.luminance = quietOnes();
+  const auto search = ShaderSearch::create(target(), {.contrast = kContrast, .maxIterations = 1}, std::move(place));
+  ASSERT_TRUE(search.has_value());
+  (*search)->advance();
+  ASSERT_TRUE((*search)->finished());
+  EXPECT_GT((*search)->unfinishedCount(), 0u);
+  EXPECT_EQ((*search)->limitedCount(), (*search)->unfinishedCount());
 }
 
 }  // namespace

@@ -136,6 +136,17 @@ TEST(WallLimit, KeepsTheWallToACavity) {
   }
 }
 
+TEST(WallLimit, IsThatOfTheBodyAlone) {
+  Case plate{.mesh = shapes::plate({60, 60}, 1.5, 3, 3)};
+  plate.prepare();
+  Case onAnother{.mesh =
+                     shapes::together(plate.mesh, shapes::translated(shapes::plate({60, 60}, 4, 3, 3), {0, 0, -0.5}))};
+  for (std::size_t t = 0; t < onAnother.mesh.triangles.size(); ++t)
+    onAnother.mesh.bodyOf.push_back(t < plate.mesh.triangles.size() ? 0 : 1);
+  onAnother.prepare();
+  EXPECT_EQ(onAnother.limits(), plate.limits());
+}
+
 TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
   const Mesh outer = shapes::bumpySphere(30, 2, 5, 4);
   Case c{.mesh = shapes::together(outer, shapes::insideOut(shapes::icosphere(26, 3))), .symbolMm = 16, .size = 8};

@@ -134,7 +134,8 @@ TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneD
     step = Json::parse(engine_->nextStep());
     EXPECT_EQ(step["carving"], first);
     if (step["step"] != "carve") break;
-    changes.push_back(step["change"]["setting"].get<std::string>() + "=" + step["change"]["value"].get<std::string>());
+    const Json change = step["changes"].back();
+    changes.push_back(change["setting"].get<std::string>() + "=" + change["value"].get<std::string>());
     EXPECT_NE(carveBy(R"({"next": true})"), first);
   }
   EXPECT_EQ(changes, (std::vector<std::string>{"carveFor=design", "preset=robust"}));

@@ -46,5 +46,17 @@ TEST(Facts, DescribeTheSymbolOfSettingsAndNameAnUnknownOne) {
   EXPECT_EQ(Json::parse(Facts().symbol(R"({"colour": 1})"))["error"]["kind"], "BadUsage");
 }
 
+TEST(Facts, AdviseOnATextThatWasMeantToBeALink) {
+  const Json answer = Json::parse(Facts().textAdvice("example.org"));
+  ASSERT_EQ(answer["advice"].size(), 1u);
+  EXPECT_EQ(answer["advice"][0]["severity"], "warning");
+  EXPECT_EQ(answer["advice"][0]["message"]["code"], "link-without-scheme");
+  EXPECT_EQ(answer["advice"][0]["fixed"], "https://example.org");
+  const Json good = Json::parse(Facts().textAdvice("https://www.example.org/a"));
+  EXPECT_EQ(good["advice"], Json::array());
+  EXPECT_EQ(good["shorter"][0], Json({{"form", "capitals"}, {"text", "HTTPS://WWW.EXAMPLE.ORG/a"}}));
+  EXPECT_EQ(good["shorter"][1]["form"], "www");
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -44,8 +44,8 @@ TEST(SymbolFacts, DescribeTheEngravedSymbol) {
 TEST(SymbolFacts, TheRoomIsTheRestOfTheVersionsCapacity) {
   // Texts of digits, capitals and bytes; versions on both sides of 9|10, where length fields grow; the last version.
   for (const std::string& text :
-       {std::string("a"), std::string("12345678901234567890"), std::string("HTTPS://QR.ORG/x"), std::string(150, 'b'),
-        std::string(190, 'C'), std::string(1200, 'd')}) {
+       {std::string("a"), std::string("12345678901234567890"), std::string("HTTPS://QR.ORG/x"),
+        std::string("Gr\u00FC\u00DFe"), std::string(150, 'b'), std::string(190, 'C'), std::string(1200, 'd')}) {
     const EngraveRequest request = requestFor(text);
     const Json described = facts(request);
     const int version = described["version"], room = described["room"];

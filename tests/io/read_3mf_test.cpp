@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -165,9 +166,163 @@ TEST(ThreeMfReader, IgnoresItemsThatAreNotModels) {
   EXPECT_EQ(soup->triangles.size(), 12u);
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "1 of 2 items of the 3MF file is not a model (a support, for example) and was skipped");
+            "1 of 2 items of the 3MF file is no model to print and stays as it is: object 2 is of type \"support\"");
   EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")),
               HasSubstr("The only item of the 3MF file contains no model"));
+}
+
+/// Returns a box as Cura marks it with a setting, in its new and old ways.
+std::vector<std::string> curaBoxes(const std::string& setting, const std::string& value) {
+  const std::string box = boxObject(2, 9, 9, 9), space = "xmlns=\"http://software.ultimaker.com/xml/cura/3mf/2015/10\"";
+  const auto with = [&](const std::string& settings) {
+    std::string marked = box;
+    return marked.insert(marked.find("<mesh>"), settings);
+  };
+  return {with("<metadatagroup><metadata name=\"cura:" + setting + "\" preserve=\"1\" type=\"xs:boolean\">" + value +
+               "</metadata></metadatagroup>"),
+          with("<settings " + space + "><setting key=\"" + setting + "\">" + value + "</setting></settings>")};
+}
+
+TEST(ThreeMfReader, LeavesHelperMeshesOfCuraOut) {
+  const std::string build = "<item objectid=\"1\"/><item objectid=\"2\"/>";
+  for (const char* setting : {"support_mesh", "anti_overhang_mesh", "infill_mesh", "cutting_mesh"})
+    for (const char* value : {"True", "False", " true\n", "1", "0"})
+      for (const std::string& marked : curaBoxes(setting, value)) {
+        const bool isHelper = std::string_view(value) != "False" && std::string_view(value) != "0";
+        const auto soup = read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3) + marked, build)), {});
+        ASSERT_TRUE(soup) << sentence(soup.error().message);
+        EXPECT_EQ(soup->triangles.size(), isHelper ? 12u : 24u) << marked;
+        ASSERT_EQ(soup->warnings.size(), isHelper ? 1u : 0u);
+        if (isHelper) {
+          EXPECT_THAT(sentence(soup->warnings[0]), HasSubstr(std::string("helper mesh of Cura (") + setting));
+        }
+      }
+  const auto other =
+      read3mf(threeMf(modelPart(curaBoxes("drop_to_buildplate", "True")[0], "<item objectid=\"2\"/>")), {});
+  EXPECT_TRUE(other);
+  EXPECT_EQ(errorOf(modelPart(curaBoxes("support_mesh", "True")[0], "<item objectid=\"2\"/>")),
+            "The only item of the 3MF file contains no model: object 2 is a helper mesh of Cura (support_mesh)");
+}
+
+TEST(ThreeMfReader, LeavesComponentsThatAreHelperMeshesOfCuraOut) {
+  const std::string group =
+      "<object id=\"5\"><components><component objectid=\"1\"/><component objectid=\"2\"/></components></object>";
+  const auto soup = read3mf(
+      threeMf(modelPart(boxObject(1, 1, 2, 3) + curaBoxes("infill_mesh", "True")[0] + group, "<item objectid=\"5\"/>")),
+      {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles.size(), 12u);
+}
+
+TEST(ThreeMfReader, LeavesItemsThatAreNotPrintedOut) {
+  const std::string resources = boxObject(1, 1, 2, 3) + boxObject(2, 9, 9, 9);
+  for (const char* no : {"0", "false", " 0 "}) {
+    const auto soup =
+        read3mf(threeMf(modelPart(resources, fmt::format("<item objectid=\"1\" printable=\"1\"/><item objectid=\"2\" "
+                                                         "printable=\"{}\"/>",
+                                                         no))),
+                {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(soup->triangles.size(), 12u);
+    EXPECT_THAT(sentence(soup->warnings.at(0)), HasSubstr("object 2 is set not to print"));
+  }
+  EXPECT_THAT(
+      errorOf(modelPart(resources, "<item objectid=\"1\" printable=\"0\"/><item objectid=\"2\" printable=\"0\"/>")),
+      HasSubstr("None of the 2 items of the 3MF file contains a model: object 1 is set not to print"));
+}
+
+TEST(ThreeMfReader, ReadsClosedMeshesOfOtherTypesWithAWarning) {
+  for (const std::string type : {"surface", "other"}) {
+    const std::string box = boxObject(1, 1, 2, 3, "type=\"" + type + "\"");
+    const auto soup = read3mf(threeMf(modelPart(box, "<item objectid=\"1\"/>")), {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(volumeOf(*soup), 6);
+    ASSERT_EQ(soup->warnings.size(), 1u);
+    EXPECT_EQ(sentence(soup->warnings[0]),
+              "1 item of the 3MF file is of type \"" + type + "\", but closed; it was read as a model");
+    std::string open = box;
+    open.erase(open.rfind("<triangle "), open.rfind("</triangles>") - open.rfind("<triangle "));
+    EXPECT_EQ(errorOf(modelPart(open, "<item objectid=\"1\"/>")),
+              "The only item of the 3MF file contains no model: object 1 is of type \"" + type +
+                  "\", and its mesh is not closed");
+  }
+}
+
+TEST(ThreeMfReader, ReadsClosedComponentsOfTypeSurface) {
+  const std::string group =
+      "<object id=\"5\"><components><component objectid=\"1\"/><component objectid=\"2\"/></components></object>";
+  const std::string boxes = boxObject(1, 1, 2, 3) + boxObject(2, 1, 1, 1, "type=\"surface\"");
+  EXPECT_EQ(read3mf(threeMf(modelPart(boxes + group, "<item objectid=\"5\"/>")), {})->triangles.size(), 24u);
+  const std::string surfaces = group + "<object id=\"6\" type=\"surface\">" + group.substr(group.find("<components>"));
+  EXPECT_EQ(read3mf(threeMf(modelPart(boxes + surfaces, "<item objectid=\"6\"/>")), {})->triangles.size(), 24u);
+}
+
+TEST(ThreeMfReader, ReadsNamesAndFilamentsOfVolumesAndParts) {
+  const auto expectBodies = [](const Result<PolygonSoup>& soup) {
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    ASSERT_EQ(soup->bodies.size(), 2u);
+    EXPECT_EQ(soup->bodies[0].name, "plate");
+    EXPECT_EQ(soup->bodies[0].filament, 3u);
+    EXPECT_EQ(soup->bodies[1].name, "text");
+    EXPECT_EQ(soup->bodies[1].filament, 2u);
+  };
+  const std::string group =
+      "<object id=\"5\"><components><component objectid=\"1\"/><component objectid=\"2\"/></components></object>";
+  expectBodies(
+      read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3) + boxObject(2, 1, 1, 1) + group, "<item objectid=\"5\"/>"),
+                      {{"Metadata/model_settings.config",
+                        "<config><object id=\"5\"><metadata key=\"extruder\" value=\"3\"/>"
+                        "<part id=\"1\"><metadata key=\"name\" value=\"plate\"/></part>"
+                        "<part id=\"2\"><metadata key=\"name\" value=\"text\"/>"
+                        "<metadata key=\"extruder\" value=\"2\"/></part></object></config>"}}),
+              {}));
+  expectBodies(read3mf(
+      threeMf(modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>"),
+              {{"Metadata/Slic3r_PE_model.config",
+                "<config><object id=\"1\"><metadata type=\"object\" key=\"extruder\" value=\"3\"/>"
+                "<volume firstid=\"0\" lastid=\"5\"><metadata type=\"volume\" key=\"name\" value=\"plate\"/></volume>"
+                "<volume firstid=\"6\" lastid=\"11\"><metadata type=\"volume\" key=\"name\" value=\"text\"/>"
+                "<metadata type=\"volume\" key=\"extruder\" value=\"2\"/></volume></object></config>"}}),
+      {}));
+}
+
+TEST(ThreeMfReader, RefusesCirclesAndDeepNestsOfSurfaces) {
+  std::string objects = boxObject(1, 1, 1, 1, "type=\"surface\"");
+  for (int id = 2; id < 5000; ++id)
+    objects +=
+        fmt::format("<object id=\"{}\" type=\"surface\"><components><component objectid=\"{}\"/></components></object>",
+                    id, id - 1);
+  EXPECT_THAT(errorOf(modelPart(objects, "<item objectid=\"4999\"/>")), HasSubstr("not closed"));
+  EXPECT_THAT(errorOf(modelPart("<object id=\"1\" type=\"surface\"><components><component objectid=\"1\"/></components>"
+                                "</object>",
+                                "<item objectid=\"1\"/>")),
+              HasSubstr("not closed"));
+}
+
+TEST(ThreeMfReader, ReadsNumbersWithBlanksAroundThem) {
+  std::string model = modelPart(boxObject(1, 1, 2, 3), "<item objectid=\" 1\"/>", "unit=\" inch \"");
+  for (const auto& [from, to] :
+       {std::pair("x=\"", "x=\" "), std::pair("v2=\"", "v2=\"\n"), std::pair("id=\"1\"", "id=\"1 \"")})
+    for (std::size_t at = model.find(from); at != std::string::npos; at = model.find(from, at + std::strlen(to)))
+      model.replace(at, std::strlen(from), to);
+  const auto soup = read3mf(threeMf(model), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(volumeOf(*soup), 6);
+  EXPECT_EQ(soup->unitMm, 25.4);
+}
+
+TEST(ThreeMfReader, RefusesBeams) {
+  std::string model = modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>",
+                                "xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\"");
+  model.insert(model.find("</mesh>"),
+               "<b:beamlattice radius=\"1\"><b:beams><b:beam v1=\"0\" v2=\"1\"/></b:beams></b:beamlattice>");
+  EXPECT_THAT(errorOf(model), HasSubstr("object 1 in \"3D/3dmodel.model\" is a lattice of beams"));
+}
+
+TEST(ThreeMfReader, NamesTheExtensionThatHoldsAShape) {
+  EXPECT_THAT(errorOf(modelPart("<object id=\"1\"><v:levelset/></object>", "<item objectid=\"1\"/>",
+                                "xmlns:v=\"urn:volumetric\"")),
+              HasSubstr("object 1: its shape is in the extension \"urn:volumetric\""));
 }
 
 TEST(ThreeMfReader, LeavesModifiersOfBambuStudioOut) {
@@ -356,12 +511,19 @@ TEST(ThreeMfReader, RefusesAComponentThatReplacesSlices) {
 }
 
 TEST(ThreeMfReader, ReadsAFullMeshBesideSlices) {
-  for (const char* attributes : {"s:slicestackid=\"3\"", "s:slicestackid=\"3\" s:meshresolution=\"fullres\""})
-    for (const char* required : {"", "requiredextensions=\"s\""}) {
-      const auto soup = read3mf(threeMf(slicedBox(attributes, required)), {});
-      ASSERT_TRUE(soup) << sentence(soup.error().message);
-      EXPECT_EQ(volumeOf(*soup), 6);
-    }
+  for (const char* required : {"", "requiredextensions=\"s\""}) {
+    const auto soup = read3mf(threeMf(slicedBox("s:slicestackid=\"3\" s:meshresolution=\"fullres\"", required)), {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(volumeOf(*soup), 6);
+    EXPECT_THAT(sentence(soup->warnings.at(0)), HasSubstr("1 object of the 3MF file has slices as well as a mesh"));
+  }
+}
+
+TEST(ThreeMfReader, RefusesABareBoxBesideSlices) {
+  std::string model = slicedBox("s:slicestackid=\"3\"");
+  EXPECT_THAT(errorOf(model), HasSubstr("object 7 in \"3D/3dmodel.model\" is a stack of slices"));
+  const std::size_t corner = model.find("x=\"1\"");
+  EXPECT_TRUE(read3mf(threeMf(model.replace(corner, 5, "x=\"0.9\"")), {}));  // no box any more: a full mesh
 }
 
 TEST(ThreeMfReader, NamesLineAndObjectOfMalformedContent) {
@@ -370,7 +532,7 @@ TEST(ThreeMfReader, NamesLineAndObjectOfMalformedContent) {
   };
   const std::string vertices = "<vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices>";
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" y=\"1,5\" z=\"0\"/></vertices></mesh>"),
-              HasSubstr("line 5: object 5: vertex 1: \"1,5\" is not a number"));
+              HasSubstr("line 5: object 5: vertex 1: \"1,5\" has a decimal comma"));
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" z=\"0\"/></vertices></mesh>"),
               HasSubstr("vertex 1: it has no y"));
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" y=\"inf\" z=\"0\"/></vertices></mesh>"), HasSubstr("not finite"));

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "message_codes/files.h"
 #include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
@@ -67,6 +69,23 @@ TEST(ObjReader, JoinsContinuedLines) {
   EXPECT_EQ(soup->triangles.size(), 2u);
 }
 
+TEST(ObjReader, JoinsLinesThatEndWithBlanksAfterTheBackslash) {
+  const auto soup = read(kSquare + "f 1 2 \\ \n 3\nv 0 0 \\\t\r\n 5\n");
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(soup->positions.back(), Vec3(0, 0, 5));
+}
+
+TEST(ObjReader, ReadsVerticesWithColoursOrAFourthCoordinate) {
+  const auto soup = read("v 0 0 0 1 0 0\nv 1 0 0 0.5 0.5 0.5 1\nv 0 1 0 1\nf 1 2 3\n");
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+TEST(ObjReader, NamesADecimalComma) {
+  EXPECT_EQ(errorOf("v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n"), "Line 2 of the OBJ file: \"1,5\" has a decimal comma");
+}
+
 TEST(ObjReader, AcceptsFacesBeforeTheirVertices) { EXPECT_TRUE(read("f 1 2 3\n" + kSquare)); }
 
 TEST(ObjReader, TriangulatesConcavePolygons) {
@@ -87,6 +106,47 @@ TEST(ObjReader, ReadsAPolygonOfMoreThan255Corners) {
   const auto soup = read(text + face + "\n");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->triangles.size(), 298u);
+}
+
+/// Returns a box's faces as OBJ, beginning at a vertex; with the box's own vertices.
+std::string boxFrom(Vec3 at, int firstVertex) {
+  const Mesh box = shapes::translated(shapes::box({2, 2, 2}), at);
+  std::string text;
+  for (const Vec3f& p : box.positions) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+  for (const auto& [a, b, c] : box.triangles)
+    text += fmt::format("f {} {} {}\n", a + firstVertex, b + firstVertex, c + firstVertex);
+  return text;
+}
+
+TEST(ObjReader, MakesABodyOfEachClosedGroup) {
+  const auto soup = read("o base plate\n" + boxFrom({0, 0, 0}, 1) + "  g letter\r\n" + boxFrom({0, 0, 2}, 9));
+  ASSERT_TRUE(soup) << soup.error().message;
+  ASSERT_EQ(soup->bodies.size(), 2u);
+  EXPECT_EQ(soup->bodies[0].name, "base plate");
+  EXPECT_EQ(soup->bodies[1].name, "letter");
+  ASSERT_EQ(soup->bodyOf.size(), 24u);
+  for (std::size_t t = 0; t < 24; ++t) EXPECT_EQ(soup->bodyOf[t], t < 12 ? 0u : 1u);
+}
+
+TEST(ObjReader, MakesOneBodyOfGroupsThatAreClosedTogether) {
+  std::string box = boxFrom({0, 0, 0}, 1);
+  box.insert(box.rfind("f "), "g other\n");
+  const auto whole = read("g one\n" + box);
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_TRUE(whole->bodies.empty());
+  const auto both = read("g one\n" + box + "g closed\n" + boxFrom({5, 0, 0}, 9));
+  ASSERT_TRUE(both) << both.error().message;
+  ASSERT_EQ(both->bodies.size(), 2u);
+  EXPECT_EQ(both->bodies[0].name, "closed");
+  EXPECT_EQ(both->bodies[1].name, "");
+  for (std::size_t t = 0; t < 24; ++t) EXPECT_EQ(both->bodyOf[t], t < 12 ? 1u : 0u);
+}
+
+TEST(ObjReader, FindsNoBodiesInAFileWithOneGroup) {
+  const auto soup = read("o box\n" + boxFrom({0, 0, 0}, 1));
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_TRUE(soup->bodies.empty());
+  EXPECT_TRUE(soup->bodyOf.empty());
 }
 
 TEST(ObjReader, NamesTheLineOfAnIndexOutOfRange) {
@@ -114,7 +174,7 @@ TEST(ObjReader, NamesTheLineOfABrokenCorner) {
 
 TEST(ObjReader, NamesTheLineOfABrokenVertex) {
   EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nf 1 1 1\n"), "Line 2 of the OBJ file: vertex 2: a number is missing");
-  EXPECT_EQ(errorOf("v 0 0,5 0\n"), "Line 1 of the OBJ file: vertex 1: \"0,5\" is not a number");
+  EXPECT_EQ(errorOf("v 0 0;5 0\n"), "Line 1 of the OBJ file: vertex 1: \"0;5\" is not a number");
   EXPECT_THAT(errorOf("v 0 nan 0\n"), HasSubstr("not finite"));
   EXPECT_THAT(errorOf("v 0 1e999 0\n"), HasSubstr("not finite"));
 }
@@ -131,8 +191,8 @@ TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
 TEST(ObjReader, WarnsAboutSelfCrossingPolygons) {
   const auto soup = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
   ASSERT_TRUE(soup);
-  EXPECT_EQ(soup->warnings.at(0), message("polygons-not-simple", with::count<"count">(1), with::count<"face">(1),
-                                          with::place<"at">(Vec3(0, 0, 0))));
+  EXPECT_EQ(soup->warnings.at(0), message<"polygons-not-simple">(with::count<"count">(1), with::count<"face">(1),
+                                                                 with::place<"at">(Vec3(0, 0, 0))));
   EXPECT_EQ(sentence(soup->warnings.at(0)),
             "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles "
             "anyway");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_off.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,6 +41,51 @@ TEST(OffReader, IgnoresCommentsColoursAndNormals) {
 
 TEST(OffReader, ReadsCountsOnTheFirstLine) {
   EXPECT_TRUE(readOff(bytesOf("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}));
+}
+
+/// Returns the number of triangles; 0 for an error.
+std::size_t trianglesOf(std::string_view text) {
+  const auto soup = readOff(bytesOf(text), {});
+  EXPECT_TRUE(soup) << text << sentence(soup.error().message);
+  return soup ? soup->triangles.size() : 0;
+}
+
+TEST(OffReader, ReadsSeveralVerticesOrFacesOnOneLine) {
+  constexpr const char* kFaces[] = {"3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "3 0 2 1 3 0 1 3\n3 1 2 3 3 2 0 3\n"};
+  constexpr const char* kVertices[] = {"0 0 0 1 0 0\n0 1 0 0 0 1\n", "0 0\n0 1 0\n0 0 1\n0\n0 0 1\n",
+                                       "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"};
+  const auto expected = readOff(bytesOf(fmt::format("OFF\n4 4 6\n{}{}", kVertices[2], kFaces[0])), {});
+  ASSERT_TRUE(expected);
+  for (const char* vertices : kVertices)
+    for (const char* faces : kFaces) {
+      const auto soup = readOff(bytesOf(fmt::format("OFF\n4 4 6\n{}{}", vertices, faces)), {});
+      ASSERT_TRUE(soup) << vertices << faces << sentence(soup.error().message);
+      EXPECT_EQ(soup->positions, expected->positions) << vertices << faces;
+      EXPECT_EQ(soup->triangles, expected->triangles) << vertices << faces;
+    }
+}
+
+TEST(OffReader, ReadsCountsOnSeveralLinesAndWithoutEdges) {
+  for (const char* counts : {"3\n1\n3\n", "3 1\n3\n", "3 1\n", "3\n1\n", "3 1 # no edges\n\n"})
+    EXPECT_EQ(trianglesOf(fmt::format("OFF\n{}0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", counts)), 1u) << counts;
+}
+
+TEST(OffReader, ReadsFilesWithoutKeywordAndWithoutABlankAfterIt) {
+  EXPECT_EQ(trianglesOf("3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u);
+  EXPECT_EQ(trianglesOf("OFF3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u);
+}
+
+TEST(OffReader, KeepsColoursOfAPlainFileOutOfItsVertices) {
+  EXPECT_EQ(trianglesOf("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2 255 0 0\n"), 1u);
+}
+
+TEST(OffReader, ReportsTheErrorOfThePlainLayout) {
+  EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 9\n"), HasSubstr("Line 6"));
+}
+
+TEST(OffReader, NamesADecimalComma) {
+  EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n"),
+            "Line 4 of the OFF file: \"1,5\" has a decimal comma");
 }
 
 TEST(OffReader, NamesTheLineOfAnIndexOutOfRange) {

@@ -56,6 +56,27 @@ TEST(PlyReader, IgnoresOtherElementsPropertiesAndLists) {
   EXPECT_EQ(soup->positions[2], Vec3(2, 2, 0));
 }
 
+TEST(PlyReader, SkipsCommentsAmongTheData) {
+  const auto soup = readPly(bytesOf(header(kVertices + kFaces) + "comment vertices: 3\n0 0 0\n1 0 0 \nobj_info 1 2\n" +
+                                    "comment\n0 1 0\ncomment faces\n3 0 1 2\ncomment the end\n"),
+                            {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST(PlyReader, ReadsABinaryFileWhoseHeaderHasWindowsLineEnds) {
+  const Mesh mesh = shapes::tetrahedron(2);
+  const Bytes bytes = model_files::ply(mesh, PlyKind::LittleEndian);
+  std::string text(bytes.begin(), bytes.end());
+  const std::size_t end = text.find("end_header\n") + 11;
+  std::string windows;
+  for (const char c : text.substr(0, end)) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const auto soup = readPly(bytesOf(windows + text.substr(end)), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles, mesh.triangles);
+}
+
 TEST(PlyReader, ReadsBinaryDataThatStartsWithALineFeedAfterACrHeader) {
   std::string text = header(kVertices + kFaces, "binary_little_endian");
   for (char& c : text)

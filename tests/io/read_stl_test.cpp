@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "io/write_stl.h"
+#include "message_codes/files.h"
 #include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
@@ -88,9 +89,22 @@ TEST(StlReader, RefusesATruncatedBinaryFileAndNamesBothSizes) {
   EXPECT_THAT(error, HasSubstr("room for 2 facets"));
 }
 
+TEST(StlReader, ReadsWholeFacetsDespiteAWrongCountAndWarns) {
+  for (const std::uint32_t count : {0u, 5u, 8u, 0x7fffffffu, 0xffffffffu}) {
+    Bytes bytes = binaryTetrahedron();
+    setCount(bytes, count);
+    const auto soup = readStl(bytes, {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    expectSameFacets(*soup, shapes::tetrahedron(2));
+    ASSERT_EQ(soup->warnings.size(), 1u);
+    EXPECT_EQ(soup->warnings[0], message<"stl-wrong-count">(with::count<"announced">(count), with::count<"count">(4)));
+  }
+}
+
 TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
   for (const std::uint32_t count : {5u, 8u, 0x7fffffffu, 0xffffffffu}) {
     Bytes bytes = binaryTetrahedron();
+    bytes.push_back(0);  // no whole facet at the end
     setCount(bytes, count);
     EXPECT_THAT(errorOf(bytes), HasSubstr(std::to_string(count) + " facets"));
   }
@@ -98,8 +112,9 @@ TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
 
 TEST(StlReader, RefusesZeroFacetsAndReportsTrailingBytes) {
   Bytes bytes = binaryTetrahedron();
+  bytes.push_back(0);
   setCount(bytes, 0);
-  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, but 200 bytes follow, room for 4 facets");
+  EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, but 201 bytes follow, room for 4 facets");
   bytes.resize(84);
   EXPECT_EQ(errorOf(bytes), "The binary STL file declares 0 facets, and none follows");
 }
@@ -113,8 +128,8 @@ TEST(StlReader, ReportsThatRandomBytesAreNotStl) {
     const auto soup = readStl(bytes, {});
     ASSERT_FALSE(soup);
     EXPECT_EQ(soup.error().message,
-              message("stl-neither", with::count<"announced">(0xe1234567),
-                      with::count<"expected">(84 + 50 * 0xe1234567ull), with::count<"bytes">(size)));
+              message<"stl-neither">(with::count<"announced">(0xe1234567),
+                                     with::count<"expected">(84 + 50 * 0xe1234567ull), with::count<"bytes">(size)));
   }
   EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is not an STL file"));
 }
@@ -130,13 +145,50 @@ TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   expectSameFacets(*soup, shapes::tetrahedron(2));
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(soup->warnings[0], message("stl-words-after-endfacet", with::count<"count">(1), with::count<"line">(line)));
+  EXPECT_EQ(soup->warnings[0], message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(line)));
   text.insert(text.rfind("endfacet") + 8, " attribute 7");
   soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << soup.error().message;
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "Words after \"endfacet\" were ignored in 2 lines, first in line " + std::to_string(line));
+            "Words between the facets were ignored in 2 lines, first in line " + std::to_string(line));
+}
+
+TEST(StlReader, ReadsKeywordsThatAreWrittenAsTwoWords) {
+  for (const char* keyword : {"endsolid", "endfacet", "endloop"}) {
+    std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+    for (std::size_t at = text.find(keyword); at != std::string::npos; at = text.find(keyword, at + 4))
+      text.insert(at + 3, " ");
+    const auto soup = readStl(bytesOf(text), {});
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    expectSameFacets(*soup, shapes::tetrahedron(2));
+    EXPECT_TRUE(soup->warnings.empty());
+  }
+}
+
+TEST(StlReader, ReadsSolidsWithoutEndsolidBetweenThem) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.resize(text.find("endsolid"));
+  const auto soup = readStl(bytesOf(text + model_files::asciiStl(shapes::tetrahedron(2))), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  EXPECT_EQ(soup->triangles.size(), 8u);
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-no-endsolid">());
+}
+
+TEST(StlReader, SkipsColoursBeforeTheFirstFacet) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.insert(text.find("  facet"), "color 0.5 0.5 0.5\n");
+  ASSERT_TRUE(looksLikeAsciiStl(bytesOf(text)));
+  const auto soup = readStl(bytesOf(text), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  expectSameFacets(*soup, shapes::tetrahedron(2));
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(2)));
+}
+
+TEST(StlReader, RefusesAFacetThatLacksItsKeyword) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.replace(text.rfind("facet normal"), 12, "fxcet normal");
+  EXPECT_THAT(errorOf(bytesOf(text)), HasSubstr("\"outer\" instead of"));
 }
 
 TEST(StlReader, WarnsAboutBytesAfterTheLastFacet) {
@@ -161,7 +213,9 @@ TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
 
 TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
   EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 2 3\n")),
-            "Line 4 of the ASCII STL file: \"1,5\" instead of a number");
+            "Line 4 of the STL file: \"1,5\" has a decimal comma");
+  EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1;5 2 3\n")),
+            "Line 4 of the ASCII STL file: \"1;5\" instead of a number");
 }
 
 TEST(StlReader, NamesTheLineWhereAnAsciiFileEnds) {
@@ -180,7 +234,7 @@ TEST(StlReader, WarnsWhenEndsolidIsMissing) {
   text.resize(text.find("endsolid"));
   const auto soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup);
-  EXPECT_EQ(soup->warnings.at(0), message("stl-no-endsolid"));
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-no-endsolid">());
 }
 
 TEST(StlReader, RefusesMoreTrianglesThanAllowed) {

@@ -356,6 +356,35 @@ TEST(Rewrite3mf, AChangedObjectLosesItsSlices) {
   EXPECT_THAT(model, HasSubstr("name=\"box\""));
 }
 
+TEST(Rewrite3mf, MakesAnEngravedSurfaceAModelAndKeepsWhatIsNone) {
+  std::string helper = boxObject(2, 3, 3, 3);
+  helper.insert(helper.find("<mesh>"),
+                "<metadatagroup><metadata name=\"cura:support_mesh\">True</metadata></metadatagroup>");
+  const std::string unprinted = boxObject(3, 4, 4, 4, "type=\"surface\"");
+  const std::string build = "<item objectid=\"2\"/><item objectid=\"1\"/><item objectid=\"3\" printable=\"0\"/>";
+  const auto bytes =
+      zip_file::threeMf(zip_file::modelPart(helper + boxObject(1, 1, 2, 3, "type=\"surface\"") + unprinted, build));
+  const PolygonSoup soup = soupOf(bytes);
+  ASSERT_EQ(soup.source->runs.size(), 1u);
+  const ChangedRun change = sameRun(soup, 0);
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  const std::string model = unzipped(*written)["3D/3dmodel.model"];
+  EXPECT_THAT(model, HasSubstr("<object id=\"1\" type=\"model\">"));
+  for (const std::string& kept : {helper, unprinted, build}) EXPECT_THAT(model, HasSubstr(kept));
+}
+
+TEST(Rewrite3mf, FindsMeshesWhoseNumbersHaveBlanks) {
+  std::string model = zip_file::modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1 \"/>");
+  model = replaced(model, "object id=\"1\"", "object id=\" 1 \"");
+  for (std::size_t at = model.find("v2=\""); at != std::string::npos; at = model.find("v2=\"", at + 5))
+    model.insert(at + 4, " ");
+  const PolygonSoup soup = soupOf(zip_file::threeMf(model));
+  const ChangedRun change = withOneMore(sameRun(soup, 0));
+  const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+  EXPECT_TRUE(written) << sentence(written.error().message);
+}
+
 TEST(Rewrite3mf, TurnsTrianglesOfMirroredMeshesBack) {
   const auto bytes = zip_file::threeMf(
       zip_file::modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\" transform=\"-1 0 0 0 2 0 0 0 1 4 5 6\"/>"));

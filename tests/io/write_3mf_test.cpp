@@ -92,6 +92,19 @@ TEST(Write3mf, NamesTheMaterialsInAFileForAnySlicerOnly) {
     EXPECT_THAT(partOf(*write3mf(objects, {.slicer = slicer}), "3D/3dmodel.model"), Not(HasSubstr("basematerials")));
 }
 
+TEST(Write3mf, KeepsTheFilamentsThatBodiesHave) {
+  std::vector<ModelObject> objects = {
+      {"sign", {{"plate", shapes::box({30, 30, 4}), {}}, {"text", shapes::box({3, 3, 5}), {}}}}};
+  objects[0].bodies[0].filament = 3;
+  objects[0].bodies[1].filament = 1;
+  const auto bytes = write3mf(objects, {});
+  EXPECT_THAT(partOf(*bytes, "Metadata/model_settings.config"),
+              HasSubstr("value=\"plate\"/>\n   <metadata key=\"extruder\" value=\"3\"/>"));
+  EXPECT_THAT(partOf(*bytes, "Metadata/model_settings.config"),
+              HasSubstr("value=\"text\"/>\n   <metadata key=\"extruder\" value=\"1\"/>"));
+  EXPECT_THAT(partOf(*bytes, "3D/3dmodel.model"), HasSubstr("<m:colorgroup id=\"3\">"));
+}
+
 TEST(Write3mf, NamesTheMaterialOfPaint) {
   std::vector<ModelObject> objects = paintedPlate();
   objects[0].bodies[0].paint->material = "QR code";

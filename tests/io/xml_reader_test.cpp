@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "io/zip_writer.h"
+#include "message_codes/files.h"
 #include "messages/sentences.h"
 #include "support/zip_file.h"
 
@@ -28,7 +29,7 @@ class Recorder : public XmlHandler {
     events.push_back("<" + std::string(element.space) + "|" + std::string(element.name) + " " +
                      std::string(element.attribute("a").value_or("-")) + " " +
                      std::string(element.attribute("urn:p", "a").value_or("-")));
-    if (element.name == refuse) return badInput(message("3mf-two-objects"));
+    if (element.name == refuse) return badInput(message<"3mf-two-objects">());
     if (element.name == throwAt) throw std::runtime_error("thrown");
     return {};
   }
@@ -80,7 +81,7 @@ TEST(XmlReader, StopsWithTheHandlersErrorAndItsLine) {
   const Status status = read("<r>\n<b/><c/></r>", recorder);
   ASSERT_FALSE(status);
   EXPECT_EQ(sentence(status.error().message), "Part \"part.xml\" of the 3MF file, line 2: two objects have this id");
-  EXPECT_EQ(hint(status.error().message), hint(message("3mf-two-objects")));
+  EXPECT_EQ(hint(status.error().message), hint(message<"3mf-two-objects">()));
   EXPECT_THAT(recorder.events, ElementsAre("<|r - -", "<|b - -"));
 }
 

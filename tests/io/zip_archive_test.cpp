@@ -76,6 +76,7 @@ TEST(ZipArchive, ComparesNamesAsPackagesDo) {
   EXPECT_NE(archive->find("3d/my model.MODEL"), nullptr);
   EXPECT_EQ(archive->find("3D/MyModel.model"), nullptr);
   EXPECT_EQ(archive->find("folder/"), nullptr);
+  EXPECT_NE(ZipArchive::open(zip_file::zip({{"3D\\a.model", "x"}}))->find("3D/a.model"), nullptr);
 }
 
 TEST(ZipArchive, ReadsZip64) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "message_codes/text.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -95,7 +96,7 @@ TEST(LabelLayout, TheMarginIsTheSameForAllTexts) {
 TEST(LabelLayout, TextOfSpacesIsRefused) {
   const auto laidOut = layOutLabel({"  ", LabelFrame::None}, kModules);
   ASSERT_FALSE(laidOut.has_value());
-  EXPECT_EQ(laidOut.error().message, message("label-empty"));
+  EXPECT_EQ(laidOut.error().message, message<"label-empty">());
 }
 
 TEST(LabelLayout, TheLeastHeightHasStrokesOfOneLine) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "message_codes/text.h"
 #include "projection/plane_shapes.h"
 
 namespace qrelief {
@@ -98,19 +99,28 @@ TEST(TextOutline, NamesTheCharactersThatTheFontLacks) {
   const auto text = outlineText("Nr. 漢 7 字漢", kTolerance);
   ASSERT_FALSE(text.has_value());
   EXPECT_EQ(text.error().kind, ErrorKind::BadInput);
-  EXPECT_EQ(text.error().message, message("label-lacks-characters", with::quoted<"characters">("漢 字")));
+  EXPECT_EQ(text.error().message, message<"label-lacks-characters">(with::quoted<"characters">("漢 字")));
   EXPECT_EQ(outlineText("a\nb", kTolerance).error().message.code, "label-lacks-characters");
 }
 
 TEST(TextOutline, RefusesTextThatIsNotUtf8) {
   const auto text = outlineText("a\xff", kTolerance);
   ASSERT_FALSE(text.has_value());
-  EXPECT_EQ(text.error().message, message("text-no-utf8", with::count<"byte">(1)));
+  EXPECT_EQ(text.error().message, message<"text-no-utf8">(with::count<"byte">(1)));
 }
 
 TEST(TextOutline, ReadsAccentsGreekAndCyrillic) {
   EXPECT_EQ(outline("Äöß").rings.size(), 9u);  // A, its hole and two dots; o, its hole and two dots; ß
   EXPECT_FALSE(outline("Ωж").rings.empty());
+}
+
+TEST(TextOutline, ComposesLettersAndTheirMarks) {
+  for (const auto& [apart, one] : {std::pair("Mu\xCC\x88ller", "M\xC3\xBCller"), std::pair("e\xCC\x81", "\xC3\xA9"),
+                                   std::pair("\xD0\xB8\xCC\x86", "\xD0\xB9")}) {
+    const auto outline = outlineText(apart, 0.01), expected = outlineText(one, 0.01);
+    ASSERT_TRUE(outline) << outline.error().message;
+    EXPECT_EQ(outline->rings, expected->rings) << one;
+  }
 }
 
 TEST(TextOutline, NoOutlineOfPrintableAsciiCrossesItsNeighbours) {

@@ -127,10 +127,20 @@ TEST(CleanTriangles, KeepsOneOfDuplicateTrianglesInAnyOrientation) {
 TEST(CleanTriangles, RemovesAWallWithoutThickness) {
   Mesh mesh = shapes::box({2, 2, 2});
   const std::vector<Triangle> before = mesh.triangles;
-  mesh.triangles.insert(mesh.triangles.end(), {{0, 5, 6}, {0, 6, 5}});
+  mesh.positions.push_back({0, 0, 5});  // a fin on the box
+  mesh.triangles.insert(mesh.triangles.end(), {{0, 5, 8}, {0, 8, 5}});
   const Cleaning report = cleanTriangles(mesh);
   EXPECT_EQ(report.duplicates, 2u);
   EXPECT_EQ(mesh.triangles, before);
+}
+
+TEST(CleanTriangles, KeepsTheFacesBetweenTwoSolids) {
+  Mesh mesh = shapes::box({2, 2, 2});
+  mesh.triangles.insert(mesh.triangles.end(), {{0, 5, 6}, {0, 6, 5}});  // cut off a corner, and close both pieces
+  const Cleaning report = cleanTriangles(mesh);
+  EXPECT_EQ(report.duplicates, 0u);
+  EXPECT_EQ(mesh.triangles.size(), 14u);
+  EXPECT_TRUE(shapes::isClosed(mesh));
 }
 
 }  // namespace

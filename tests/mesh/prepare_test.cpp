@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/self_intersection.h"
+#include "message_codes/model.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 
@@ -205,28 +206,76 @@ TEST(PrepareModel, ReportsThatNotAllOpenEdgesWereCompared) {
   EXPECT_NE(hint(finding->message), "");
 }
 
-TEST(PrepareModel, KeepsThePartOfEachTriangle) {
-  Mesh both = shapes::together(shapes::box({10, 10, 10}), shapes::translated(shapes::icosphere(5, 1), {20, 0, 0}));
-  both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the triangle numbers shift
-  both.triangles.pop_back();                                 // a hole, to be filled
-  PolygonSoup soup = shapes::soupOf(both);
-  soup.parts = {{"box", 0}, {"ball", 13}};
-  const auto model = prepareModel(soup, {.repair = {.maxHoleMm = 10}});
-  ASSERT_TRUE(model && model->engravable());
-  ASSERT_EQ(model->partOfTriangle.size(), model->mesh.triangles.size());
-  for (std::size_t t = 0; t < model->mesh.triangles.size(); ++t)
-    EXPECT_EQ(model->partOfTriangle[t], model->mesh.corner(t, 0).x > 10 ? 1u : 0u);
-  soup.parts.resize(1);
-  EXPECT_TRUE(prepareModel(soup, {})->partOfTriangle.empty());
+/// Returns a soup of two bodies, as a 3MF file has them.
+PolygonSoup soupOfBodies(const Mesh& first, const Mesh& second) {
+  PolygonSoup soup = shapes::soupOf(shapes::together(first, second));
+  soup.bodies = {{"first", 0}, {"second", 0}};
+  soup.bodyOf.assign(first.triangles.size(), 0);
+  soup.bodyOf.resize(soup.triangles.size(), 1);
+  return soup;
 }
 
-TEST(PrepareModel, NamesPartsThatTouchAlongAnEdge) {
+TEST(PrepareModel, KeepsTheBodyOfEachTriangle) {
+  Mesh box = shapes::box({10, 10, 10}), ball = shapes::translated(shapes::icosphere(5, 1), {20, 0, 0});
+  box.triangles.insert(box.triangles.begin(), {0, 0, 1});  // dropped, so the triangle numbers shift
+  ball.triangles.pop_back();                               // a hole, to be filled
+  const PolygonSoup soup = soupOfBodies(box, ball);
+  const auto model = prepareModel(soup, {.repair = {.maxHoleMm = 10}});
+  ASSERT_TRUE(model && model->engravable());
+  ASSERT_EQ(model->bodies.size(), 2u);
+  ASSERT_EQ(model->mesh.bodyOf.size(), model->mesh.triangles.size());
+  for (std::size_t t = 0; t < model->mesh.triangles.size(); ++t)
+    EXPECT_EQ(model->mesh.body(t), model->mesh.corner(t, 0).x > 10 ? 1u : 0u);
+}
+
+TEST(PrepareModel, HasOneBodyWithoutNumbersOfTrianglesIfThereIsOneShell) {
+  const PreparedModel model = prepared(shapes::box({10, 10, 10}));
+  EXPECT_EQ(model.bodies.size(), 1u);
+  EXPECT_TRUE(model.mesh.bodyOf.empty());
+}
+
+TEST(PrepareModel, KeepsBodiesThatTouchOrOverlapAsTheyAre) {
   const Mesh box = shapes::box({10, 10, 10});
-  PolygonSoup soup = shapes::soupOf(shapes::together(box, shapes::translated(box, {10, 10, 0})));
-  soup.parts = {{"left", 0}, {"right", 12}};
-  const auto model = prepareModel(soup, {});
-  expectFinding(*model, "non-manifold-edges", Severity::Blocking, 1);
-  EXPECT_THAT(wordsOf(*model, "non-manifold-edges"), HasSubstr("; parts 1 (\"left\") and 2 (\"right\") touch there"));
+  for (const Vec3 offset :
+       {Vec3{0, 0, 10}, Vec3{10, 0, 10}, Vec3{10, 10, 10}, Vec3{3, 2, 10}, Vec3{3, 2, 1}, Vec3{0}}) {
+    const Mesh other = shapes::translated(box, offset);
+    const auto model = prepareModel(soupOfBodies(box, other), {});
+    ASSERT_TRUE(model && model->engravable()) << offset.x << offset.y << offset.z;
+    const Mesh both = shapes::together(box, other);
+    ASSERT_EQ(model->mesh.triangles.size(), both.triangles.size());
+    for (std::size_t t = 0; t < both.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) EXPECT_EQ(model->mesh.corner(t, k), both.corner(t, k));
+    EXPECT_TRUE(shapes::isClosed(model->mesh));
+    EXPECT_EQ(model->findings.size(), 1u);  // several shells
+    EXPECT_FALSE(model->crossesItself);
+    EXPECT_TRUE(model->hasCrossings);
+  }
+}
+
+TEST(PrepareModel, WeldsNoSeamBetweenBodies) {
+  Mesh open = shapes::box({10, 10, 10});
+  open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
+  const auto model =
+      prepareModel(soupOfBodies(open, shapes::translated(open, {0, 0, 20})), {.repair = {.maxHoleMm = 100}});
+  ASSERT_TRUE(model);
+  expectFinding(*model, "holes-filled", Severity::Warning, 2);
+}
+
+TEST(PrepareModel, MakesABodyOfEachShellWithItsCavities) {
+  const Mesh box = shapes::box({20, 20, 20}), cavity = shapes::insideOut(shapes::box({8, 8, 8}));
+  const Mesh other = shapes::translated(box, {30, 0, 0});
+  const PreparedModel model = prepared(shapes::together(shapes::together(box, other), cavity));
+  ASSERT_EQ(model.bodies.size(), 2u);
+  EXPECT_TRUE(model.bodies[0].isShell);
+  ASSERT_EQ(model.mesh.bodyOf.size(), 36u);
+  for (std::size_t t = 0; t < 36; ++t) EXPECT_EQ(model.mesh.body(t), t >= 12 && t < 24 ? 1u : 0u) << t;
+}
+
+TEST(PrepareModel, FindsNoCavityOfAnotherBody) {
+  const auto model = prepareModel(soupOfBodies(shapes::box({20, 20, 20}), shapes::box({8, 8, 8})), {});
+  ASSERT_TRUE(model && model->engravable());
+  EXPECT_EQ(model->findings.size(), 1u);  // several shells: a solid within another body is no mistake
+  EXPECT_GT(signedVolume(model->mesh), 8000);
 }
 
 TEST(PrepareModel, RefusesAnInvalidTolerance) {
@@ -294,10 +343,26 @@ TEST(PrepareModel, WarnsAboutASolidInsideASolid) {
                 Severity::Warning, 1);
 }
 
-TEST(PrepareModel, WarnsAboutPartsThatTouchAtAPoint) {
+TEST(PrepareModel, KeepsShellsThatTouchAtAPointApart) {
   const Mesh box = shapes::box({10, 10, 10});
-  expectFinding(prepared(shapes::together(box, shapes::translated(box, {10, 10, 10}))), "non-manifold-vertices",
-                Severity::Warning, 1);
+  const PreparedModel model = prepared(shapes::together(box, shapes::translated(box, {10, 10, 10})));
+  expectFinding(model, "several-shells", Severity::Note, 2);
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_EQ(model.mesh.positions.size(), 16u);
+}
+
+TEST(PrepareModel, WarnsAboutAShellThatTouchesItselfAtAPoint) {
+  Mesh mesh = shapes::torus(10, 3, 24, 12);
+  // Pinched: a vertex of the inner side moves to the one opposite to it.
+  std::uint32_t inner = 0;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    if (glm::length(mesh.positions[v]) < glm::length(mesh.positions[inner])) inner = v;
+  std::uint32_t opposite = 0;
+  const Vec3f wanted(-mesh.positions[inner].x, -mesh.positions[inner].y, mesh.positions[inner].z);
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    if (glm::distance(mesh.positions[v], wanted) < glm::distance(mesh.positions[opposite], wanted)) opposite = v;
+  mesh.positions[inner] = mesh.positions[opposite] = Vec3f(0);
+  expectFinding(prepared(mesh), "non-manifold-vertices", Severity::Warning, 1);
 }
 
 TEST(PrepareModel, RepairsTinySelfIntersectionsAndReportsIt) {
@@ -308,16 +373,31 @@ TEST(PrepareModel, RepairsTinySelfIntersectionsAndReportsIt) {
   EXPECT_EQ(model.normals, vertexNormals(model.mesh));
 }
 
-TEST(PrepareModel, WarnsAboutOverlappingPartsAndKeepsThem) {
+TEST(PrepareModel, KeepsShellsThatOverlap) {
   const Mesh sphere = shapes::icosphere(10, 4);
   const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {7, 1, 2}));
   const PreparedModel model = prepared(mesh);
-  const auto pairs = findSelfIntersections(mesh);
-  expectFinding(model, "self-intersections", Severity::Warning, pairs->size());
-  const Vec3 first = mesh.corner(pairs->front()[0], 0);
-  EXPECT_THAT(wordsOf(model, "self-intersections"),
-              HasSubstr(fmt::format("the first near ({:.6g}, {:.6g}, {:.6g})", first.x, first.y, first.z)));
+  expectFinding(model, "several-shells", Severity::Note, 2);
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_FALSE(model.crossesItself);
   EXPECT_EQ(model.mesh.positions, mesh.positions);
+}
+
+TEST(PrepareModel, KeepsShellsThatShareAFaceClosed) {
+  const Mesh box = shapes::box({10, 10, 10});
+  const Mesh mesh = shapes::together(box, shapes::translated(box, {0, 0, 10}));
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "several-shells", Severity::Note, 2);
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_TRUE(shapes::isClosed(model.mesh));
+  EXPECT_EQ(model.mesh.triangles.size(), mesh.triangles.size());
+}
+
+TEST(PrepareModel, KeepsShellsThatShareAnEdgeClosed) {
+  const Mesh box = shapes::box({10, 10, 10});
+  const PreparedModel model = prepared(shapes::together(box, shapes::translated(box, {10, 0, 10})));
+  EXPECT_TRUE(model.engravable());
+  EXPECT_TRUE(shapes::isClosed(model.mesh));
 }
 
 TEST(PrepareModel, LooksForSelfIntersectionsOnlyInClosedModels) {
@@ -353,6 +433,8 @@ TEST(PrepareModel, WarnsAboutATinyModelAndSuggestsUnits) {
 TEST(PrepareModel, WarnsAboutAHugeModel) {
   expectFinding(prepared(shapes::box({2001, 10, 10})), "huge", Severity::Warning, 1);
   EXPECT_FALSE(find(prepared(shapes::box({2000, 10, 10})), "huge"));
+  EXPECT_EQ(hintOf(prepared(shapes::box({80'000, 20'000, 20'000})), "huge"),
+            "If it should be smaller, --units um makes it 80 × 20 × 20 mm; use --scale for any other scale");
 }
 
 TEST(PrepareModel, WarnsIfFloatsAreTooCoarse) {
@@ -392,7 +474,7 @@ TEST(PrepareModel, RefusesCoordinatesThatAreNotFinite) {
 }
 
 TEST(PrepareModel, RefusesModelsWithoutArea) {
-  EXPECT_EQ(prepareModel(PolygonSoup{}, {}).error().message, message("model-no-triangle"));
+  EXPECT_EQ(prepareModel(PolygonSoup{}, {}).error().message, message<"model-no-triangle">());
   Mesh line;
   line.positions = {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}};
   line.triangles = {{0, 1, 2}};
@@ -408,7 +490,7 @@ TEST(PrepareModel, ReportsThatTheFacesOfASheetWithoutThicknessCancelOut) {
   sheet.positions = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   const Message refusal = refusalOf(sheet);
-  EXPECT_EQ(refusal, message("model-no-thickness", with::count<"count">(4)));
+  EXPECT_EQ(refusal, message<"model-no-thickness">(with::count<"count">(4)));
   EXPECT_EQ(sentence(refusal),
             "The model is a sheet without thickness: its 4 triangles lie in pairs back to back on the same corners, "
             "cancel each other out and enclose no volume");
@@ -419,7 +501,7 @@ TEST(PrepareModel, ReportsAreasLostToRounding) {
   PolygonSoup soup;  // near (8192, 8192, 0) 32-bit floats are 1/1024 apart
   soup.positions = {{8192, 8192, 0}, {8192.0001, 8192, 0}, {8192, 8192.0001, 0}};
   soup.triangles = {{0, 1, 2}};
-  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count<"count">(1)));
+  EXPECT_EQ(prepareModel(soup, {}).error().message, message<"area-lost-in-rounding">(with::count<"count">(1)));
 }
 
 TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {

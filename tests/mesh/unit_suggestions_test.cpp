@@ -31,8 +31,19 @@ TEST(UnitSuggestions, OmitTheUnitInUse) {
 }
 
 TEST(UnitSuggestions, AreNeverMoreThanTwo) {
-  for (const double scale : {1.0, 10.0, 25.4, 1000.0})
-    for (double size = 1e-4; size < 10; size *= 1.1) EXPECT_LE(suggestUnits({size, size, size}, scale).size(), 2u);
+  for (const double scale : {0.001, 1.0, 10.0, 25.4, 1000.0})
+    for (double size = 1e-4; size < 1e6; size *= 1.1) EXPECT_LE(suggestUnits({size, size, size}, scale).size(), 2u);
+}
+
+TEST(UnitSuggestions, NameASmallerUnitForAHugeModel) {
+  const auto um = suggestUnits({60'000, 20'000, 5000}, 1);
+  ASSERT_EQ(um.size(), 1u);
+  EXPECT_EQ(sentence(smallerUnitAdvice(um)),
+            "If it should be smaller, --units um makes it 60 × 20 × 5 mm; use --scale for any other scale");
+  const auto mm = suggestUnits({200'000, 80'000, 80'000}, 1000);
+  ASSERT_EQ(mm.size(), 1u);
+  EXPECT_EQ(mm[0], (UnitSuggestion{"mm", 1, {200, 80, 80}}));
+  EXPECT_EQ(smallerUnitAdvice(suggestUnits({3000, 100, 100}, 1)).code, "unit-may-be-smaller");
 }
 
 TEST(UnitSuggestions, SuggestNoUnitIfNoneIsPlausible) {

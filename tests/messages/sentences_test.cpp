@@ -11,6 +11,7 @@
 
 #include "base/message_json.h"
 #include "math/vec.h"
+#include "support/paths.h"
 
 namespace qrelief {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json cases() {
-  std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/messages/cases.json");
+  std::ifstream stream(sourceFolder() / "tests/messages/cases.json");
   return Json::parse(stream);
 }
 

@@ -29,14 +29,15 @@ void expectSameMesh(const Mesh& actual, const Mesh& expected) {
 EngraveResult twoBoxes() {
   EngraveResult result;
   result.mesh = shapes::together(shapes::box({1, 2, 3}), shapes::translated(shapes::box({4, 4, 4}), {10, 0, 0}));
-  result.partOfTriangle.assign(12, 0);
-  result.partOfTriangle.resize(24, 2);
-  result.carvedPart = 2;
+  result.mesh.bodyOf.assign(12, 0);
+  result.mesh.bodyOf.resize(24, 1);
+  result.bodies = {{"", 0}, {"", 2}};
+  result.carvedBody = 1;
   return result;
 }
 
 TEST(CarvedObjects, EveryPartIsANamedObjectWithoutColour) {
-  const std::vector<ModelObject> objects = carvedObjects(twoBoxes(), kNames, true);
+  const std::vector<ModelObject> objects = carvedObjects(twoBoxes(), kNames, true, true);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "left");
   EXPECT_EQ(objects[1].name, "right");
@@ -51,15 +52,15 @@ TEST(CarvedObjects, EveryPartIsANamedObjectWithoutColour) {
 TEST(CarvedObjects, TheInlayIsTheSecondBodyOfTheCarvedObjectInAnotherColour) {
   EngraveResult result = twoBoxes();
   result.inlay = shapes::translated(shapes::box({1, 1, 1}), {10, 0, 1.5});
-  for (const std::uint32_t carved : {0u, 2u}) {
-    result.carvedPart = carved;
-    const std::vector<ModelObject> objects = carvedObjects(result, kNames, true);
+  for (const std::uint32_t carved : {0u, 1u}) {
+    result.carvedBody = carved;
+    const std::vector<ModelObject> objects = carvedObjects(result, kNames, true, true);
     ASSERT_EQ(objects.size(), 2u);
     const ModelObject& whole = objects[carved == 0 ? 1 : 0];
     EXPECT_EQ(whole.bodies.size(), 1u);
     EXPECT_FALSE(whole.bodies[0].colour);
     const ModelObject& object = objects[carved == 0 ? 0 : 1];
-    EXPECT_EQ(object.name, kNames[carved]);
+    EXPECT_EQ(object.name, kNames[carved == 0 ? 0 : 2]);
     ASSERT_EQ(object.bodies.size(), 2u);
     expectSameMesh(object.bodies[1].mesh, *result.inlay);
     EXPECT_EQ(object.bodies[1].name, "QR code");
@@ -73,7 +74,7 @@ TEST(CarvedObjects, TheInlayIsTheSecondBodyOfTheCarvedObjectInAnotherColour) {
 TEST(CarvedObjects, OmitsAnUnrequestedInlay) {
   EngraveResult result = twoBoxes();
   result.inlay = shapes::box({1, 1, 1});
-  for (const ModelObject& object : carvedObjects(result, kNames, false)) {
+  for (const ModelObject& object : carvedObjects(result, kNames, false, true)) {
     ASSERT_EQ(object.bodies.size(), 1u);
     EXPECT_FALSE(object.bodies[0].colour);
   }
@@ -83,7 +84,7 @@ TEST(CarvedObjects, AModelOfOnePartIsOneUnchangedObject) {
   EngraveResult result;
   result.mesh = shapes::icosphere(10, 2);
   result.inlay = shapes::box({1, 1, 1});
-  const std::vector<ModelObject> objects = carvedObjects(result, {}, true);
+  const std::vector<ModelObject> objects = carvedObjects(result, {}, true, true);
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].name, "");
   ASSERT_EQ(objects[0].bodies.size(), 2u);
@@ -93,15 +94,48 @@ TEST(CarvedObjects, AModelOfOnePartIsOneUnchangedObject) {
 TEST(CarvedObjects, PaintsTheCarvedPart) {
   EngraveResult result;
   result.mesh = shapes::together(shapes::box({5, 6, 7}), shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}));
-  for (std::uint32_t t = 0; t < 24; ++t) result.partOfTriangle.push_back(t < 12 ? 0 : 1);
-  result.carvedPart = 1;
+  for (std::uint32_t t = 0; t < 24; ++t) result.mesh.bodyOf.push_back(t < 12 ? 0 : 1);
+  result.bodies = {{"", 0}, {"", 1}};
+  result.carvedBody = 1;
   result.painted = {12, 15, 23};
-  const std::vector<ModelObject> objects = carvedObjects(result, {}, false);
+  const std::vector<ModelObject> objects = carvedObjects(result, {}, false, true);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_FALSE(objects[0].bodies[0].paint);
   ASSERT_TRUE(objects[1].bodies[0].paint);
   EXPECT_EQ(objects[1].bodies[0].paint->triangles, (std::vector<std::uint32_t>{0, 3, 11}));
   EXPECT_NE(objects[1].bodies[0].paint->colour, objects[1].bodies[0].colour);
+}
+
+/// Returns a result as if the second of two touching bodies of one object had been carved.
+EngraveResult twoBodiesOfOneObject(bool areShells) {
+  EngraveResult result = twoBoxes();
+  result.bodies = {{"base", 0, areShells}, {"top", 0, areShells}};
+  return result;
+}
+
+TEST(CarvedObjects, KeepTheBodiesOfAnObjectApart) {
+  const std::vector<ModelObject> objects = carvedObjects(twoBodiesOfOneObject(false), kNames, true, true);
+  ASSERT_EQ(objects.size(), 1u);
+  ASSERT_EQ(objects[0].bodies.size(), 2u);
+  EXPECT_EQ(objects[0].bodies[0].name, "base");
+  EXPECT_EQ(objects[0].bodies[1].name, "top");
+  expectSameMesh(objects[0].bodies[0].mesh, shapes::box({1, 2, 3}));
+}
+
+TEST(CarvedObjects, JoinTheBodiesOfAnObjectForFormatsThatHoldOne) {
+  const EngraveResult result = twoBodiesOfOneObject(false);
+  const std::vector<ModelObject> objects = carvedObjects(result, kNames, true, false);
+  ASSERT_EQ(objects.size(), 1u);
+  ASSERT_EQ(objects[0].bodies.size(), 1u);
+  expectSameMesh(objects[0].bodies[0].mesh, result.mesh);
+}
+
+TEST(CarvedObjects, KeepTheShellsOfAFileWithoutBodiesTogether) {
+  const EngraveResult result = twoBodiesOfOneObject(true);
+  const std::vector<ModelObject> objects = carvedObjects(result, {}, true, true);
+  ASSERT_EQ(objects.size(), 1u);
+  ASSERT_EQ(objects[0].bodies.size(), 1u);
+  expectSameMesh(objects[0].bodies[0].mesh, result.mesh);
 }
 
 class CarvedObjectsOfAnEngravedModel : public GlTest {};
@@ -111,6 +145,9 @@ TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePock
   const Mesh cube = shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), ball = shapes::icosphere(40, 4);
   PolygonSoup soup = shapes::soupOf(shapes::together(cube, ball));
   soup.parts = {{"cube", 0}, {"ball", 12}};
+  soup.bodies = {{"cube", 0}, {"ball", 1}};
+  soup.bodyOf.assign(12, 0);
+  soup.bodyOf.resize(soup.triangles.size(), 1);
   auto prepared = prepareModel(soup, {});
   ASSERT_TRUE(prepared) << prepared.error().message;
   EngraveRequest request;
@@ -122,7 +159,7 @@ TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePock
   const auto result = engrave(EngravableModel::upload(std::move(*prepared)), request);
   ASSERT_TRUE(result) << result.error().message;
 
-  const std::vector<ModelObject> objects = carvedObjects(*result, std::vector<std::string>{"cube", "ball"}, true);
+  const std::vector<ModelObject> objects = carvedObjects(*result, std::vector<std::string>{"cube", "ball"}, true, true);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "cube");
   EXPECT_EQ(objects[1].name, "ball");

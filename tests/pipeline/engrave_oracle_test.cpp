@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "support/gl_test.h"
+#include "support/paths.h"
 #include "support/shapes.h"
 #include "support/solid_oracle.h"
 
@@ -104,7 +105,7 @@ TEST_F(EngraveOracle, DetectsFalseReasons) {
 
 TEST(CarvingCase, AcceptsFacetsPartlyHiddenByOneBesideTheCode) {
   // Found by fuzzing: one corner of the code lies on a facet that is partly hidden by a ridge beside the code.
-  std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/fuzz/seeds/carve/overlapping_facets", std::ios::binary);
+  std::ifstream stream(sourceFolder() / "tests/fuzz/seeds/carve/overlapping_facets", std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
   ASSERT_EQ(bytes.size(), 122u);
   Choices choices(bytes);

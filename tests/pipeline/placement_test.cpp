@@ -72,6 +72,47 @@ TEST_F(PlacementTest, TheThreeSizesOfATurnedSquareMatchTheirClosedForms) {
   }
 }
 
+TEST_F(PlacementTest, TheBestSizeIsNeverSmallerThanTheFreeOne) {
+  Mesh slab = shapes::box({60, 24, 8});
+  for (const auto& [mesh, centres] :
+       {std::pair(shapes::together(slab, shapes::translated(shapes::box({24, 60, 40}), {80, 0, 0})),
+                  std::vector<Vec3>{{25, 8, 4}, {28, 0, 3}, {29, 11, 4}, {30, 10, -2}, {80, 28, 19}, {90, 29, 15}}),
+        std::pair(shapes::bumpySphere(30, 4, 5, 5),
+                  std::vector<Vec3>{{30, 0, 0}, {20, 20, 10}, {0, 25, 20}, {-17, 9, 22}, {5, -28, -9}})}) {
+    load(mesh);
+    for (const Vec3 centre : centres) {
+      PlacementRequest request;
+      request.centreMm = centre;
+      request.quietZone = false;
+      const auto free = place(request);
+      request.sizeMode = SizeMode::Best;
+      const auto best = place(request);
+      if (!free) continue;
+      ASSERT_TRUE(best.has_value()) << best.error().message;
+      EXPECT_GE(best->symbolMm, free->symbolMm * (1 - 1e-6)) << centre.x << ' ' << centre.y << ' ' << centre.z;
+    }
+  }
+}
+
+TEST_F(PlacementTest, TheFreeSizeDoesNotDependOnTheRotation) {
+  Mesh wedge = shapes::plate({60, 60}, 8, 8, 8);  // its wall gets thinner towards +x
+  for (Vec3f& p : wedge.positions)
+    if (p.z < -1) p.z = -0.6f - 0.1f * (30 - p.x);
+  load(wedge);
+  PlacementRequest request;
+  request.pockets = {0.8, 1};
+  request.beyondMm = 5;
+  const auto straight = place(request);
+  ASSERT_TRUE(straight.has_value());
+  EXPECT_LT(straight->symbolMm, straight->guaranteedMm) << "walls decide";
+  for (const double rotateDeg : {20.0, 45.0, 110.0, -30.0}) {
+    request.rotateDeg = rotateDeg;
+    const auto turned = place(request);
+    ASSERT_TRUE(turned.has_value());
+    EXPECT_NEAR(turned->symbolMm, straight->symbolMm, 1e-6) << rotateDeg;
+  }
+}
+
 TEST_F(PlacementTest, AddsTheRequestedRotationToTheBestOne) {
   load(turnedPlate(40, kTurn));
   PlacementRequest request;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
+#include "message_codes/pipeline.h"
+#include "message_codes/printing.h"
 #include "messages/sentences.h"
 #include "pipeline/best_spot.h"
 #include "pipeline/engrave.h"
@@ -97,7 +99,7 @@ TEST_F(SpotSearchTest, WarnsAboutSpotsTooSmallForTheNozzle) {
     EXPECT_FALSE(spot.prints);
     ASSERT_EQ(spot.concerns.size(), 1u);
     EXPECT_EQ(spot.concerns.front(),
-              message("spot-too-small-to-print", with::lengthMm<"nozzle">(0.4), with::lengthMm<"needed">(31)));
+              message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(0.4), with::lengthMm<"needed">(31)));
   }
 }
 
@@ -211,7 +213,7 @@ TEST_F(SpotSearchTest, RefusesAThinShellAndReportsItsThickness) {
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
   EXPECT_NE(sentence(refused.error().message).find("their walls are at most 0."), std::string::npos)
       << refused.error().message;
-  EXPECT_NE(hint(refused.error().message).find("--min-wall 0.4"), std::string::npos) << hint(refused.error().message);
+  EXPECT_NE(hint(refused.error().message).find("--mark auto"), std::string::npos) << hint(refused.error().message);
   SpotSearchRequest thinner = request(20);
   thinner.minWallMm = 0.4;
   EXPECT_TRUE(findSpots(model, thinner).has_value());
@@ -234,7 +236,7 @@ TEST_F(SpotSearchTest, OffersThinWallsLastIfTheMarkMayBecomePaint) {
   for (const Spot& spot : thin->spots) {
     EXPECT_FALSE(spot.takesPockets);
     ASSERT_FALSE(spot.concerns.empty());
-    EXPECT_EQ(spot.concerns.front(), message("nothing-can-be-carved", with::lengthMm<"wall">(0.8)));
+    EXPECT_EQ(spot.concerns.front(), message<"nothing-can-be-carved">(with::lengthMm<"wall">(0.8)));
   }
   // The left half of the plate is 0.7 mm thick.
   wanted.count = 8;

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.h"
+
 namespace qrelief {
 namespace {
 
@@ -24,11 +26,12 @@ const std::vector<std::string> kLayers = {
     "base",  "math",    "mesh",     "io",           "qr",       "light",    "gl",      "render", "projection", "label",
     "depth", "carving", "printing", "verification", "settings", "pipeline", "verdict", "report", "batch"};
 
-/// Headers that the build generates from shaders/, messages/ and the font of labels.
-const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "message_codes.h", "label_font.h"};
+/// Headers that the build generates from shaders/ and the font of labels; those of messages/ are in message_codes/.
+const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "label_font.h"};
 
 bool isGenerated(const std::string& path) {
-  return std::find(kGeneratedHeaders.begin(), kGeneratedHeaders.end(), path) != kGeneratedHeaders.end();
+  return path.starts_with("message_codes/") ||
+         std::find(kGeneratedHeaders.begin(), kGeneratedHeaders.end(), path) != kGeneratedHeaders.end();
 }
 
 std::ptrdiff_t layerOf(const std::string& folder) {
@@ -69,7 +72,7 @@ const std::vector<std::string> kBuildings = {"", "app", "native", "script"};
 /// Returns the folder of a room, from the top level.
 std::string folderOf(const std::string& room) {
   for (const std::string& building : kBuildings)
-    if (fs::exists(fs::path(QRELIEF_SOURCE_DIR) / building / room)) return (fs::path(building) / room).string();
+    if (fs::exists(sourceFolder() / building / room)) return (fs::path(building) / room).string();
   return room;
 }
 
@@ -115,7 +118,7 @@ std::string contentsOf(const fs::path& file) {
 /// included path, quoted)
 template <class WhyForbidden>
 std::vector<std::string> violationsUnder(const std::string& folder, WhyForbidden whyForbidden) {
-  const fs::path root = fs::path(QRELIEF_SOURCE_DIR) / folder;
+  const fs::path root = sourceFolder() / folder;
   std::vector<std::string> violations;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
     const fs::path relative = fs::relative(entry.path(), root);
@@ -149,7 +152,7 @@ TEST(Layers, RoomsIncludeOnlyLowerRooms) {
 
 TEST(Layers, AreTheFoldersOfCore) {
   std::vector<std::string> folders;
-  for (const auto& entry : fs::directory_iterator(fs::path(QRELIEF_SOURCE_DIR) / "core")) {
+  for (const auto& entry : fs::directory_iterator(sourceFolder() / "core")) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   EXPECT_THAT(folders, testing::UnorderedElementsAreArray(kLayers));
@@ -195,7 +198,7 @@ TEST(Layers, DetectForbiddenIncludes) {
   EXPECT_THAT(only("base", "#include \"result.h\""), HasSubstr("no folder of core"));
   EXPECT_THAT(only("carving", "#include \"render/luminance_pass.h\""), "0 violations");
   EXPECT_THAT(only("render", "#include \"shaders.h\""), "0 violations");
-  EXPECT_THAT(only("base", "#include \"message_codes.h\""), "0 violations");
+  EXPECT_THAT(only("base", "#include \"message_codes/files.h\""), "0 violations");
   EXPECT_THAT(only("base", "#include <vector>"), "0 violations");
 }
 

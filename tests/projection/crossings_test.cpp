@@ -61,6 +61,18 @@ TEST(Crossings, OfBodiesThatTouchAtAPointAreThatPoint) {
   EXPECT_NEAR(sizeAt(mesh, true), 18, 1e-9);
 }
 
+TEST(Crossings, BoundACodeWhereAnotherBodyStandsOnTheFace) {
+  // The face's diagonal, which passes near the centre, is no limit.
+  const Mesh mesh =
+      shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 6}), {12, 0, 8}));
+  EXPECT_NEAR(sizeAt(mesh, true), 20, 1e-9);
+}
+
+TEST(Crossings, LeaveNoRoomWhereTheFaceOfAnotherBodyLiesInTheSamePlace) {
+  const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), shapes::box({40, 40, 10}));
+  EXPECT_LT(sizeAt(mesh, true), 2);
+}
+
 TEST(Crossings, AreFoundNearestFirst) {
   // The column comes through the face along x = 8 to 12, all the way from y = -20 to 20.
   const Mesh mesh =

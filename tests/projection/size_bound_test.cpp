@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "message_codes/pipeline.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 
@@ -50,10 +51,27 @@ TEST(Room, AcceptsAModelThatJustFitsTheSmallestCode) {
 
 TEST(Room, ForALongTextAsksForALargerModelOrAShorterText) {
   const SizeBound largest{177, 185.0 / 177};
-  const Status refused = checkSizeBound(prepared(shapes::box({20, 20, 20})), largest, kEyeMm);
+  const Status refused = checkSizeBound(prepared(shapes::box({30, 20, 10})), largest, kEyeMm);
   ASSERT_FALSE(refused);
   EXPECT_EQ(hint(refused.error().message), "Make the model larger (--scale), or shorten the text");
+  const Status small = checkSizeBound(prepared(shapes::box({20, 20, 20})), largest, kEyeMm);
+  ASSERT_FALSE(small);
+  EXPECT_EQ(
+      hint(small.error().message),
+      "Shorten the text. If it should be larger, --units cm makes it 200 × 200 × 200 mm; use --scale for any other "
+      "scale");
   EXPECT_TRUE(checkSizeBound(prepared(shapes::box({40, 40, 40})), largest, kEyeMm));
+}
+
+TEST(Room, SuggestsOnlyUnitsInWhichTheCodeHasRoom) {
+  const PreparedModel model = prepared(shapes::box({12, 3, 2}));
+  const Message otherwise = message<"larger-or-flatter">();
+  const Message advice = roomAdvice(model, kSmallest, kEyeMm, otherwise);
+  EXPECT_THAT(sentence(advice),
+              testing::HasSubstr("--units in makes it 305 × 76.2 × 50.8 mm, --units cm 120 × 30 × 20"));
+  const SizeBound wide{177, 20};
+  EXPECT_EQ(roomAdvice(model, wide, 1e9, otherwise), otherwise);
+  EXPECT_EQ(roomAdvice(prepared(shapes::box({31, 3, 2})), kSmallest, kEyeMm, otherwise), otherwise);
 }
 
 }  // namespace

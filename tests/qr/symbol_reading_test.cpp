@@ -44,6 +44,21 @@ TEST(SymbolReading, DecodesUtf8Unchanged) {
   }
 }
 
+TEST(SymbolReading, NamesUtf8OnlyForTextsBeyondAscii) {
+  const auto named = [](const std::string& text, EciUse eci) { return encodeSymbol(text, {.eci = eci})->hasEci; };
+  EXPECT_FALSE(named("https://example.com/a1", EciUse::Auto));
+  EXPECT_TRUE(named("Zürich", EciUse::Auto));
+  EXPECT_FALSE(named("Zürich", EciUse::Never));
+  EXPECT_NE(encodeSymbol("Zürich", {.eci = EciUse::Auto})->dark, encodeSymbol("Zürich", {.eci = EciUse::Never})->dark);
+  EXPECT_EQ(readText("Zürich 0123456789 SHOP", {.eci = EciUse::Never}), "Zürich 0123456789 SHOP");
+}
+
+TEST(SymbolReading, DecodesEveryModeAfterTheCharacterSet) {
+  for (const std::string text : {"01234567890123456789 ü", "HTTPS://EXAMPLE.COM/ü", "ü 01234567890123456789",
+                                 "BEGIN:VCARD\r\nN:Müller;Jörg\r\nTEL:+491234567890\r\nEND:VCARD", "S:Café \\; Bar;"})
+    EXPECT_EQ(readText(text), text);
+}
+
 TEST(SymbolReading, DecodesLinksWithMixedModes) {
   const std::string text = "https://example.com/SHOP/0123456789012345678901234567890?ID=ABCDEFGHIJKLMNOP";
   EXPECT_EQ(readText(text), text);

@@ -259,6 +259,35 @@ TEST(Symbol, MixesModesIfThatSavesAVersion) {
   EXPECT_EQ(encoded("ab0123456789012345678901", {.errorCorrection = ErrorCorrection::L}).version, 1);
 }
 
+TEST(Symbol, OfAsciiIsTheSameWhateverTheCharacterSetSetting) {
+  for (const char* text : {"https://example.com/a1", "01234567", "WIFI:T:nopass;S:x;;"}) {
+    const Symbol named = encoded(text, {.eci = EciUse::Auto}), plain = encoded(text, {.eci = EciUse::Never});
+    EXPECT_EQ(named.dark, plain.dark) << text;
+    EXPECT_FALSE(named.hasEci) << text;
+  }
+}
+
+TEST(Symbol, NeedsRoomToNameTheCharacterSet) {
+  // 14 bytes fill 1-M; libqrencode holds 11 beside the character set.
+  const std::string thirteen = "abcdefghijk\u00FC", eleven = "abcdefghi\u00FC";
+  EXPECT_EQ(encoded(eleven).version, 1);
+  EXPECT_EQ(encoded(thirteen).version, 2);
+  EXPECT_EQ(encoded(thirteen, {.eci = EciUse::Never}).version, 1);
+  EXPECT_TRUE(encoded(eleven).hasEci);
+  EXPECT_FALSE(encoded(eleven, {.eci = EciUse::Never}).hasEci);
+}
+
+TEST(Symbol, SmallestVersionsByLengthCountTheCharacterSet) {
+  for (const EciUse eci : {EciUse::Auto, EciUse::Never}) {
+    VersionsByLength versions(ErrorCorrection::M, eci);
+    for (std::size_t length = 1; length < 300; ++length) {
+      const std::string ascii(length, 'k'), beyond = ascii + "\u00FC";
+      EXPECT_EQ(versions.smallest(ascii), encoded(ascii, {.eci = eci}).version) << length;
+      EXPECT_EQ(versions.smallest(beyond), encoded(beyond, {.eci = eci}).version) << length;
+    }
+  }
+}
+
 TEST(Symbol, UsesALargerVersionOnRequest) {
   const Symbol symbol = encoded("A", {.errorCorrection = ErrorCorrection::H, .version = 12});
   EXPECT_EQ(symbol.version, 12);

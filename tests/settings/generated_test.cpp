@@ -7,12 +7,13 @@
 #include "generate/option_texts.h"
 #include "generate/options_page.h"
 #include "generate/settings_module.h"
+#include "support/paths.h"
 
 namespace qrelief {
 namespace {
 
 std::string committed(const std::string& path) {
-  std::ifstream stream(QRELIEF_SOURCE_DIR "/" + path, std::ios::binary);
+  std::ifstream stream(sourceFolder() / path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

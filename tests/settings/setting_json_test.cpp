@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
 
 namespace qrelief {
@@ -124,7 +125,7 @@ TEST(SettingJson, RefusesASettingOfTheWrongKindByNameAndValue) {
 TEST(SettingJson, RefusesAnUnknownKeyByName) {
   const auto request = requestFromJson(R"({"text": "x", "minWall": 3})");
   ASSERT_FALSE(request.has_value());
-  EXPECT_EQ(request.error().message, message("setting-unknown", with::quoted<"key">("minWall")));
+  EXPECT_EQ(request.error().message, message<"setting-unknown">(with::quoted<"key">("minWall")));
 }
 
 TEST(SettingJson, RefusesTextThatIsNotAJsonObject) {

@@ -9,6 +9,8 @@
 #include <set>
 #include <unistd.h>
 
+#include "support/paths.h"
+
 namespace qrelief::study {
 namespace {
 
@@ -93,7 +95,7 @@ TEST(Study, CaseNamesAreUniqueAndHaveAllKeys) {
 
 /// Checks that committed tables match the current experiments: their columns, and no cases but theirs.
 TEST(Study, CommittedTablesHaveAllCasesOfThisVersion) {
-  const fs::path results = fs::path(QRELIEF_SOURCE_DIR) / "study" / "results";
+  const fs::path results = sourceFolder() / "study" / "results";
   int matches = 0;
   for (const Experiment& experiment : allExperiments()) {
     const fs::path path = results / (experiment.name + ".csv");

@@ -14,6 +14,7 @@
 #include "math/angle.h"
 #include "math/tolerance.h"
 #include "mesh/ray.h"
+#include "message_codes/pipeline.h"
 #include "messages/sentences.h"
 #include "projection/occlusion.h"
 #include "support/brute_force.h"
@@ -441,7 +442,7 @@ Result<EngraveResult> carve(const EngraveCase& engraveCase, const EngravableMode
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorKind::NoSolution,
-                message("nothing-can-be-carved", with::lengthMm<"wall">(engraveCase.request.depth.minWallMm)));
+                message<"nothing-can-be-carved">(with::lengthMm<"wall">(engraveCase.request.depth.minWallMm)));
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = engraveCase.request.depth.surface});
   if (!embedded) return tl::unexpected(embedded.error());

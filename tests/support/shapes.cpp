@@ -197,7 +197,7 @@ Mesh tangledSphere() {
                               [](const Triangle& triangle) { return triangle[0] == vertex; });
   const Vec3f middle = (mesh.positions[(*t)[1]] + mesh.positions[(*t)[2]]) * 0.5f;
   Vec3f& pulled = mesh.positions[vertex];
-  pulled = middle + (middle - pulled) * 0.1f;
+  pulled = middle + (middle - pulled) * 0.001f;
   return mesh;
 }
 

@@ -40,7 +40,7 @@ Mesh insideOut(Mesh mesh);
 /// Returns both in one mesh, `a` first; nothing is welded.
 Mesh together(const Mesh& a, const Mesh& b);
 
-/// Returns icosphere(10, 3) with one vertex pulled through a neighbouring facet, 0.1 mm beyond their common edge, so
+/// Returns icosphere(10, 3) with one vertex pulled through a neighbouring facet, 1 µm beyond their common edge, so
 /// that 5 pairs of triangles cross.
 Mesh tangledSphere();
 

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "math/box.h"
-#include "projection/orientation.h"
+#include "math/orientation.h"
 
 namespace qrelief {
 namespace {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict/engrave_plan.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace qrelief {
 namespace {
 
 using Step = EngravePlan::Step;
+using testing::ElementsAre;
 
 /// Plays the host: says how many of 72 tries decoded the design or the print of each carving.
 class EngravePlanTest : public testing::Test {
@@ -14,6 +16,8 @@ class EngravePlanTest : public testing::Test {
   EngravePlanTest() {
     request_.code.text = "HELLO";
     request_.depth.preset = Preset::Shallow;
+    request_.placement.sizeMode = SizeMode::Fixed;
+    request_.placement.sizeMm = 20;
   }
 
   static Verdict verdictOf(bool reads, bool barelyPrints) {
@@ -22,6 +26,17 @@ class EngravePlanTest : public testing::Test {
     if (barelyPrints) verdict.prints.level = Level::Barely;
     return verdict;
   }
+
+  /// Returns the verdict on a print that so many of 72 tries decoded.
+  static Verdict verdictOfPrint(int reads) {
+    Verdict verdict = verdictOf(true, reads < 29);
+    if (reads >= 12) return verdict;
+    verdict.prints.level = Level::Bad;
+    verdict.prints.failed.emplace_back("unreadable-as-printed", std::initializer_list<const MessageValue*>{});
+    return verdict;
+  }
+
+  static Error noSolution(const char* code = "no-spot") { return {ErrorKind::NoSolution, Message(code, {})}; }
 
   static PrintedEvidence print(int reads) {
     PrintedEvidence evidence;
@@ -32,12 +47,12 @@ class EngravePlanTest : public testing::Test {
   void carve(bool reads) {
     ASSERT_EQ(plan_->step(), Step::Carve);
     presets_.emplace_back(presetName(plan_->request().depth.preset));
-    plan_->carved(verdictOf(reads, false));
+    plan_->carved(verdictOf(reads, false), {72, reads ? 72 : 0}, symbolMm_);
   }
 
   void printWith(int reads) {
     ASSERT_EQ(plan_->step(), Step::Print);
-    plan_->printed(verdictOf(true, reads < 29), print(reads));
+    plan_->printed(verdictOfPrint(reads), print(reads));
   }
 
   void begin(EngravePlan::Options options = {}) { plan_.emplace(request_, std::move(options)); }
@@ -51,12 +66,13 @@ class EngravePlanTest : public testing::Test {
   EngraveRequest request_;
   std::optional<EngravePlan> plan_;
   std::vector<std::string> presets_;  // of the carvings so far
+  double symbolMm_ = 20;              // of the next carving
 };
 
 TEST_F(EngravePlanTest, DeliversTheRequestedCarvingIfItsPrintDecodes) {
   begin();
   EXPECT_TRUE(plan_->expectsPrint());
-  EXPECT_EQ(plan_->change(), std::nullopt);
+  EXPECT_TRUE(plan_->changes().empty());
   carve(true);
   printWith(29);
   expectDelivery(0, "shallow");
@@ -65,7 +81,7 @@ TEST_F(EngravePlanTest, DeliversTheRequestedCarvingIfItsPrintDecodes) {
 TEST_F(EngravePlanTest, CarvesDeeperUntilTheDesignDecodes) {
   begin();
   carve(false);
-  EXPECT_EQ(plan_->change(), (SettingChange{"preset", "balanced"}));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"preset", "balanced"}));
   EXPECT_FALSE(plan_->expectsPrint());
   EXPECT_EQ(plan_->kept(), 0);
   carve(false);
@@ -119,7 +135,7 @@ TEST_F(EngravePlanTest, ReturnsToTheKeptCarvingIfADeeperOneSpoilsTheDesignOrCann
     if (isCarved)
       carve(false);
     else
-      plan_->notCarved();
+      plan_->notCarved(noSolution());
     expectDelivery(0, "shallow");
   }
 }
@@ -127,7 +143,7 @@ TEST_F(EngravePlanTest, ReturnsToTheKeptCarvingIfADeeperOneSpoilsTheDesignOrCann
 TEST_F(EngravePlanTest, PrintsTheRequestedCarvingIfADeeperDesignCannotBeCarved) {
   begin();
   carve(false);
-  plan_->notCarved();
+  plan_->notCarved(noSolution());
   EXPECT_EQ(plan_->step(), Step::Print);
   EXPECT_EQ(plan_->attempt(), 0);
 }
@@ -188,7 +204,7 @@ TEST_F(OpenMarkTest, InlaysACodeWhoseShadowPrintsBadly) {
   carve(true);
   printWith(20);
   expectCarving(Mark::Inlay);
-  EXPECT_EQ(plan_->change(), (SettingChange{"mark", "inlay"}));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}));
   EXPECT_TRUE(plan_->expectsPrint());
   carve(true);
   printWith(60);
@@ -199,7 +215,7 @@ TEST_F(OpenMarkTest, PaintsWhereAnInlayIsNoBetter) {
   begin();
   carve(true);
   printWith(20);
-  plan_->notCarved();
+  plan_->notCarved(noSolution());
   expectCarving(Mark::Paint);
   carve(true);
   printWith(60);
@@ -211,7 +227,7 @@ TEST_F(OpenMarkTest, TriesOnlyMarksThatTheOutputHolds) {
   carve(true);
   printWith(20);
   expectCarving(Mark::Inlay);
-  plan_->notCarved();
+  plan_->notCarved(noSolution());
   expectMark(Mark::Shadow);
   begin({.otherMarks = {}});
   carve(true);
@@ -233,8 +249,7 @@ TEST_F(OpenMarkTest, KeepsTheShadowIfNoColourIsBetter) {
 
 TEST_F(OpenMarkTest, GoesOnWhereNoShadowCanBeCarved) {
   begin();
-  EXPECT_TRUE(plan_->mayFail());
-  plan_->notCarved();
+  plan_->notCarved(noSolution());
   expectCarving(Mark::Inlay);
   carve(true);
   printWith(60);
@@ -243,9 +258,9 @@ TEST_F(OpenMarkTest, GoesOnWhereNoShadowCanBeCarved) {
 
 TEST_F(OpenMarkTest, DeliversNothingIfNoMarkCanBeCarved) {
   begin();
-  plan_->notCarved();
-  plan_->notCarved();
-  plan_->notCarved();
+  plan_->notCarved(noSolution());
+  plan_->notCarved(noSolution());
+  plan_->notCarved(noSolution());
   EXPECT_EQ(plan_->step(), Step::Deliver);
   EXPECT_EQ(plan_->attempt(), 0);
 }
@@ -256,6 +271,178 @@ TEST_F(OpenMarkTest, TriesColoursByTheirDesignsIfNoPrintIsLookedAt) {
   expectCarving(Mark::Inlay);
   carve(true);
   expectMark(Mark::Inlay);
+}
+
+/// Plans with settings that the user left open.
+class OpenSettingsTest : public EngravePlanTest {
+ protected:
+  OpenSettingsTest() {
+    request_ = defaultRequest();
+    request_.code.text = "HELLO";
+  }
+
+  void carveAndPrint(int reads) {
+    carve(true);
+    printWith(reads);
+  }
+  static SettingChange size(const char* value) { return {"size", value}; }
+};
+
+TEST_F(OpenSettingsTest, AFirstCarvingThatPassesCostsNothingMore) {
+  for (const int reads : {29, 72}) {
+    begin({.offersMarks = true});
+    carveAndPrint(reads);
+    expectDelivery(0, "balanced");
+    EXPECT_EQ(plan_->tried().size(), 1u);
+    EXPECT_TRUE(plan_->tried().front().passed);
+  }
+}
+
+TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLargerAndTurned) {
+  begin();
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best")));
+  EXPECT_EQ(plan_->request().placement.sizeMode, SizeMode::Best);
+  EXPECT_TRUE(plan_->expectsPrint());
+  symbolMm_ = 28;
+  carveAndPrint(42);
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+  EXPECT_EQ(plan_->attempt(), 1);
+  ASSERT_EQ(plan_->tried().size(), 2u);
+  EXPECT_EQ(plan_->tried()[0].printed, (ReadingCount{72, 0}));
+  EXPECT_FALSE(plan_->tried()[0].passed);
+  EXPECT_EQ(plan_->tried()[1].printed, (ReadingCount{72, 42}));
+  EXPECT_EQ(plan_->tried()[1].symbolMm, 28);
+  EXPECT_TRUE(plan_->tried()[1].passed);
+}
+
+TEST_F(OpenSettingsTest, ARotationThatTheUserChoseStays) {
+  for (const bool isRotated : {true, false}) {
+    request_.placement.rotateDeg = isRotated ? 30 : 0;
+    begin({.chosen = isRotated ? std::vector<std::string>{} : std::vector<std::string>{"up"}});
+    carveAndPrint(0);
+    EXPECT_THAT(plan_->changes(), ElementsAre(size("oriented")));
+  }
+}
+
+TEST_F(OpenSettingsTest, SettingsThatTheUserGaveAreNotChanged) {
+  begin({.offersMarks = true, .chosen = {"size", "ecc", "mark"}});
+  carveAndPrint(0);
+  expectDelivery(0, "balanced");
+}
+
+TEST_F(OpenSettingsTest, ACodeOfTheUsualGreatestSizeMayBeLarger) {
+  symbolMm_ = request_.placement.maxSizeMm;
+  begin();
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"maxSizeMm", "80"}));
+  EXPECT_EQ(plan_->request().placement.maxSizeMm, 80);
+}
+
+TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedIfTheSymbolIsSmaller) {
+  request_.code.text = "https://example.com/abcdefghij";  // version 3 at M, version 2 at L
+  begin();
+  carveAndPrint(0);
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"}));
+  carveAndPrint(30);
+  EXPECT_EQ(plan_->attempt(), 2);
+}
+
+TEST_F(OpenSettingsTest, RemediesAreTriedWhereNothingCouldBeCarved) {
+  begin();
+  plan_->notCarved(noSolution());
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best")));
+  carveAndPrint(30);
+  EXPECT_EQ(plan_->attempt(), 1);
+  ASSERT_TRUE(plan_->tried()[0].failure);
+  EXPECT_EQ(plan_->tried()[0].failure->code, "no-spot");
+}
+
+TEST_F(OpenSettingsTest, NoChangeHelpsARequestThatMakesNoSense) {
+  begin({.offersMarks = true});
+  plan_->notCarved({ErrorKind::BadUsage, Message("no-spot", {})});
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+}
+
+TEST_F(OpenSettingsTest, ThinWallsTakeNoLargerShadowEither) {
+  request_.marking.isOpen = true;
+  begin();
+  plan_->notCarved(noSolution("nothing-can-be-carved"));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}));
+}
+
+TEST_F(OpenSettingsTest, EachAttemptGoesToItsOwnSpotIfTheCentreIsOpen) {
+  begin({.mayMove = true});
+  const auto place = [&](double x) {
+    ASSERT_EQ(plan_->step(), Step::Place);
+    PlacementRequest placement = plan_->request().placement;
+    placement.centreMm = {x, 0, 0};
+    plan_->placed(placement);
+    EXPECT_EQ(plan_->request().placement.centreMm.x, x);
+  };
+  place(1);
+  carveAndPrint(0);
+  place(2);
+  EXPECT_EQ(plan_->request().placement.sizeMode, SizeMode::Best);
+  carveAndPrint(60);
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+  EXPECT_EQ(plan_->request().placement.centreMm.x, 2);
+  EXPECT_EQ(plan_->tried()[0].centreMm, Vec3(1, 0, 0));
+}
+
+TEST_F(OpenSettingsTest, OtherMarksAreMadeAsLargeAsPossibleIfAShadowFails) {
+  request_.marking.isOpen = true;
+  begin();
+  carveAndPrint(0);
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
+  carveAndPrint(72);
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+  EXPECT_EQ(plan_->attempt(), 2);
+}
+
+TEST_F(OpenSettingsTest, AMarkThatFailsIsMadeLargerBeforeTheNextMark) {
+  request_.marking.isOpen = true;
+  begin();
+  carveAndPrint(20);  // barely
+  carveAndPrint(20);  // deeper
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}));
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
+}
+
+TEST_F(OpenSettingsTest, OtherMarksAreOfferedButNotDelivered) {
+  begin({.offersMarks = true});
+  carveAndPrint(0);
+  carveAndPrint(3);
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
+  carveAndPrint(72);
+  expectDelivery(0, "balanced");
+  ASSERT_EQ(plan_->tried().size(), 3u);
+  EXPECT_TRUE(plan_->tried()[2].isOffer);
+  ASSERT_NE(passedOffer(plan_->tried()), nullptr);
+}
+
+TEST_F(OpenSettingsTest, RemediesThatWereTriedInVainAreNotOffered) {
+  const auto remedy = [](const char* setting, const char* value) {
+    return Remedy{Message("remedy-turn", {}), setting, value};
+  };
+  Verdict verdict = verdictOfPrint(0);
+  verdict.prints.remedies = {remedy("size", "best"), remedy("nozzleMm", "0.25"), remedy("", "")};
+  std::vector<TriedCarving> tried(3);
+  tried[1].changes = {size("best")};
+  tried[2].changes = {{"mark", "inlay"}, size("best")};
+  tried[2].isOffer = tried[2].passed = true;
+  tried[2].printed = {72, 70};
+  const std::vector<Remedy> left = withRemediesLeft(verdict, tried).prints.remedies;
+  ASSERT_EQ(left.size(), 3u);
+  EXPECT_EQ(left[0].setting, "mark");
+  EXPECT_EQ(left[0].value, "inlay");
+  EXPECT_EQ(left[1].setting, "nozzleMm");
+  const Error error = withOffer(noSolution(), tried);
+  EXPECT_EQ(error.message.code, "mark-instead");
+  EXPECT_EQ(withOffer(noSolution(), {}).message.code, "no-spot");
 }
 
 }  // namespace

@@ -19,6 +19,12 @@ std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
   return settings;
 }
 
+std::vector<std::string> codesOf(const std::vector<Message>& messages) {
+  std::vector<std::string> codes;
+  for (const Message& one : messages) codes.push_back(one.code);
+  return codes;
+}
+
 /// Returns a carving of every dark submodule to `depthMm`.
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
@@ -153,7 +159,7 @@ TEST_F(VerdictTest, PrintingRemediesAreTheFirstCommonOnesThatWouldDo) {
   EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", "="));
 }
 
-TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
+TEST_F(VerdictTest, APrintThatDoesNotReadFails) {
   const auto printed = [&](int reads, double facingDeg, double symbolMm = 30) {
     const PrintedEvidence evidenceOfPrint{evidence(reads), "fdm-0.4/0.2", facingDeg};
     return judge(request_, carved(request_, symbolMm, 0.5), evidence(72), &evidenceOfPrint).prints;
@@ -194,7 +200,43 @@ TEST_F(VerdictTest, ThePrintsReadingIsAdviceAndDoesNotFail) {
   EXPECT_EQ(down.level, Level::Barely);
   EXPECT_EQ(down.reasons.at(1).code, "faces-down");
   EXPECT_EQ(printed(72, 130).level, Level::Good);
-  for (const Aspect& aspect : {good, barely, bad}) EXPECT_TRUE(aspect.passed());
+  EXPECT_TRUE(good.passed());
+  EXPECT_TRUE(barely.passed());
+  EXPECT_THAT(codesOf(bad.failed), ElementsAre("unreadable-as-printed"));
+  const PrintedEvidence unread{evidence(11), "fdm-0.4/0.2", 0};
+  const Verdict verdict = judge(request_, carved(request_, 30, 0.5), evidence(72), &unread);
+  EXPECT_FALSE(verdict.passed());
+  EXPECT_EQ(verdict.failed().size(), 1u);
+}
+
+TEST_F(VerdictTest, WarnsOfASearchThatEndedTooEarly) {
+  EngraveResult result = carved(request_, 30, 0.5);
+  result.limitedSubmodules = 7;
+  result.unfinishedSubmodules = 4;
+  result.searchIterations = 24;
+  const Verdict verdict = judge(request_, result, evidence(0));
+  EXPECT_THAT(codesOf(verdict.reads.warnings), ElementsAre("search-ended"));
+  EXPECT_THAT(codesOf(verdict.reads.reasons), testing::Contains("submodules-limited"));
+  result.limitedSubmodules = 4;
+  EXPECT_THAT(codesOf(judge(request_, result, evidence(0)).reads.reasons),
+              testing::Not(testing::Contains("submodules-limited")));
+}
+
+TEST_F(VerdictTest, WarnsOfALabelTooLowToPrintEvenIfTheCodePrints) {
+  const PrintedEvidence good{evidence(72), "fdm-0.4/0.2", 0};
+  const auto warnings = [&](const PrintedEvidence* printed) {
+    return judge(request_, carved(request_, 30, 0.5), evidence(72), printed).prints.warnings;
+  };
+  EXPECT_TRUE(warnings(&good).empty());
+  request_.code.label.text = "A-001";
+  EXPECT_TRUE(warnings(&good).empty());
+  request_.code.label.text = std::string(69, 'A');
+  for (const Mark mark : {Mark::Shadow, Mark::Inlay, Mark::Paint}) {
+    request_.marking.mark = mark;
+    ASSERT_EQ(warnings(&good).size(), 1u);
+    EXPECT_EQ(warnings(&good)[0].code, "label-too-small");
+    EXPECT_EQ(warnings(nullptr).size(), 1u) << "the print was not simulated";
+  }
 }
 
 TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
@@ -226,11 +268,6 @@ class ColourVerdictTest : public VerdictTest {
             result_.symbol.isDark(row / 5, column / 5) ? ink.dark / ink.light : 1;
   }
   Verdict judged(int reads) { return judge(request_, result_, evidence(reads)); }
-  static std::vector<std::string> codesOf(const std::vector<Message>& messages) {
-    std::vector<std::string> codes;
-    for (const Message& one : messages) codes.push_back(one.code);
-    return codes;
-  }
   EngraveResult result_;
 };
 

@@ -20,6 +20,15 @@ import { kReaderName, readEach } from '../decoder/reader.js';
 export const isLost = (thrown) =>
   isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
 
+/**
+ * Returns changes as settings.
+ * @param {import('../engine/types.js').SettingChange[]} changes
+ */
+const changed = (changes) =>
+  Object.fromEntries(
+    changes.map(({ setting, value }) => [setting, Number.isFinite(Number(value)) ? Number(value) : value]),
+  );
+
 /** Engraves as the module's plan says. Each verb throws the reason of the signal once it is aborted. */
 export class Carver {
   /** @param {CarverParts} parts */
@@ -40,21 +49,20 @@ export class Carver {
   async carve(settings, looksAtPrint, job) {
     await this.client_.configure(settings);
     await this.client_.placement();
-    let current = settings;
     const settingsOf = new Map();
     /** @type {unknown} */ let failure;
     try {
       await this.carveOnce_({ print: looksAtPrint }, job);
       settingsOf.set(await this.client_.carving(), settings);
     } catch (thrown) {
-      if (settings.mark !== 'auto' || isLost(thrown) || job.signal.aborted) throw thrown;
-      failure = thrown; // the plan tries other marks (EngravePlan::mayFail)
+      if (isLost(thrown) || job.signal.aborted) throw thrown;
+      failure = thrown; // the plan tries what the settings leave open
     }
     for (;;) {
-      const step = await this.client_.nextStep();
+      const step = await this.nextStep_(failure);
       job.signal.throwIfAborted();
       if (step.step === 'carve') {
-        current = { ...current, [step.change.setting]: step.change.value };
+        const current = { ...settings, ...changed(step.changes) };
         if (await this.carveNext_(job)) settingsOf.set(await this.client_.carving(), current);
         continue;
       }
@@ -62,6 +70,15 @@ export class Carver {
       await this.client_.useCarving(step.carving);
       if (step.step === 'deliver') return settingsOf.get(step.carving) ?? settings;
       await this.lookAtPrint_(job);
+    }
+  }
+
+  /** Returns the plan's next step. @param {unknown} failure  to throw if no plan began */
+  async nextStep_(failure) {
+    try {
+      return await this.client_.nextStep();
+    } catch (thrown) {
+      throw failure ?? thrown;
     }
   }
 

@@ -109,7 +109,7 @@ test('Simulates the print if the plan asks for it', async () => {
   assert.deepEqual(plans, [{ print: true }]);
 });
 
-const kDeeper = { step: 'carve', carving: 7, change: { setting: 'preset', value: 'robust' } };
+const kDeeper = { step: 'carve', carving: 7, changes: [{ setting: 'preset', value: 'robust' }] };
 
 test('Carves what the plan asks for, and delivers what it names', async () => {
   steps = [kDeeper, { step: 'deliver', carving: 6 }];

@@ -7,7 +7,7 @@
 
 /**
  * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
- *   sizeMm: [number, number, number], shells: number, engravable: boolean, findings: Finding[],
+ *   sizeMm: [number, number, number], shells: number, bodies: { name: string, triangles: number }[], engravable: boolean, findings: Finding[],
  *   centre: [number, number, number] | null }} ModelInfo
  *   `centre`: proposed centre of the code: a surface point in the middle of the view
  */
@@ -86,6 +86,14 @@
  */
 
 /**
+ * Advice on a text that is, or was meant to be, a link. `fixed`: the corrected text, or ''; `shorter`: other ways to
+ * write it that may need a smaller symbol.
+ * @typedef {object} TextAdvice
+ * @property {{ severity: 'warning' | 'note', message: import('./message.js').Message, fixed: string }[]} advice
+ * @property {{ form: 'capitals' | 'www' | 'highlight', text: string }[]} shorter
+ */
+
+/**
  * A centre of the code: the surface point at a position on the canvas, the one nearest to a point, or a spot found last.
  * @typedef {{ at: [number, number] } | { mm: [number, number, number] } | { spot: number }} CentreChoice
  * @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult
@@ -121,13 +129,16 @@
 
 /** @typedef {'good' | 'barely' | 'bad'} Level */
 /**
+ * A change of a setting. @typedef {{ setting: string, value: string }} SettingChange
+ */
+/**
  * A remedy: a change of a setting, or, without `change`, moving the code.
  * @typedef {Message & { change?: { setting: string, value: string } }} Remedy
  *   `value`: as in settings files; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
  * @typedef {{ passed: boolean }} ReadingResult
- * @typedef {{ step: 'carve', carving: number, change: { setting: string, value: string } } | { step: 'print' | 'deliver', carving: number }} EngraveStep
+ * @typedef {{ step: 'carve' | 'print' | 'deliver', carving: number, changes: SettingChange[] }} EngraveStep
  *   what to do next for an engraving; `carving`: number of the carving to print or to deliver, or of the best so far
  * @typedef {ReadingResult & { report: Report }} PrintedResult
  *   result of a carving and its print; `report` includes the print
@@ -192,8 +203,8 @@
 
 /**
  * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
- * `fixed`: keys of settings that must not change.
- * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
+ * `fixed`: keys of settings that must not change; `offers`: try other marks as remedies, false by default.
+ * @typedef {{ next?: boolean, print?: boolean, fixed?: string[], offers?: boolean }} PlanOptions
  */
 
 /** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model and the print order */
@@ -223,7 +234,8 @@
 /**
  * A camera action; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
- *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
+ *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'body', index: number }
+ *   | { kind: 'readerView' } | { kind: 'face' }
  *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }} LookAction
  */
 

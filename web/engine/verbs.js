@@ -227,6 +227,8 @@ export const kFactVerbs = {
   model: { part: 'model' },
   /** Returns the symbol that these settings engrave. @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>} */
   symbol: { part: 'symbol' },
+  /** Advises on a text that is, or was meant to be, a link. @type {Verb<(text: string) => import('./types.js').TextAdvice>} */
+  textAdvice: {},
 };
 
 /** Verbs of one simulated print. The C++ class is PrintedCode. */

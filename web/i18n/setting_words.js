@@ -9,7 +9,13 @@ import { settings } from './parts/settings.js';
 
 /** @type {Record<string, keyof typeof settings.en>} */
 const kOtherControls = { centreMm: 'centre', units: 'unit', unit: 'unit', scale: 'unit', upAxis: 'upAxis' };
-const kUnitNames = /** @type {const} */ ({ m: 'metres', cm: 'centimetres', in: 'inches' });
+const kUnitNames = /** @type {const} */ ({
+  m: 'metres',
+  cm: 'centimetres',
+  mm: 'millimetres',
+  in: 'inches',
+  um: 'micrometres',
+});
 
 /** @param {string} key @returns {Setting | undefined} */
 const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[key];

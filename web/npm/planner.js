@@ -59,7 +59,7 @@ export class Planner {
   }
 
   /**
-   * Reads a list (CSV or JSON lines) and checks it as a whole. The other verbs refer to its rows.
+   * Reads a list (CSV or JSON) and checks it as a whole. The other verbs refer to its rows.
    * @param {Bytes} [list]  ignored if there is a `count`
    * @param {BatchRequest} [request]
    * @returns {import('../engine/types.js').BatchPlan}

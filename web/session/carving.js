@@ -54,6 +54,7 @@ export class Carving {
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;
+    /** The work that the plan was asked for. */ this.asked_ = store.work;
     /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
@@ -141,6 +142,7 @@ export class Carving {
       return false;
     }
     this.printing_.stop();
+    carved.report = await this.client_.report(); // attempts since then have left other remedies
     this.carved = carved;
     this.panel_.show(carved);
     this.compare();
@@ -183,6 +185,7 @@ export class Carving {
     await this.drop();
     this.started.tell();
     const asked = this.store_.work;
+    this.asked_ = asked;
     let work = asked;
     /** @type {Attempt | undefined} */ let first;
     /** @type {Map<number, Work>} */ const works = new Map(); // of each carving, by its number
@@ -190,7 +193,7 @@ export class Carving {
     prepareReader();
     this.printing_.expect();
     for (;;) {
-      const plan = first ? { next: true } : { fixed: this.batching_.decided };
+      const plan = first || this.failure_ ? { next: true } : { fixed: this.batching_.decided, offers: true };
       const reading = await this.carveOnce_(signal, plan, overrides !== undefined);
       if (!reading) {
         this.printing_.stop();
@@ -200,29 +203,42 @@ export class Carving {
         return;
       }
       if (reading.number) works.set(reading.number, work);
-      const step = await this.client_.nextStep();
+      const step = await this.nextStep_();
       const isEdited = !sameWork(work, this.store_.work);
       if (step.step !== 'carve' || isEdited) {
-        if (works.size === 0 && this.failure_) throw this.failure_;
+        if (works.size === 0 && this.failure_) {
+          if (work !== asked && !isEdited) await this.return_(asked);
+          throw this.failure_;
+        }
         const keptWork = step.carving === reading.number ? undefined : works.get(step.carving);
         const previous = keptWork && { work: keptWork, number: step.carving };
-        const isKept = !isEdited && previous && (await this.keep_(previous, started));
-        if (!isKept) await this.finish_(performance.now() - started, work, reading.passed && !isEdited);
+        const isKept = !isEdited && previous && (await this.keep_(previous, started, true));
+        if (!isKept) await this.finish_(performance.now() - started, work, !isEdited);
         this.messages_.say(() => this.wordsFor_(isKept ? previous.work : work, asked, overrides));
         return;
       }
-      first ??= { work, number: step.carving };
-      work = await this.change_(step.change);
+      if (reading.number) first ??= { work, number: step.carving };
+      work = await this.change_(step.changes);
+    }
+  }
+
+  /** Returns the plan's next step; throws the failure of the first carving if no plan began. */
+  async nextStep_() {
+    try {
+      return await this.client_.nextStep();
+    } catch (thrown) {
+      throw this.failure_ ?? thrown;
     }
   }
 
   /**
-   * Changes a setting as the module's plan asks for.
-   * @param {{ setting: string, value: string }} change
-   * @returns {Promise<Work>}  the work with it
+   * Changes settings as the module's plan asks for.
+   * @param {import('../engine/types.js').SettingChange[]} changes  from the asked work
+   * @returns {Promise<Work>}  the work with them
    */
-  async change_(change) {
-    this.store_.update(({ values }) => ({ values: this.fields_.after(values, change) }));
+  async change_(changes) {
+    const values = changes.reduce((before, change) => this.fields_.after(before, change), this.asked_.values);
+    this.store_.update({ values });
     const { work } = this.store_;
     await this.client_.configure(this.batching_.settings());
     return work;
@@ -238,7 +254,15 @@ export class Carving {
   wordsFor_(work, asked, overrides) {
     if (overrides) return text('inspector.engraved', { overrides });
     if (work === asked) return text('page.engraved');
+    return this.wordsForChange_(work, asked);
+  }
+
+  /** @param {Work} work @param {Work} asked */
+  wordsForChange_(work, asked) {
     if (work.values.mark !== asked.values.mark) return text('page.engravedInColour');
+    if (work.values.size !== asked.values.size || work.values.maxSizeMm !== asked.values.maxSizeMm)
+      return text('page.engravedLarger');
+    if (work.values.ecc !== asked.values.ecc) return text('page.engravedSmallerSymbol');
     return text(work.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
   }
 
@@ -246,14 +270,15 @@ export class Carving {
    * Returns to the first attempt when a deeper carving is cancelled or does not decode either.
    * @param {Attempt} attempt
    * @param {number} started
+   * @param {boolean} [goesOn]  the plan goes on after its print
    * @returns {Promise<boolean>}  false: it is gone
    */
-  async keep_({ work, number }, started) {
+  async keep_({ work, number }, started, goesOn = false) {
     const elapsedMs = performance.now() - started;
     this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
     await this.return_(work);
-    await this.finish_(elapsedMs, work);
+    await this.finish_(elapsedMs, work, goesOn);
     return true;
   }
 
@@ -276,8 +301,7 @@ export class Carving {
       });
       if (!finished) return undefined;
     } catch (thrown) {
-      const goesOn = plan.next || this.store_.work.values.mark === 'auto'; // EngravePlan::mayFail
-      if (!goesOn || isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
       this.failure_ ??= thrown;
       return { passed: false }; // the plan goes on without this carving
     }
@@ -357,7 +381,7 @@ export class Carving {
           step = isDone ? await this.client_.nextStep() : step
         ) {
           if (step.step === 'carve') {
-            work = await this.change_(step.change);
+            work = await this.change_(step.changes);
             this.printing_.expect();
             isDone = (await this.carveDeeper_(signal, first)) !== undefined;
           } else {
@@ -381,8 +405,10 @@ export class Carving {
           };
           await this.present_();
           this.printed.tell();
-          const isInColour = delivered.work.values.mark !== first.work.values.mark;
-          this.messages_.say(() => text(isInColour ? 'page.engravedInColour' : 'page.engravedForPrint'));
+          const isDeeper = delivered.work.values.preset !== first.work.values.preset;
+          this.messages_.say(() =>
+            isDeeper ? text('page.engravedForPrint') : this.wordsForChange_(delivered.work, first.work),
+          );
           return;
         }
         this.printing_.stop();

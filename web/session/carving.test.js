@@ -133,6 +133,30 @@ test('A failed carving leaves nothing, and the next one can start', async () => 
   assert.equal(latest()?.report.text, kText);
 });
 
+test('A code that cannot be carved as requested is carved as the plan says', async () => {
+  setValues({ size: 'free' });
+  const { engrave } = client.answers;
+  client.answers.engrave = async () => {
+    if (values().size === 'free') throw noRoom();
+    return engrave();
+  };
+  steps = [carve('size', 'best'), print(1)];
+  await carving.engrave();
+  assert.equal(values().size, 'best');
+  assert.equal(latest()?.work.values.size, 'best');
+  assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
+});
+
+test('If nothing that the plan tries can be carved, the first reason is shown', async () => {
+  setValues({ size: 'free' });
+  client.answers.engrave = async () => {
+    throw noRoom();
+  };
+  steps = [carve('size', 'best'), deliver(0)];
+  await assert.rejects(carving.engrave(), { code: 'no-centre' });
+  assert.equal(values().size, 'free', 'the controls are those of the request again');
+});
+
 test('After a change of settings the carving is marked as outdated', async () => {
   await carving.engrave();
   setValues({ preset: 'shallow' });
@@ -153,7 +177,7 @@ const print = (attempt) => ({ step: 'print', carving: attempt });
 /** @param {number} attempt  number of the carving */
 const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
 /** @param {string} setting @param {string} value */
-const carve = (setting, value) => ({ step: 'carve', carving: 1, change: { setting, value } });
+const carve = (setting, value) => ({ step: 'carve', carving: 1, changes: [{ setting, value }] });
 
 test('A code that does not decode is carved with the next deeper preset', async () => {
   setValues({ preset: 'balanced' });
@@ -243,6 +267,17 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
   assert.deepEqual(latest()?.report, { text: kText, number: 2 });
   assert.deepEqual(shows.at(-1), [true, true]);
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
+});
+
+test('A code that does not read as printed is made larger, from the settings as requested', async () => {
+  setValues({ preset: 'balanced', size: 'free' });
+  printsAre({ passed: false }, { passed: false }, { passed: true });
+  steps = [...kDeeper, print(2), carve('size', 'best'), print(3), deliver(3)];
+  await carving.engrave();
+  await settled();
+  assert.deepEqual(values(), { preset: 'balanced', size: 'best' });
+  assert.equal(latest()?.number, 3);
+  assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
 });
 
 test('If no deeper preset helps the print, the code stays as requested', async () => {

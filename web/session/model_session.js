@@ -94,7 +94,7 @@ export class ModelSession {
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
     const { upAxis } = this.panel_; // last chosen values: files from one source usually share them
-    const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
+    const scaleToMm = /\.(3mf|zip)$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
     await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
 

@@ -80,6 +80,15 @@ test('The unit of the file replaces an unknown one', async () => {
   assert.equal(model.source?.unitStated, true);
 });
 
+test('A 3MF and a ZIP, which may hold one, bring their unit; other files have the unit of the panel', async () => {
+  for (const name of ['a.3mf', 'a.ZIP']) {
+    await model.openFile(new File(['x'], name));
+    assert.equal(model.source?.unitStated, true, name);
+  }
+  await model.openFile(new File(['x'], 'a.stl'));
+  assert.equal(model.source?.unitStated, false);
+});
+
 test('An unknown sample is named with the known ones, and nothing is read', async () => {
   const sample = {
     name: 'A',

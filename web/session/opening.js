@@ -14,12 +14,13 @@ import { looksLikeList } from './batching.js';
  * @property {import('./exporting.js').Exporting} exporting
  * @property {import('./undo.js').Undo} undo
  * @property {import('./jobs.js').Jobs} jobs
+ * @property {Pick<import('../view/view_tools.js').ViewTools, 'act'>} tools
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Opening {
   /** @param {OpeningOptions} options */
-  constructor({ panel, code, fields, model, batching, editing, exporting, undo, jobs, guard }) {
+  constructor({ panel, code, fields, model, batching, editing, exporting, undo, jobs, tools, guard }) {
     this.code_ = code;
     this.fields_ = fields;
     this.model_ = model;
@@ -37,6 +38,7 @@ export class Opening {
       onFile: (file) => guard(() => this.openFile(file)),
       onScale: (scaleToMm) => guard(() => model.rescale(scaleToMm)),
       onUpAxis: (upAxis) => guard(() => editing.turnUp(upAxis)),
+      onBody: (index) => tools.act({ kind: 'body', index }),
     });
   }
 

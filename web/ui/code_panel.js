@@ -18,6 +18,7 @@ import { showStep } from './steps.js';
  * @typedef {object} CodeOptions
  * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
  * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
+ * @property {(content: string) => Promise<import('../engine/types.js').TextAdvice>} adviceOn
  */
 
 /**
@@ -29,7 +30,7 @@ import { showStep } from './steps.js';
 
 export class CodePanel {
   /** @param {CodeOptions} options */
-  constructor({ settings, symbolOf }) {
+  constructor({ settings, symbolOf, adviceOn }) {
     /** @type {CodeListener | undefined} */ this.listener_ = undefined;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
@@ -45,6 +46,7 @@ export class CodePanel {
     this.symbol_ = new SymbolPanel({
       settings,
       symbolOf,
+      adviceOn,
       otherForms: () => this.otherForms_(),
       onReplace: (content) => this.replace_(content),
     });

@@ -16,12 +16,16 @@ import { showStep } from './steps.js';
 /** @type {Record<string, number>} */
 const kUnitsMm = { m: 1000, cm: 10, in: 25.4 };
 
+/** A file of hundreds of letters would fill the panel. */
+const kMostBodiesListed = 30;
+
 /**
  * @typedef {object} ModelListener
  * @property {(id: string) => void} onSample
  * @property {(file: File) => void} onFile
  * @property {(scaleToMm: number) => void} onScale
  * @property {(axis: UpAxis) => void} onUpAxis
+ * @property {(index: number) => void} onBody  shows a body of the model, from 0
  */
 
 export class ModelPanel {
@@ -136,8 +140,10 @@ export class ModelPanel {
     const facts = [
       text('page.triangles', { count: model.triangles }),
       ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : []),
+      ...(model.bodies.length > 1 ? [text('page.bodies', { count: model.bodies.length })] : []),
     ];
     byId('model-facts', HTMLElement).textContent = facts.join(' · ');
+    this.showBodies_(model.bodies);
     showFindings(
       byId('findings', HTMLElement),
       model.findings.map((finding) => ({
@@ -155,6 +161,25 @@ export class ModelPanel {
           })),
       })),
     );
+  }
+
+  /**
+   * Lists the bodies if there are several; a click shows one.
+   * @param {ModelInfo['bodies']} bodies
+   */
+  showBodies_(bodies) {
+    const list = byId('bodies', HTMLElement);
+    list.hidden = bodies.length < 2;
+    const buttons = bodies.slice(0, kMostBodiesListed).map(({ name, triangles }, index) => {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = name || text('page.body', { index: index + 1 });
+      button.title = text('page.triangles', { count: triangles });
+      button.addEventListener('click', () => this.listener_?.onBody(index));
+      return button;
+    });
+    const left = bodies.length - buttons.length;
+    list.replaceChildren(...buttons, ...(left > 0 ? [text('page.moreBodies', { count: left })] : []));
   }
 
   listenForDrops_() {

@@ -8,7 +8,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatNumber, formatPlain } from '../i18n/format.js';
 import { asSentence } from '../i18n/sentences.js';
-import { adviseText, isWebAddress, shorterForms } from '../payloads/link.js';
+import { isWebAddress } from '../payloads/link.js';
 import { tooSmall } from '../payloads/module_size.js';
 import { drawSymbol } from './symbol_drawing.js';
 
@@ -25,6 +25,25 @@ import { drawSymbol } from './symbol_drawing.js';
  */
 /** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
 /** @typedef {{ content: string, settings: Settings, facts: SymbolFacts, shorter: { form: Form, facts: SymbolFacts }[] }} Shown */
+/** @typedef {import('../engine/types.js').TextAdvice} TextAdvice */
+
+/** What a button says that takes the corrected text, by the code of the advice. */
+const kFixes = /** @type {Record<string, Key>} */ ({
+  'link-unseen': 'code.link.trim',
+  'link-quoted': 'code.link.trim',
+  'link-ends': 'code.link.trim',
+  'link-punctuation': 'code.link.trim',
+  'link-spaces': 'code.link.encodeSpaces',
+  'link-without-scheme': 'code.link.addScheme',
+  'link-scheme-misspelt': 'code.link.addScheme',
+  'link-other-letters': 'code.link.toAscii',
+  'link-tracking': 'code.link.dropTracking',
+});
+const kShorter = /** @type {const} */ ({
+  capitals: 'code.shorter.capitals',
+  www: 'code.shorter.www',
+  highlight: 'code.shorter.highlight',
+});
 
 const kPauseMs = 60;
 const kLargestVersion = 40;
@@ -33,15 +52,17 @@ const kLargestVersion = 40;
  * @typedef {object} SymbolOptions
  * @property {(content: string) => Settings} settings   the chosen settings, with this text; throws an EngineFailure
  * @property {(settings: Settings) => Promise<SymbolFacts>} symbolOf
+ * @property {(content: string) => Promise<TextAdvice>} adviceOn
  * @property {() => Form[]} otherForms                  from the builder
  * @property {(content: string) => void} onReplace      the user chose another text
  */
 
 export class SymbolPanel {
   /** @param {SymbolOptions} options */
-  constructor({ settings, symbolOf, otherForms, onReplace }) {
+  constructor({ settings, symbolOf, adviceOn, otherForms, onReplace }) {
     this.settings_ = settings;
     this.symbolOf_ = symbolOf;
+    this.adviceOn_ = adviceOn;
     this.otherForms_ = otherForms;
     this.onReplace_ = onReplace;
     this.picture_ = byId('symbol-picture', HTMLElement);
@@ -49,6 +70,7 @@ export class SymbolPanel {
     this.lines_ = byId('symbol-advice', HTMLElement);
     this.content_ = '';
     this.advises_ = true;
+    /** @type {{ content: string } & TextAdvice} */ this.advised_ = { content: '', advice: [], shorter: [] };
     /** @type {Room | undefined} */ this.room_ = undefined;
     /** @type {Shown | undefined} */ this.shown_ = undefined;
     /** @type {import('../engine/message.js').Message | undefined} */ this.problem_ = undefined;
@@ -87,6 +109,9 @@ export class SymbolPanel {
     const [asked, content] = [this.asked_, this.content_];
     const isNewest = () => asked === this.asked_;
     try {
+      const advised = await this.adviceOn_(content);
+      if (!isNewest()) return;
+      this.advised_ = { content, ...advised };
       const settings = this.settings_(content);
       const facts = content === '' ? undefined : await this.symbolOf_(settings);
       if (!isNewest()) return;
@@ -105,7 +130,11 @@ export class SymbolPanel {
   /** @param {Shown} code @param {() => boolean} isNewest */
   async findShorter_(code, isNewest) {
     const { settings, facts } = code;
-    const ofLink = shorterForms(code.content).map((form) => ({ ...form, use: () => this.onReplace_(form.text) }));
+    const ofLink = this.advised_.shorter.map((shorter) => ({
+      text: shorter.text,
+      key: kShorter[shorter.form],
+      use: () => this.onReplace_(shorter.text),
+    }));
     const shorter = [];
     for (const form of [...ofLink, ...this.otherForms_()]) {
       const symbol = await this.symbolOf_({ ...settings, text: form.text });
@@ -136,10 +165,11 @@ export class SymbolPanel {
   /** @returns {Line[]} */
   advice_() {
     if (!this.advises_) return this.sizeLines_(true);
-    const ofText = adviseText(this.content_).map(({ severity, key, values, fixed, fixKey }) => ({
+    const advice = this.advised_.content === this.content_ ? this.advised_.advice : [];
+    const ofText = advice.map(({ severity, message, fixed }) => ({
       severity,
-      words: text(key, values),
-      ...(fixed !== undefined && fixKey ? { action: { words: text(fixKey), run: () => this.onReplace_(fixed) } } : {}),
+      words: sentenceOf(message),
+      ...(fixed ? { action: { words: text(kFixes[message.code]), run: () => this.onReplace_(fixed) } } : {}),
     }));
     const shorter = (this.shown_?.shorter ?? []).map(({ form, facts }) => this.shorterLine_(form, facts));
     return [...ofText, ...this.sizeLines_(shorter.length > 0), ...shorter];

@@ -7,7 +7,7 @@ export const batch = {
     one: 'One code',
     many: 'A code for every part',
     from: 'The parts come from',
-    fromList: 'A list: CSV or JSON lines',
+    fromList: 'A list: CSV or JSON',
     fromCount: 'Numbers, without a list',
     list: 'Or paste it',
     listTitle: 'One row for each part; the first row names the columns: text, and optionally id, file and settings',
@@ -106,7 +106,7 @@ export const batch = {
     one: 'Ein Code',
     many: 'Ein Code je Teil',
     from: 'Die Teile kommen aus',
-    fromList: 'einer Liste: CSV oder JSON-Zeilen',
+    fromList: 'einer Liste: CSV oder JSON',
     fromCount: 'Nummern, ohne Liste',
     list: 'Oder hier einfügen',
     listTitle:

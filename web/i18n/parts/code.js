@@ -81,16 +81,11 @@ export const code = {
     'event.time': 'Enter a date and a time',
     'event.endsFirst': 'It ends before it starts',
 
-    'link.spaces': 'A link must not contain spaces: phones stop reading there',
     'link.encodeSpaces': 'Write them as %20',
     'link.wrong': 'This is not a complete web address',
-    'link.ends': 'There are spaces before or after the link',
     'link.trim': 'Remove them',
-    'link.noScheme': 'Many phones open this as a link only if it begins with https://',
     'link.addScheme': 'Add https://',
-    'link.idn': 'Some phones accept only the plain form of this name, {host}',
     'link.toAscii': 'Use the plain form',
-    'link.tracking': { one: '{count} character only tracks visitors', other: '{count} characters only track visitors' },
     'link.dropTracking': 'Leave them out',
 
     advice: 'Advice',
@@ -202,19 +197,11 @@ export const code = {
     'event.time': 'Datum und Uhrzeit angeben',
     'event.endsFirst': 'Das Ende liegt vor dem Beginn',
 
-    'link.spaces': 'Ein Link darf keine Leerzeichen enthalten: Handys lesen nur bis dort',
     'link.encodeSpaces': 'Als %20 schreiben',
     'link.wrong': 'Das ist keine vollständige Webadresse',
-    'link.ends': 'Vor oder nach dem Link stehen Leerzeichen',
     'link.trim': 'Entfernen',
-    'link.noScheme': 'Viele Handys öffnen das nur als Link, wenn es mit https:// beginnt',
     'link.addScheme': 'https:// voranstellen',
-    'link.idn': 'Manche Handys nehmen nur die einfache Form dieses Namens, {host}',
     'link.toAscii': 'Einfache Form nehmen',
-    'link.tracking': {
-      one: '{count} Zeichen dient nur dem Zählen von Besuchern',
-      other: '{count} Zeichen dienen nur dem Zählen von Besuchern',
-    },
     'link.dropTracking': 'Weglassen',
 
     advice: 'Hinweise',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/orientation.h"
+#include "math/orientation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
