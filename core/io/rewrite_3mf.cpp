@@ -139,6 +139,7 @@ class Rewriter {
       setFilament(metadataOf(*prusa, *volumes, "extruder"));
     } else if (!prusa && !bambu && slicer == Slicer::Any && !hasColourGroups()) {
       family_ = Family::Plain;
+      curaFilament_ = curaFilament(run);
       return loadAllModels();
     } else {
       return anew(message<"rewrite-no-settings">());
@@ -154,6 +155,17 @@ class Rewriter {
     for (const auto& [entry, text] : texts_)
       if (text.find("colorgroup") != std::string::npos) return true;
     return false;
+  }
+
+  /// Returns the filament, from 1, that Cura gives an object: its own count of extruders begins with 0. 1: unset.
+  std::size_t curaFilament(const ThreeMfRun& run) const {
+    const std::string_view text = *textOf(run.part);
+    const auto object = findElement(text, "object", run.object);
+    XmlTags tags(object ? text.substr(object->inside, object->insideEnd - object->inside) : "");
+    while (const auto tag = tags.next())
+      if (tag->starts("metadata") && tag->attribute("name") == kCuraExtruder)
+        return 1 + numberFrom(text.substr(object->inside + tag->end));
+    return 1;
   }
 
   void setFilament(std::optional<std::string_view> body) { filament_ = secondFilament(numberFrom(body)); }
@@ -349,7 +361,7 @@ class Rewriter {
         fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\" pid=\"{3}\" pindex=\"0\" xmlns:cura=\"{4}\"{5}>"
                     "\n{6}{7}</{0}object>",
                     body.prefix, inlay, escapedXml(change.inlay->name), group, kCuraSpace, uuid,
-                    curaExtruder(2, body.prefix), wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
+                    curaExtruder(secondFilament(curaFilament_), body.prefix), wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
         inlay);
     if (whole == run.object) {
       whole = nextId();
@@ -437,6 +449,7 @@ class Rewriter {
   std::map<const ZipEntry*, std::vector<TextEdit>> edits_;
   Family family_ = Family::None;
   unsigned filament_ = 2;
+  std::size_t curaFilament_ = 1;  // of the body with the code
   std::size_t largestId_ = 0;
   std::vector<ModelBody> newBodies_;         ///< of newObject_
   std::optional<NumberedObject> newObject_;  ///< for the settings of a file that had none

@@ -15,9 +15,9 @@ bool isNoCharacter(std::string_view sequence) { return sequence == "\xEF\xBF\xBE
 
 std::string curaExtruder(std::size_t filament, std::string_view prefix) {
   return fmt::format(
-      "   <{0}metadatagroup><{0}metadata name=\"cura:extruder_nr\" preserve=\"1\" type=\"xs:integer\">{1}</{0}metadata>"
+      "   <{0}metadatagroup><{0}metadata name=\"{1}\" preserve=\"1\" type=\"xs:integer\">{2}</{0}metadata>"
       "</{0}metadatagroup>\n",
-      prefix, filament - 1);
+      prefix, kCuraExtruder, filament - 1);
 }
 
 std::string escapedXml(std::string_view text) {

@@ -15,6 +15,8 @@ inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encod
 
 inline constexpr std::string_view kMaterialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
                                   kCuraSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
+/// Name of the metadata that gives an object's extruder to Cura; the prefix is part of it.
+inline constexpr std::string_view kCuraExtruder = "cura:extruder_nr";
 
 /// Returns the element of an object that tells Cura its extruder.
 /// @param filament  from 1

@@ -243,6 +243,22 @@ TEST(Rewrite3mf, AFileWithoutSettingsGetsThoseOfAnInlayAndKeepsTheRest) {
   EXPECT_EQ(bambu.objects[0].volumes[1].filament, 2u);
 }
 
+TEST(Rewrite3mf, AnInlayGetsTheOtherExtruderOfCura) {
+  for (const auto& [own, expected] : {std::pair("0", "1"), std::pair("1", "0"), std::pair("3", "1")}) {
+    std::string box = boxObject(1, 1, 2, 3);
+    const std::string metadata = "<metadata name=\"cura:extruder_nr\" preserve=\"1\" type=\"xs:integer\">";
+    box.insert(box.find("<mesh>"), "<metadatagroup>" + metadata + own + "</metadata></metadatagroup>");
+    const PolygonSoup soup = soupOf(zip_file::threeMf(zip_file::modelPart(box, "<item objectid=\"1\"/>")));
+    ChangedRun change = sameRun(soup, 0);
+    change.inlay = ModelBody{"QR code", shapes::box({1, 1, 1}), {}};
+    const auto written = rewrite3mf(*soup.source, std::span(&change, 1), Slicer::Any, kMaterials);
+    ASSERT_TRUE(written) << sentence(written.error().message);
+    const std::string model = unzipped(*written)["3D/3dmodel.model"];
+    EXPECT_THAT(model, HasSubstr(metadata + own + "</metadata>"));
+    EXPECT_THAT(model.substr(model.find("\"QR code\"")), HasSubstr(metadata + expected + "</metadata>")) << own;
+  }
+}
+
 TEST(Rewrite3mf, PaintOfAFileWithoutSettingsIsReadByAllSlicers) {
   const auto bytes = plainFile();
   const PolygonSoup soup = soupOf(bytes);
