@@ -27,12 +27,11 @@ Mesh joined(std::span<const ModelObject> objects) {
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message<"write-text-no-choice">(with::term<"format">(nameOf(format))));
-  const bool several = std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) {
-    return o.bodies.size() > 1 || (!o.bodies.empty() && o.bodies.front().paint);
-  });
-  const bool holdsSeveral =
-      format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
-  if (several && !holdsSeveral)
+  const auto any = [&](auto has) { return std::any_of(objects.begin(), objects.end(), has); };
+  const bool holdsBodies = format == ModelFormat::ThreeMf || format == ModelFormat::Obj;
+  const bool holdsPaint = format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
+  if ((!holdsBodies && any([](const ModelObject& o) { return o.bodies.size() > 1; })) ||
+      (!holdsPaint && any([](const ModelObject& o) { return !o.bodies.empty() && o.bodies.front().paint; })))
     return fail(ErrorKind::BadUsage, message<"write-several-bodies">(with::term<"format">(nameOf(format))));
   if (options.palette && !hasPalette(options.slicer)) return fail(ErrorKind::BadUsage, message<"write-no-palette">());
   return {};

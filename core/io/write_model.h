@@ -57,8 +57,8 @@ struct WriteOptions {
 
 /// Writes objects as a file. Reading it gives the same 32-bit positions and the same triangles in the same order.
 ///
-/// STL, OBJ and PLY hold one surface: the objects' triangles one after the other. 3MF keeps objects and bodies apart,
-/// see write_3mf.h; OBJ, too, if there is a file with the colours. write_files.h writes several files.
+/// STL and PLY hold one surface: the objects' triangles one after the other. OBJ has an object for each body, and 3MF
+/// keeps objects and bodies apart (write_3mf.h). write_files.h writes several files.
 /// Cost: linear.
 /// @returns BadUsage for a format that cannot be written, for options that the format does not have (`ascii`,
 ///          `palette`), or for several bodies in an object or painted facets if the format cannot hold them

@@ -22,7 +22,7 @@ std::vector<Mark> marksInColour(ModelFormat format);
 /// Returns the objects of a carved model's file, one for each part of the model. The inlay, in its own colour, follows
 /// the carved body if there is an inlay and `withInlay` is set. Painted facets have the inlay's colour.
 /// @param partNames  names of the model's parts; empty: one part only
-/// @param apart      keep the bodies that the model's file names apart (3MF); otherwise an object is one body
+/// @param apart      keep the bodies that the model's file names apart (3MF, OBJ); otherwise an object is one body
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay, bool apart);
 

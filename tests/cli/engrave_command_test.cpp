@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `qrelief engrave`: effects of its options, and the files it writes.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include "cli/command_fixture.h"
 #include "io/write_3mf.h"
+#include "io/write_model.h"
 #include "support/shapes.h"
 #include "support/zip_file.h"
 
@@ -127,6 +129,21 @@ TEST_F(EngraveCommandTest, TheInlayFillsThePocketsAndOtherObjectsStayUnchanged) 
   const double body = volumeOf(*inlaid, 0, carved), inlay = volumeOf(*inlaid, carved, filled);
   EXPECT_EQ(body, volumeOf(*plain, 0, carved));
   EXPECT_NEAR((body + inlay) / whole, 1, 1e-6);
+}
+
+TEST_F(EngraveCommandTest, AnObjKeepsTheNamesOfItsBodies) {
+  const std::vector<ModelObject> objects = {
+      {"", {{"ball", shapes::icosphere(40, 4), {}}, {"cube", shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), {}}}}};
+  const std::string model = writeBytes("two.obj", *qrelief::writeModel(objects, ModelFormat::Obj));
+  const Outcome outcome =
+      run({"engrave", model, "--text", "x", "--at", "0,0,40", "--size", "25", "-o", path("out.obj"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto soup = readBack("out.obj");
+  ASSERT_TRUE(soup);
+  ASSERT_EQ(soup->bodies.size(), 2u);
+  EXPECT_EQ(soup->bodies[0].name, "ball");
+  EXPECT_EQ(soup->bodies[1].name, "cube");
+  EXPECT_EQ(std::count(soup->bodyOf.begin(), soup->bodyOf.end(), 1u), 12);
 }
 
 TEST_F(EngraveCommandTest, CarvesALabelAndAFrame) {

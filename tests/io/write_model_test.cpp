@@ -120,16 +120,20 @@ TEST(WriteModel, RefusesAsciiForFormatsWithoutThatChoice) {
     EXPECT_EQ(writeModel(shapes::box({1, 2, 3}), format, {.ascii = true}).error().kind, ErrorKind::BadUsage);
 }
 
-TEST(WriteModel, RefusesSeveralBodiesOutsideOf3mf) {
+TEST(WriteModel, RefusesSeveralBodiesInFormatsThatHoldOneSurface) {
   const Mesh box = shapes::box({1, 2, 3});
   const std::vector<ModelObject> objects = {{"", {{"body", box, {}}, {"inlay", box, {}}}}};
-  for (const ModelFormat format : {ModelFormat::Stl, ModelFormat::Obj, ModelFormat::Ply}) {
+  for (const ModelFormat format : {ModelFormat::Stl, ModelFormat::Ply}) {
     const auto bytes = writeModel(objects, format);
     ASSERT_FALSE(bytes);
     EXPECT_EQ(bytes.error().kind, ErrorKind::BadUsage);
     EXPECT_THAT(hint(bytes.error().message), HasSubstr("3MF"));
   }
-  EXPECT_TRUE(writeModel(objects, ModelFormat::ThreeMf));
+  for (const ModelFormat format : {ModelFormat::Obj, ModelFormat::ThreeMf}) EXPECT_TRUE(writeModel(objects, format));
+  std::vector<ModelObject> painted = {{"", {{"body", box, Colour{1, 2, 3}}}}};
+  painted[0].bodies[0].paint = FacetPaint{{4, 5, 6}, {0}};
+  EXPECT_EQ(writeModel(painted, ModelFormat::Obj).error().kind, ErrorKind::BadUsage);  // no file with the colours
+  EXPECT_TRUE(writeModel(painted, ModelFormat::Obj, {.materialFile = "x.mtl"}));
 }
 
 TEST(WriteModel, WritesAnAsciiStlThatStartsAndEndsWithItsName) {
