@@ -56,6 +56,16 @@ Status readMark(const Json& report, VerifyRequest& request) {
   return badInput(message<"report-mark">(with::term<"found">(name)));
 }
 
+/// Reads the label; its frame is none if its name is unknown. Throws the exceptions of nlohmann's accessors.
+LabelOptions labelFrom(const Json& report) {
+  const auto label = report.find("label");
+  if (label == report.end() || label->is_null()) return {};
+  LabelOptions read = {label->at("text").get<std::string>()};
+  for (const LabelFrame frame : {LabelFrame::Rounded, LabelFrame::Square})
+    if (label->at("frame") == labelFrameName(frame)) read.frame = frame;
+  return read;
+}
+
 /// Reads the request. Throws the exceptions of nlohmann's accessors.
 Result<VerifyRequest> readRequest(const Json& report) {
   VerifyRequest request;
@@ -77,6 +87,7 @@ Result<VerifyRequest> readRequest(const Json& report) {
   if (!listed) return tl::unexpected(listed.error());
   request.symbol = std::move(*listed);
   if (const Status marked = readMark(report, request); !marked) return tl::unexpected(marked.error());
+  request.label = labelFrom(report);
   if (const auto depth = report.find("depth"); depth != report.end())
     if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
       request.oneLight = lampFrom(depth->at("lights").at(0));

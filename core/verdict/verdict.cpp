@@ -346,6 +346,8 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
         request.text);
   else if (result.features)
     verdict.prints = judgePocketPrinting(*result.features, request.printer, request.minWallMm, printed, request.text);
+  if (const auto capitalMm = labelCapitalMm(request.label, request.symbol.size, request.symbolMm / request.symbol.size))
+    addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.printer));
   verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
   return verdict;
 }

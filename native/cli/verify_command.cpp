@@ -119,7 +119,8 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
     fmt::print("{}\n", sentence(verdict.reads.summary));
   fmt::print("{} of {} tries from the front decoded ({} needed)\n", reading.frontal.reads, reading.frontal.tries,
              reading.frontal.needed());
-  for (const Message& warning : verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  for (const Aspect* aspect : {&verdict.reads, &verdict.prints})
+    for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   if (const std::string range = rangeOf(reading); reading.frontal.enough() && !range.empty())
     fmt::print("reads {}\n", range);
   if (result.features)

@@ -224,6 +224,20 @@ TEST_F(VerifyTest, TheReportOfEngraveHasLayersAndPrintability) {
   EXPECT_TRUE(report["verification"]["printability"].is_array());
 }
 
+TEST_F(VerifyTest, WarnsOfALabelTooLowToPrint) {
+  auto report = nlohmann::json::parse(good().report);
+  const auto warnings = [&](const std::string& label) {
+    report["label"] = {{"text", label}, {"frame", "square"}};
+    const VerifyRequest request = requestOf({{}, report.dump()});
+    EXPECT_EQ(request.label, (LabelOptions{label, LabelFrame::Square}));
+    return verify(good().mesh, request).verdict.prints.warnings;
+  };
+  EXPECT_THAT(warnings("A-001"), IsEmpty());
+  const auto tooLow = warnings(std::string(69, 'A'));
+  ASSERT_EQ(tooLow.size(), 1u);
+  EXPECT_EQ(tooLow[0].code, "label-too-small");
+}
+
 TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {
   auto report = nlohmann::json::parse(good().report);
   report["projection"].erase("centre");
