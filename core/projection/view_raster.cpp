@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "math/triangle_band.h"
+
 namespace qrelief {
 namespace {
 
@@ -80,9 +82,16 @@ void ViewRaster::drawFacet(const Triangle& triangle, bool oblique) {
   const auto last = [&](float high) { return std::min(window_.texels - 1, static_cast<int>(std::floor(high - 0.5f))); };
   const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
   const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
+  const bool isNarrow = right - left < kNarrowTexels;
   for (int row = bottom; row <= top; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
-    for (int column = left; column <= right; ++column) {
+    int begin = left, end = right;
+    if (!isNarrow) {  // half a texel more than needed, because of rounding
+      const auto [least, greatest] = rangeInBand<float>(a, b, c, y - 0.5f, y + 0.5f);
+      begin = std::max(left, first(least - 0.5f));
+      end = std::min(right, last(greatest + 0.5f));
+    }
+    for (int column = begin; column <= end; ++column) {
       const float x = static_cast<float>(column) + 0.5f;
       const float ofA = (c.x - b.x) * (y - b.y) - (c.y - b.y) * (x - b.x);
       const float ofB = (a.x - c.x) * (y - c.y) - (a.y - c.y) * (x - c.x);

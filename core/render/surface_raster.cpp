@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "math/triangle_band.h"
+
 namespace qrelief {
 namespace {
 
@@ -70,9 +72,16 @@ class Canvas {
     };
     const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
     const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
+    const bool isNarrow = right - left < kNarrowTexels;
     for (int row = bottom; row <= top; ++row) {
       const double y = row + 0.5;
-      for (int column = left; column <= right; ++column) {
+      int begin = left, end = right;
+      if (!isNarrow) {  // half a texel more than needed, because of rounding
+        const auto [least, greatest] = rangeInBand<double>(a, b, c, y - 0.5, y + 0.5);
+        begin = std::max(left, first(least - 0.5));
+        end = std::min(right, last(greatest + 0.5));
+      }
+      for (int column = begin; column <= end; ++column) {
         const double x = column + 0.5;
         const double ofA = (c.x - b.x) * (y - b.y) - (c.y - b.y) * (x - b.x);
         const double ofB = (a.x - c.x) * (y - c.y) - (a.y - c.y) * (x - c.x);
