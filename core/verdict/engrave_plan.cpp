@@ -187,10 +187,16 @@ void EngravePlan::keepCurrent(const Verdict& verdict) {
 }
 
 /// Keeps a finished attempt if it is better, and goes on.
-void EngravePlan::settleAttempt(const Verdict& verdict) {
+/// @param print  null: not looked at
+void EngravePlan::settleAttempt(const Verdict& verdict, const PrintedEvidence* print) {
   lastRank_ = rankOf(verdict);
   if (phase_ != Phase::Offer && lastRank_ > keptRank_.value_or(-1)) keepCurrent(verdict);
-  settle();
+  const bool mayDeepen = phase_ == Phase::Remedy && print;
+  const auto next = mayDeepen ? changeToTryNext(current_.request, verdict, print) : std::nullopt;
+  if (next && !isFixed(next->setting))
+    deepen(*next);
+  else
+    settle();
 }
 
 void EngravePlan::placed(const PlacementRequest& placement) {
@@ -242,7 +248,7 @@ void EngravePlan::printed(const Verdict& verdict, const PrintedEvidence& evidenc
   current().printed = evidence.reading.count;
   current().passed = verdict.passed();
   if (phase_ != Phase::Design && phase_ != Phase::Print) {
-    settleAttempt(verdict);
+    settleAttempt(verdict, &evidence);
     return;
   }
   const bool isMended = phase_ == Phase::Print && evidence.reading.count.enough();

@@ -16,7 +16,7 @@ namespace qrelief {
 ///    the first carving that decodes.
 /// 2. If it fails, try what the user left open, cheapest first: the largest size at the best rotation, a size beyond
 ///    the usual limit, less error correction if the symbol then has fewer modules. Each attempt goes to its own best
-///    spot if the centre is open, too.
+///    spot if the centre is open, too, and goes deeper if its print barely decodes.
 /// 3. If the mark is open (MarkRequest::isOpen) and no shadow code decodes and prints well, carve an inlay, then paint.
 /// 4. Deliver the best, or else the carving as requested. If that fails and the user did not choose the mark, carve the
 ///    other marks only to offer them (TriedCarving::isOffer).
@@ -85,7 +85,7 @@ class EngravePlan {
   void carveAnew(Phase phase, std::vector<SettingChange> changes, bool moves = true);
   void settle();
   void keepCurrent(const Verdict& verdict);
-  void settleAttempt(const Verdict& verdict);
+  void settleAttempt(const Verdict& verdict, const PrintedEvidence* print = nullptr);
   std::vector<SettingChange> withGrowth(std::vector<SettingChange> changes) const;
   std::optional<SettingChange> largestSize() const;
   bool isSymbolSmallerAt(ErrorCorrection level) const;

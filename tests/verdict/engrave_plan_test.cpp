@@ -316,6 +316,16 @@ TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLargerAndTurned) {
   EXPECT_TRUE(plan_->tried()[1].passed);
 }
 
+TEST_F(OpenSettingsTest, ALargerCodeWhosePrintBarelyDecodesIsCarvedDeeper) {
+  begin();
+  carveAndPrint(0);
+  carveAndPrint(23);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"preset", "robust"}));
+  EXPECT_EQ(plan_->kept(), 1);
+  carveAndPrint(40);
+  expectDelivery(2, "robust");
+}
+
 TEST_F(OpenSettingsTest, ARotationThatTheUserChoseStays) {
   for (const bool isRotated : {true, false}) {
     request_.placement.rotateDeg = isRotated ? 30 : 0;
