@@ -78,6 +78,8 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await app.setting('Engrave for').selectOption('Design only');
   await app.setting('Nozzle (mm)').fill('1.2');
   await app.setting('Nozzle (mm)').press('Tab');
+  await app.setting('At most (mm)').fill('20'); // a limit that the user chose is not widened
+  await app.setting('At most (mm)').press('Tab');
   await app.expectReady();
   await app.engrave();
   const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);

@@ -4,35 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "math/triangle_bands.h"
 
 namespace qrelief {
 namespace {
 
 constexpr int kMaxCells = 512;       // along an edge: 1 MB of cells
 constexpr double kCellSlack = 1e-6;  // of a cell: shapes on a cell's border belong to both sides
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// Returns the range of u that a shape covers where bottom ≤ v ≤ top; empty if it covers none.
-Range rangeBetween(const Triangle2& shape, double bottom, double top) {
-  Range range;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 a = shape[k];
-    const Vec2 b = shape[(k + 1) % 3];
-    if (a.y >= bottom && a.y <= top) range.add(a.x);
-    for (const double v : {bottom, top})
-      if ((a.y < v) != (b.y < v)) range.add(a.x + (b.x - a.x) * ((v - a.y) / (b.y - a.y)));
-  }
-  return range;
-}
 
 int clampedCell(double position, int size) {
   return static_cast<int>(std::clamp(std::floor(position), 0.0, static_cast<double>(size - 1)));
@@ -43,8 +23,9 @@ int clampedCell(double position, int size) {
 int PlaneGrid::column(double u) const { return clampedCell((u - min_.x) / cell_.x, size_); }
 int PlaneGrid::row(double v) const { return clampedCell((v - min_.y) / cell_.y, size_); }
 
+/// Calls visit(cell) for the cells that a shape crosses, until one returns false.
 template <class Visit>
-void PlaneGrid::forEachCell(const Triangle2& shape, Visit&& visit) const {
+void PlaneGrid::visitCells(const Triangle2& shape, Visit&& visit) const {
   const Vec2 slack = cell_ * kCellSlack;
   const Vec2 low = glm::min(glm::min(shape[0], shape[1]), shape[2]) - slack;
   const Vec2 high = glm::max(glm::max(shape[0], shape[1]), shape[2]) + slack;
@@ -52,19 +33,23 @@ void PlaneGrid::forEachCell(const Triangle2& shape, Visit&& visit) const {
   const int lastRow = row(high.y);
   const int firstColumn = column(low.x);
   const int lastColumn = column(high.x);
+  const bool isWithinOneLine = firstRow == lastRow || firstColumn == lastColumn;
+  const auto bands =
+      isWithinOneLine ? std::nullopt : std::optional(TriangleBands<double>(shape[0], shape[1], shape[2]));
   for (int j = firstRow; j <= lastRow; ++j) {
     int from = firstColumn;
     int to = lastColumn;
-    if (firstRow != lastRow && firstColumn != lastColumn) {
+    if (bands) {
       // The outermost rows extend to infinity.
       const double bottom = j == 0 ? low.y : min_.y + j * cell_.y - slack.y;
       const double top = j == size_ - 1 ? high.y : min_.y + (j + 1) * cell_.y + slack.y;
-      const Range range = rangeBetween(shape, bottom, top);
-      if (range.low > range.high) continue;
-      from = column(range.low - slack.x);
-      to = column(range.high + slack.x);
+      const auto [least, greatest] = bands->between(bottom, top);
+      if (least > greatest) continue;
+      from = column(least - slack.x);
+      to = column(greatest + slack.x);
     }
-    for (int i = from; i <= to; ++i) visit(static_cast<std::size_t>(j * size_ + i));
+    for (int i = from; i <= to; ++i)
+      if (!visit(static_cast<std::size_t>(j * size_ + i))) return;
   }
 }
 
@@ -85,27 +70,42 @@ PlaneGrid::PlaneGrid(std::span<const Triangle2> shapes, double halfWidth) : last
 
   // Counting sort by cell.
   begin_.assign(static_cast<std::size_t>(size_ * size_) + 1, 0);
-  for (const Triangle2& shape : shapes) forEachCell(shape, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  for (const Triangle2& shape : shapes)
+    visitCells(shape, [&](std::size_t cell) {
+      ++begin_[cell + 1];
+      return true;
+    });
   for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
   items_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::uint32_t item = 0; item < shapes.size(); ++item)
-    forEachCell(shapes[item], [&](std::size_t cell) { items_[next[cell]++] = item; });
+    visitCells(shapes[item], [&](std::size_t cell) {
+      items_[next[cell]++] = item;
+      return true;
+    });
 }
 
 std::span<const std::uint32_t> PlaneGrid::near(const Triangle2& shape) {
   found_.clear();
   if (size_ == 0) return found_;
   ++query_;
-  forEachCell(shape, [&](std::size_t cell) {
+  visitCells(shape, [&](std::size_t cell) {
+    looked_ += begin_[cell + 1] - begin_[cell];
     for (std::uint32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
       const std::uint32_t item = items_[k];
       if (lastQuery_[item] == query_) continue;
       lastQuery_[item] = query_;
       found_.push_back(item);
     }
+    return true;
   });
   return found_;
+}
+
+bool PlaneGrid::anyNear(const Triangle2& shape) const {
+  bool isAny = false;
+  if (size_ > 0) visitCells(shape, [&](std::size_t cell) { return !(isAny = begin_[cell] < begin_[cell + 1]); });
+  return isAny;
 }
 
 }  // namespace qrelief

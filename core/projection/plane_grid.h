@@ -24,9 +24,15 @@ class PlaneGrid {
   /// call.
   std::span<const std::uint32_t> near(const Triangle2& shape);
 
+  /// Returns true if near() finds a shape. Cost: the cells before the first with a shape.
+  bool anyNear(const Triangle2& shape) const;
+
+  /// Returns the number of entries that near() has looked at so far: shapes, once for each cell.
+  std::size_t looked() const { return looked_; }
+
  private:
   template <class Visit>
-  void forEachCell(const Triangle2& shape, Visit&& visit) const;
+  void visitCells(const Triangle2& shape, Visit&& visit) const;
   int column(double u) const;
   int row(double v) const;
 
@@ -37,6 +43,7 @@ class PlaneGrid {
   std::vector<std::uint32_t> items_;
   std::vector<std::uint32_t> lastQuery_;  // per shape
   std::uint32_t query_ = 0;
+  std::size_t looked_ = 0;
   std::vector<std::uint32_t> found_;
 };
 

@@ -17,6 +17,10 @@
 namespace qrelief {
 namespace {
 
+/// Number of contour edges, each counted in every cell, that a search looks at before it enters no more facets that may
+/// have occluders. Slivers that cross thousands of contour edges each would take their square.
+constexpr std::size_t kMinLooks = 1'000'000, kLooksPerTriangle = 50;
+
 /// Returns the size of the growing region when it reaches a point.
 double reachOfPoint(Vec2 p, GrowingRegion region) {
   return region == GrowingRegion::Disc ? glm::length(p) : std::max(std::abs(p.x), std::abs(p.y));
@@ -79,11 +83,12 @@ class Flood {
         view_(viewFrom(mesh, frame)),
         contours_(contourEdges(mesh, adjacency, frame, view_)),
         bins_(imagesOf(contours_), 2 * radius),
+        maxLooks_(kMinLooks + kLooksPerTriangle * mesh.triangles.size()),
         state_(mesh.triangles.size(), State::Excluded) {
     // Goes in order of storage, not of the flood: on large meshes memory access, not arithmetic, dominates the time.
     for (std::uint32_t t = 0; t < state_.size(); ++t)
       if (view_.facing[t] == Facing::Front && withinRadius(t))
-        state_[t] = bins_.near(image(t)).empty() ? State::Clear : State::Unseen;
+        state_[t] = bins_.anyNear(image(t)) ? State::Unseen : State::Clear;
   }
 
   const EyeView& view() const { return view_; }
@@ -115,6 +120,7 @@ class Flood {
     VisiblePatch result;
     result.radiusMm = radius_;
     result.partlyHidden = !obstructed_.empty();
+    result.looks = bins_.looked();
     for (std::uint32_t t = 0; t < state_.size(); ++t) {
       if (state_[t] != State::Taken) continue;
       result.triangles.push_back(t);
@@ -172,6 +178,7 @@ class Flood {
   /// Offers a visible point of `triangle` on the edge over which the flood comes (in the seed: the centre).
   void offer(std::uint32_t triangle, Vec2 point) {
     State& state = state_[triangle];
+    if (state == State::Unseen && bins_.looked() > maxLooks_) state = State::Excluded;
     if (state == State::Unseen) {
       ObstructedFacet facet = occludersOf(triangle);
       if (facet.occluders.empty()) {
@@ -252,6 +259,7 @@ class Flood {
     bool dropped = false;
     for (std::uint32_t t = 0; t < state_.size(); ++t) {
       if (state_[t] != State::Taken) continue;
+      if (bins.looked() > maxLooks_) return dropCrossed();
       for (const std::uint32_t index : bins.near(image(t))) {
         const ObstructedFacet& facet = obstructed_[crossed[index]];
         if (facet.triangle == t || state_[facet.triangle] != State::Taken) continue;
@@ -263,6 +271,21 @@ class Flood {
       }
     }
     if (dropped) keepConnected();
+  }
+
+  /// Drops all crossed facets but the seed, and those that overlap the seed.
+  void dropCrossed() {
+    bool isSeedCrossed = false;
+    for (const ObstructedFacet& facet : obstructed_) {
+      if (!facet.crossed || state_[facet.triangle] != State::Taken) continue;
+      if (facet.triangle == seed_)
+        isSeedCrossed = true;
+      else
+        state_[facet.triangle] = State::Dropped;
+    }
+    for (std::uint32_t t = 0; isSeedCrossed && t < state_.size(); ++t)
+      if (state_[t] == State::Taken && t != seed_ && imagesOverlap(mesh_, t, seed_, eye_)) state_[t] = State::Dropped;
+    keepConnected();
   }
 
   double reachOf(std::uint32_t triangle) const {
@@ -296,6 +319,7 @@ class Flood {
   EyeView view_;
   std::vector<ContourEdge> contours_;
   PlaneGrid bins_;
+  std::size_t maxLooks_;
   std::uint32_t seed_ = 0;
   std::vector<State> state_;
   std::vector<std::uint32_t> open_;  // taken, without occluders, not yet left

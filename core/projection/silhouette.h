@@ -25,6 +25,7 @@ struct VisiblePatch {
   double radiusMm = 0;  ///< radius of the searched part of the QR plane about the centre
   /// True if a facet met by the search is only partly visible; otherwise the patch is the same for every GrowingRegion.
   bool partlyHidden = false;
+  std::size_t looks = 0;  ///< contour edges looked at near facets, each once for every cell of the bins
 };
 
 /// Finds the silhouette that bounds every code about the centre [Papp 2022, §4], and the patch within it: the facets
@@ -54,7 +55,9 @@ struct VisiblePatch {
 /// before any other facet with occluders is (induction along the straight path), so nothing of D is lost.
 ///
 /// Preconditions: the surface does not cross itself (else see crossings.h); frame.centre lies on the seed (to
-/// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
+/// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins. A
+/// search that has looked at 50 contour edges for each triangle, and at a million, enters no more facets that may have
+/// occluders: the patch stays right but may be smaller.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out,
 ///                  and the edge towards them is not part of the silhouette

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
-#include "math/triangle_band.h"
+#include "math/triangle_bands.h"
 
 namespace qrelief {
 namespace {
@@ -82,12 +83,13 @@ void ViewRaster::drawFacet(const Triangle& triangle, bool oblique) {
   const auto last = [&](float high) { return std::min(window_.texels - 1, static_cast<int>(std::floor(high - 0.5f))); };
   const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
   const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
-  const bool isNarrow = right - left < kNarrowTexels;
+  using Bands = TriangleBands<float>;
+  const auto bands = right - left < Bands::kNarrowTexels ? std::nullopt : std::optional(Bands(a, b, c));
   for (int row = bottom; row <= top; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
     int begin = left, end = right;
-    if (!isNarrow) {  // half a texel more than needed, because of rounding
-      const auto [least, greatest] = rangeInBand<float>(a, b, c, y - 0.5f, y + 0.5f);
+    if (bands) {  // half a texel more than needed, because of rounding
+      const auto [least, greatest] = bands->between(y - 0.5f, y + 0.5f);
       begin = std::max(left, first(least - 0.5f));
       end = std::min(right, last(greatest + 0.5f));
     }

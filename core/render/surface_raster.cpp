@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
-#include "math/triangle_band.h"
+#include "math/triangle_bands.h"
 
 namespace qrelief {
 namespace {
@@ -72,12 +73,13 @@ class Canvas {
     };
     const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
     const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
-    const bool isNarrow = right - left < kNarrowTexels;
+    using Bands = TriangleBands<double>;
+    const auto bands = right - left < Bands::kNarrowTexels ? std::nullopt : std::optional(Bands(a, b, c));
     for (int row = bottom; row <= top; ++row) {
       const double y = row + 0.5;
       int begin = left, end = right;
-      if (!isNarrow) {  // half a texel more than needed, because of rounding
-        const auto [least, greatest] = rangeInBand<double>(a, b, c, y - 0.5, y + 0.5);
+      if (bands) {  // half a texel more than needed, because of rounding
+        const auto [least, greatest] = bands->between(y - 0.5, y + 0.5);
         begin = std::max(left, first(least - 0.5));
         end = std::min(right, last(greatest + 0.5));
       }

@@ -43,6 +43,7 @@ void expectToFindAll(double halfWidth) {
     const std::span<const std::uint32_t> near = grid.near(query);
     const std::set<std::uint32_t> unique(near.begin(), near.end());
     EXPECT_EQ(unique.size(), near.size()) << "a shape was found twice";
+    EXPECT_EQ(grid.anyNear(query), !near.empty());
     for (std::uint32_t s = 0; s < segments.size(); ++s)
       ASSERT_TRUE(unique.count(s) || !segmentsMeet(segments[s], query)) << "segment " << s << ", query " << k;
   }
@@ -72,6 +73,7 @@ TEST(PlaneGrid, EntersLongSlantedShapesAlongTheirLengthOnly) {
 TEST(PlaneGrid, IsEmptyWithoutShapes) {
   PlaneGrid grid({}, 10);
   EXPECT_TRUE(grid.near({Vec2(0), Vec2(1, 0), Vec2(0, 1)}).empty());
+  EXPECT_FALSE(grid.anyNear({Vec2(0), Vec2(1, 0), Vec2(0, 1)}));
 }
 
 }  // namespace

@@ -389,5 +389,48 @@ TEST(Silhouette, IsBoundedByAHoleInTheSurface) {
   EXPECT_NEAR(freeSize(patch->silhouette), 18 * kRoot2, 1e-12);
 }
 
+/// Returns a bar with teeth along its upper edge: 100 × 15 × 20 mm, with sliver facets on both ends of the prism.
+Mesh comb(int teeth) {
+  const auto n = static_cast<std::uint32_t>(teeth);
+  std::vector<Vec2> outline = {{0, 0}, {100, 0}};  // counter-clockwise
+  for (std::uint32_t i = n; i > 0; --i) {
+    outline.emplace_back(100.0 * i / n, 10);
+    outline.emplace_back(100.0 * (i - 0.5) / n, 15);
+  }
+  outline.emplace_back(0, 10);
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  Mesh mesh;
+  for (const float z : {0.0f, 20.0f})
+    for (const Vec2 p : outline) mesh.positions.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y), z);
+  const auto addToEnds = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.triangles.push_back({c, b, a});
+    mesh.triangles.push_back({count + a, count + b, count + c});
+  };
+  addToEnds(0, 1, 2);
+  for (std::uint32_t base = 2; base + 2 < count; base += 2) {
+    addToEnds(0, base, base + 2);
+    addToEnds(base, base + 1, base + 2);
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = (i + 1) % count;
+    mesh.triangles.push_back({i, next, count + next});
+    mesh.triangles.push_back({i, count + next, count + i});
+  }
+  return mesh;
+}
+
+TEST(Silhouette, OfThousandsOfSliversBeforeThousandsOfContoursTakesLinearWork) {
+  for (const int teeth : {50, 4000}) {
+    const Mesh mesh = comb(teeth);
+    const brute_force::Spot spot = brute_force::spotSeen(mesh, {50, -60, 140}, glm::normalize(Vec3(0, 0.5, -0.87)),
+                                                         {0, -0.5, 0.87}, {0, 1, 0}, 250);
+    const auto patch = patchAt(mesh, spot, 40);
+    ASSERT_TRUE(patch.has_value()) << patch.error().message;
+    EXPECT_LE(patch->looks, 2'000'000 + 60 * mesh.triangles.size()) << teeth << " teeth";
+    expectSeenWithin(mesh, spot.frame, *patch, 100);
+    expectNoOverlap(mesh, spot.frame, *patch);
+  }
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "math/triangle_band.h"
+#include "math/triangle_bands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -10,19 +11,20 @@
 namespace qrelief {
 namespace {
 
-TEST(TriangleBand, TheRowsOfALongThinTriangleCostItsLength) {
+TEST(TriangleBands, TheRowsOfALongThinTriangleCostItsLength) {
   for (const int length : {100, 1000, 10000}) {
     const Vec2 a{0, 0}, b{length, length - 0.4}, c{length - 0.4, length};
+    const TriangleBands<double> bands(a, b, c);
     double columns = 0;
     for (int row = 0; row < length; ++row) {
-      const auto [least, greatest] = rangeInBand<double>(a, b, c, row, row + 1);
+      const auto [least, greatest] = bands.between(row, row + 1);
       columns += std::max(0.0, greatest - least);
     }
     EXPECT_LE(columns, 3 * length) << length;
   }
 }
 
-TEST(TriangleBand, HoldsEveryPointOfTheTriangle) {
+TEST(TriangleBands, HoldsEveryPointOfTheTriangle) {
   Random random(5);
   const auto point = [&] { return Vec2{20 * random.uniform(), 20 * random.uniform()}; };
   for (int i = 0; i < 2000; ++i) {
@@ -30,7 +32,7 @@ TEST(TriangleBand, HoldsEveryPointOfTheTriangle) {
     const double u = random.uniform(), v = (1 - u) * random.uniform();
     const Vec2 inside = a + u * (b - a) + v * (c - a);
     const double low = std::floor(inside.y);
-    const auto [least, greatest] = rangeInBand<double>(a, b, c, low, low + 1);
+    const auto [least, greatest] = TriangleBands<double>(a, b, c).between(low, low + 1);
     EXPECT_LE(least, inside.x + 1e-9);
     EXPECT_GE(greatest, inside.x - 1e-9);
     EXPECT_GE(least, std::min({a.x, b.x, c.x}) - 1e-9);
@@ -38,12 +40,26 @@ TEST(TriangleBand, HoldsEveryPointOfTheTriangle) {
   }
 }
 
-TEST(TriangleBand, IsEmptyAboveAndBelow) {
+TEST(TriangleBands, IsEmptyAboveAndBelow) {
   const Vec2 a{0, 0}, b{4, 1}, c{2, 3};
   for (const double low : {-2.0, 3.5}) {
-    const auto [least, greatest] = rangeInBand<double>(a, b, c, low, low + 1);
+    const auto [least, greatest] = TriangleBands<double>(a, b, c).between(low, low + 1);
     EXPECT_GT(least, greatest);
   }
+}
+
+TEST(TriangleBands, KnowsTrianglesWithoutArea) {
+  const auto expectRange = [](const TriangleBands<double>& bands, double low, double high, double least,
+                              double greatest) {
+    const auto range = bands.between(low, high);
+    EXPECT_DOUBLE_EQ(range.least, least);
+    EXPECT_DOUBLE_EQ(range.greatest, greatest);
+  };
+  const Vec2 a{1, 2}, b{5, 2}, c{3, 2}, d{5, 6};
+  expectRange({a, b, c}, 1, 3, 1, 5);
+  expectRange({a, b, b}, 2, 2, 1, 5);
+  expectRange({a, a, a}, 2, 3, 1, 1);
+  expectRange({a, d, d}, 3, 4, 2, 3);
 }
 
 }  // namespace
