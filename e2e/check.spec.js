@@ -78,7 +78,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await app.setting('Engrave for').selectOption('Design only');
   await app.setting('Nozzle (mm)').fill('1.2');
   await app.setting('Nozzle (mm)').press('Tab');
-  await app.setting('At most (mm)').fill('20'); // a limit that the user chose is not widened
+  await app.setting('At most (mm)').fill('26'); // a limit that the user chose is not widened
   await app.setting('At most (mm)').press('Tab');
   await app.expectReady();
   await app.engrave();
@@ -94,10 +94,10 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   expect(await app.placement.innerText()).not.toBe(before);
   await expect(app.result).toContainText('Made before your last change');
 
-  await line.getByRole('button', { name: 'Use a 0.6 mm nozzle' }).click();
-  await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
+  await line.getByRole('button', { name: 'Use a 0.4 mm nozzle' }).click();
+  await expect(app.setting('Nozzle (mm)')).toHaveValue('0.4');
   await app.engrave();
-  await expect(line).toContainText(/Reads as printed, facing up \(0\.6 mm nozzle, 0\.2 mm layers\)/, kPrinted);
+  await expect(line).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)/, kPrinted);
 });
 
 test('A code that does not decode is carved with the next deeper preset, and one undo reverts both', async ({
