@@ -56,8 +56,8 @@ export class Inspecting {
 
   async close_() {
     this.view_.reportsPointer = false;
-    this.window_.update(undefined);
     await this.client_.inspector({ kind: 'show', shown: false });
+    this.window_.update(undefined); // last, because frames drawn until now have reported states
   }
 
   async translate_() {
