@@ -55,6 +55,15 @@ std::u32string_view trimmed(std::u32string_view text, Is is) {
   return text;
 }
 
+/// Returns the text within a pair of brackets that enclose all of it. A single bracket may be part of a link.
+std::u32string_view withinBrackets(std::u32string_view text) {
+  constexpr std::u32string_view kPairs = U"()[]{}\uFF08\uFF09\u3010\u3011\u300C\u300D";
+  for (std::size_t i = 0; i < kPairs.size(); i += 2)
+    if (text.size() > 2 && text.front() == kPairs[i] && text.back() == kPairs[i + 1])
+      return text.substr(1, text.size() - 2);
+  return text;
+}
+
 /// A link in its parts. `rest` begins with its slash, question mark or number sign.
 struct WebAddress {
   std::string_view scheme;  ///< with "://"
@@ -272,7 +281,7 @@ std::vector<TextAdvice> adviseText(std::string_view text) {
   std::u32string seen = whole;
   seen.erase(std::remove_if(seen.begin(), seen.end(), isUnseen), seen.end());
   const std::u32string_view within = trimmed(std::u32string_view(seen), isSpace);
-  const std::u32string_view core = trimmed(trimmed(within, isQuote), isSpace);
+  const std::u32string_view core = trimmed(withinBrackets(trimmed(within, isQuote)), isSpace);
   const std::string bare = utf8Of(core);
   const bool hasScheme = splitWebAddress(bare).has_value();
   if (!hasScheme) {

@@ -83,13 +83,15 @@ TEST(LinkAdvice, UnseenCharactersAreFoundAnywhereInALink) {
   }
 }
 
-TEST(LinkAdvice, QuotationMarksAndPunctuationAroundALinkAreFound) {
+TEST(LinkAdvice, QuotationMarksBracketsAndPunctuationAroundALinkAreFound) {
   for (const char* text :
        {"\u201Chttps://example.org/a\u201D", "\u201Ehttps://example.org/a\u201C", "\"https://example.org/a\"",
-        "\u00AB https://example.org/a \u00BB", "<https://example.org/a>", "https://example.org/a\u2019"}) {
+        "\u00AB https://example.org/a \u00BB", "<https://example.org/a>", "https://example.org/a\u2019",
+        "(https://example.org/a)", "[ example.org/a ]", "\u3010https://example.org/a\u3011"}) {
     EXPECT_THAT(codes(text), ElementsAre("link-quoted")) << text;
     EXPECT_THAT(fixed(text), ElementsAre("https://example.org/a"));
   }
+  EXPECT_THAT(codes("https://example.org/a_(b)"), IsEmpty());
   EXPECT_THAT(codes("https://example.org/a."), ElementsAre("link-punctuation"));
   EXPECT_THAT(fixed("https://example.org/a.,"), ElementsAre("https://example.org/a"));
 }
