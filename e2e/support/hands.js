@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens the page and presses controls as a user does: with a mouse on a desktop, with a finger on a phone.
+import { expect } from '@playwright/test';
 import { Engraver } from './engraver.js';
 import { holdWorkers } from './workers.js';
 
@@ -24,6 +25,7 @@ export async function openWithHands(page) {
 
 /** @param {import('@playwright/test').Locator} button @param {() => Promise<void>} meanwhile */
 export async function hold(button, meanwhile) {
+  await expect(button).toBeEnabled(); // neither a mouse that goes down nor a touch waits for that
   await button.scrollIntoViewIfNeeded();
   const { x, y, width, height } = /** @type {{ x: number, y: number, width: number, height: number }} */ (
     await button.boundingBox()
