@@ -361,7 +361,8 @@ class Rewriter {
         fmt::format("<{0}object id=\"{1}\" type=\"model\" name=\"{2}\" pid=\"{3}\" pindex=\"0\" xmlns:cura=\"{4}\"{5}>"
                     "\n{6}{7}</{0}object>",
                     body.prefix, inlay, escapedXml(change.inlay->name), group, kCuraSpace, uuid,
-                    curaExtruder(secondFilament(curaFilament_), body.prefix), wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
+                    curaExtruder(secondFilament(curaFilament_), body.prefix),
+                    wholeMesh(change.inlay->mesh, run, source_.unitMm, body.prefix)),
         inlay);
     if (whole == run.object) {
       whole = nextId();

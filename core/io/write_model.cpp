@@ -29,7 +29,8 @@ Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, co
     return fail(ErrorKind::BadUsage, message<"write-text-no-choice">(with::term<"format">(nameOf(format))));
   const auto any = [&](auto has) { return std::any_of(objects.begin(), objects.end(), has); };
   const bool holdsBodies = format == ModelFormat::ThreeMf || format == ModelFormat::Obj;
-  const bool holdsPaint = format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
+  const bool holdsPaint =
+      format == ModelFormat::ThreeMf || (format == ModelFormat::Obj && !options.materialFile.empty());
   if ((!holdsBodies && any([](const ModelObject& o) { return o.bodies.size() > 1; })) ||
       (!holdsPaint && any([](const ModelObject& o) { return !o.bodies.empty() && o.bodies.front().paint; })))
     return fail(ErrorKind::BadUsage, message<"write-several-bodies">(with::term<"format">(nameOf(format))));

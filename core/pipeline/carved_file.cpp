@@ -45,7 +45,8 @@ Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResul
     if (!written) return tl::unexpected(written.error());
     return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
   }
-  auto files = writeCheckedFiles(carvedObjects(result, partNames, withInlay, format == ModelFormat::Obj), fileName, options);
+  auto files =
+      writeCheckedFiles(carvedObjects(result, partNames, withInlay, format == ModelFormat::Obj), fileName, options);
   if (!files) return tl::unexpected(files.error());
   return CarvedFiles{std::move(*files), {}};
 }

@@ -132,8 +132,9 @@ TEST_F(EngraveCommandTest, TheInlayFillsThePocketsAndOtherObjectsStayUnchanged) 
 }
 
 TEST_F(EngraveCommandTest, AnObjKeepsTheNamesOfItsBodies) {
-  const std::vector<ModelObject> objects = {
-      {"", {{"ball", shapes::icosphere(40, 4), {}}, {"cube", shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), {}}}}};
+  const std::vector<ModelObject> objects = {{"",
+                                             {{"ball", shapes::icosphere(40, 4), {}},
+                                              {"cube", shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), {}}}}};
   const std::string model = writeBytes("two.obj", *qrelief::writeModel(objects, ModelFormat::Obj));
   const Outcome outcome =
       run({"engrave", model, "--text", "x", "--at", "0,0,40", "--size", "25", "-o", path("out.obj"), "--quiet"});
