@@ -383,7 +383,8 @@ class Rewriter {
     newObject_.emplace();
     newObject_->name = name;
     newObject_->id = whole;
-    newObject_->bodies = {{&newBodies_[0], name, run.object, 1, 0}, {&newBodies_[1], change.inlay->name, inlay, 2, 0}};
+    newObject_->bodies = {{&newBodies_[0], name, run.object, curaFilament_, 0},
+                          {&newBodies_[1], change.inlay->name, inlay, secondFilament(curaFilament_), 0}};
     declareSettings();
     return {};
   }

@@ -47,7 +47,7 @@ function objectsOf(files) {
         tag,
         inside: '',
         ...meshOf(inside),
-        cura: cura.extruder_nr ?? '',
+        cura: cura.extruder_nr === undefined ? '' : String(1 + Number(cura.extruder_nr)), // Cura counts from 0
         kind: Object.keys(cura).find((key) => key.endsWith('_mesh')) ?? '',
         components: [...inside.matchAll(/<component\b([^>]*)>/g)].map(([, text]) => attributesOf(text)),
       });
