@@ -139,7 +139,7 @@ class Rewriter {
       setFilament(metadataOf(*prusa, *volumes, "extruder"));
     } else if (!prusa && !bambu && slicer == Slicer::Any && !hasColourGroups()) {
       family_ = Family::Plain;
-      curaFilament_ = curaFilament(run);
+      curaFilament_ = curaFilament(*textOf(run.part), run.object);
       return loadAllModels();
     } else {
       return anew(message<"rewrite-no-settings">());
@@ -155,17 +155,6 @@ class Rewriter {
     for (const auto& [entry, text] : texts_)
       if (text.find("colorgroup") != std::string::npos) return true;
     return false;
-  }
-
-  /// Returns the filament, from 1, that Cura gives an object: its own count of extruders begins with 0. 1: unset.
-  std::size_t curaFilament(const ThreeMfRun& run) const {
-    const std::string_view text = *textOf(run.part);
-    const auto object = findElement(text, "object", run.object);
-    XmlTags tags(object ? text.substr(object->inside, object->insideEnd - object->inside) : "");
-    while (const auto tag = tags.next())
-      if (tag->starts("metadata") && tag->attribute("name") == kCuraExtruder)
-        return 1 + numberFrom(text.substr(object->inside + tag->end));
-    return 1;
   }
 
   void setFilament(std::optional<std::string_view> body) { filament_ = secondFilament(numberFrom(body)); }

@@ -4,9 +4,13 @@
 #include <algorithm>
 
 #include "base/utf8.h"
+#include "io/xml_span.h"
 
 namespace qrelief {
 namespace {
+
+/// Cura counts extruders from 0. The prefix is part of the name.
+constexpr std::string_view kCuraExtruder = "cura:extruder_nr";
 
 /// Returns true for characters that UTF-8 can hold but XML 1.0 cannot: U+FFFE and U+FFFF.
 bool isNoCharacter(std::string_view sequence) { return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF"; }
@@ -18,6 +22,15 @@ std::string curaExtruder(std::size_t filament, std::string_view prefix) {
       "   <{0}metadatagroup><{0}metadata name=\"{1}\" preserve=\"1\" type=\"xs:integer\">{2}</{0}metadata>"
       "</{0}metadatagroup>\n",
       prefix, kCuraExtruder, filament - 1);
+}
+
+std::size_t curaFilament(std::string_view model, std::size_t object) {
+  const auto span = findElement(model, "object", object);
+  XmlTags tags(span ? model.substr(span->inside, span->insideEnd - span->inside) : "");
+  while (const auto tag = tags.next())
+    if (tag->starts("metadata") && tag->attribute("name") == kCuraExtruder)
+      return 1 + numberFrom(model.substr(span->inside + tag->end));
+  return 1;
 }
 
 std::string escapedXml(std::string_view text) {

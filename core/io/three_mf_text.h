@@ -15,13 +15,14 @@ inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encod
 
 inline constexpr std::string_view kMaterialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
                                   kCuraSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
-/// Name of the metadata that gives an object's extruder to Cura; the prefix is part of it.
-inline constexpr std::string_view kCuraExtruder = "cura:extruder_nr";
 
 /// Returns the element of an object that tells Cura its extruder.
 /// @param filament  from 1
 /// @param prefix    of the elements' names, with a colon
 std::string curaExtruder(std::size_t filament, std::string_view prefix);
+
+/// Returns the filament, from 1, that Cura's metadata gives an object of a model part. 1: it gives none.
+std::size_t curaFilament(std::string_view model, std::size_t object);
 
 /// Escapes a text for the value of an XML attribute. Characters that XML cannot hold become question marks.
 std::string escapedXml(std::string_view text);

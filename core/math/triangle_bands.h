@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 namespace qrelief {
 
@@ -13,9 +15,6 @@ namespace qrelief {
 template <typename Number>
 class TriangleBands {
  public:
-  /// Triangles that are wider, in texels, are drawn faster with their bands than without.
-  static constexpr int kNarrowTexels = 8;
-
   /// Least and greatest x; least > greatest: none.
   struct Range {
     Number least, greatest;
@@ -53,6 +52,52 @@ class TriangleBands {
   }
 
   std::array<Edge, 3> edges_;
+};
+
+/// The texels of a square map whose middles may lie in a triangle, row by row. Texels are 1 wide, the first begins at
+/// 0.
+/// @tparam Number  float or double
+template <typename Number>
+class TriangleTexels {
+ public:
+  /// First and last texel; last < first: none.
+  struct Range {
+    int first, last;
+  };
+
+  /// @param a, b, c  corners with members x and y
+  template <typename Point>
+  TriangleTexels(const Point& a, const Point& b, const Point& c, int texels)
+      : texels_(texels),
+        columns_(within(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}))),
+        rows_(within(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}))) {
+    if (columns_.last - columns_.first >= kNarrow) bands_.emplace(a, b, c);
+  }
+
+  Range rows() const { return rows_; }
+  /// Returns the columns of a row: some more than needed, because of rounding and because narrow triangles are drawn
+  /// faster by their box.
+  Range columns(int row) const {
+    if (!bands_) return columns_;
+    const auto [least, greatest] = bands_->between(static_cast<Number>(row), static_cast<Number>(row + 1));
+    const Range range = within(least - kHalf, greatest + kHalf);
+    return {std::max(columns_.first, range.first), std::min(columns_.last, range.last)};
+  }
+
+ private:
+  static constexpr int kNarrow = 8;
+  static constexpr Number kHalf = Number(0.5);
+
+  /// Clamps before the conversion to integers, because corners level with the eye lie far away.
+  Range within(Number low, Number high) const {
+    const auto end = static_cast<Number>(texels_);
+    return {static_cast<int>(std::ceil(std::clamp(low - kHalf, Number(0), end))),
+            static_cast<int>(std::floor(std::clamp(high - kHalf, Number(-1), end - 1)))};
+  }
+
+  int texels_;
+  Range columns_, rows_;
+  std::optional<TriangleBands<Number>> bands_;
 };
 
 }  // namespace qrelief

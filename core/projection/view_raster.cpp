@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 #include "math/triangle_bands.h"
 
@@ -79,21 +78,12 @@ void ViewRaster::drawFacet(const Triangle& triangle, bool oblique) {
   const Seen& c = vertices_[triangle[2]];
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (!(area > 0)) return;
-  const auto first = [](float low) { return std::max(0, static_cast<int>(std::ceil(low - 0.5f))); };
-  const auto last = [&](float high) { return std::min(window_.texels - 1, static_cast<int>(std::floor(high - 0.5f))); };
-  const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
-  const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
-  using Bands = TriangleBands<float>;
-  const auto bands = right - left < Bands::kNarrowTexels ? std::nullopt : std::optional(Bands(a, b, c));
+  const TriangleTexels<float> drawn(a, b, c, window_.texels);
+  const auto [bottom, top] = drawn.rows();
   for (int row = bottom; row <= top; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
-    int begin = left, end = right;
-    if (bands) {  // half a texel more than needed, because of rounding
-      const auto [least, greatest] = bands->between(y - 0.5f, y + 0.5f);
-      begin = std::max(left, first(least - 0.5f));
-      end = std::min(right, last(greatest + 0.5f));
-    }
-    for (int column = begin; column <= end; ++column) {
+    const auto [left, right] = drawn.columns(row);
+    for (int column = left; column <= right; ++column) {
       const float x = static_cast<float>(column) + 0.5f;
       const float ofA = (c.x - b.x) * (y - b.y) - (c.y - b.y) * (x - b.x);
       const float ofB = (a.x - c.x) * (y - c.y) - (a.y - c.y) * (x - c.x);

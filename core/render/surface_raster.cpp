@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "math/triangle_bands.h"
 
@@ -63,27 +62,12 @@ class Canvas {
   void drawSeen(const Seen& a, const Seen& b, const Seen& c, Vec3 normal) {
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (!(area > 0)) return;
-    // Ranges over the texels' middles; clamped before conversion to integers, because corners level with the eye lie
-    // far away.
-    const auto first = [&](double low) {
-      return static_cast<int>(std::ceil(std::clamp(low - 0.5, 0.0, 1.0 * texels_)));
-    };
-    const auto last = [&](double high) {
-      return static_cast<int>(std::floor(std::clamp(high - 0.5, -1.0, texels_ - 1.0)));
-    };
-    const int left = first(std::min({a.x, b.x, c.x})), right = last(std::max({a.x, b.x, c.x}));
-    const int bottom = first(std::min({a.y, b.y, c.y})), top = last(std::max({a.y, b.y, c.y}));
-    using Bands = TriangleBands<double>;
-    const auto bands = right - left < Bands::kNarrowTexels ? std::nullopt : std::optional(Bands(a, b, c));
+    const TriangleTexels<double> drawn(a, b, c, texels_);
+    const auto [bottom, top] = drawn.rows();
     for (int row = bottom; row <= top; ++row) {
       const double y = row + 0.5;
-      int begin = left, end = right;
-      if (bands) {  // half a texel more than needed, because of rounding
-        const auto [least, greatest] = bands->between(y - 0.5, y + 0.5);
-        begin = std::max(left, first(least - 0.5));
-        end = std::min(right, last(greatest + 0.5));
-      }
-      for (int column = begin; column <= end; ++column) {
+      const auto [left, right] = drawn.columns(row);
+      for (int column = left; column <= right; ++column) {
         const double x = column + 0.5;
         const double ofA = (c.x - b.x) * (y - b.y) - (c.y - b.y) * (x - b.x);
         const double ofB = (a.x - c.x) * (y - c.y) - (a.y - c.y) * (x - c.x);
