@@ -16,7 +16,7 @@ uniform int u_slices;         // pairs of half-planes through the line of sight
 uniform int u_steps;          // on each side of a slice
 uniform float u_radius;       // mm
 uniform float u_radiusLimit;  // pixels
-uniform float u_turn;         // of this sample, sixteenths: 16 samples give every pixel the same 16 directions
+uniform float u_turn;         // of this sample, sixteenths: 16 samples of one slice give every pixel the same directions
 uniform float u_shift;        // of this sample along its directions, in steps
 
 layout(location = 0) out vec4 o_visibility;

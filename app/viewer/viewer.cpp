@@ -17,7 +17,9 @@ constexpr double kRadiusShare = 0.08;  // reach of the occlusion, as a part of t
 constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, as a part of the picture's height
 // Sixteenths of a turn, each far from the previous ones: even a few pictures average to little pattern.
 constexpr std::array<int, 16> kTurns = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
-constexpr int kFirstShown = 4;       // an average of fewer pictures is noisier than the blurred first one
+// Pictures averaged before the average is shown again: of fewer it is noisier than the blurred first one, and each time
+// costs a software renderer a third of a picture.
+constexpr int kShownEvery = 4;
 constexpr double kSlowFrameMs = 50;  // intervals above this lower the resolution while moving,
 constexpr double kFastFrameMs = 22;  // and below this raise it again
 constexpr int kSlowFrames = 4;       // this many in a row
@@ -52,6 +54,7 @@ ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   quality.movingScale = 1;
   quality.movingSteps = 4;
   quality.stillSteps = 8;
+  quality.stillSlices = 1;
   quality.stillSamples = 32;
   quality.mostPixels = 4.2e6;
   return quality;
@@ -434,7 +437,7 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
   return true;
 }
 
-Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target) {
+Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always) {
   if (auto ready = prepareStage(still_, 1, false); !ready) return tl::unexpected(ready.error());
   if (auto ready = prepareStage(sum_, 1, true); !ready) return tl::unexpected(ready.error());
   const auto index = static_cast<std::uint32_t>(++statistics_.samples);
@@ -444,16 +447,17 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   sample.turn = kTurns[index % 16] / 16.0;
   const std::uint32_t round = index / 16;
   sample.shift = 0.35 + 0.5 * round;
+  sample.slices = quality_.stillSlices;
   sample.steps = quality_.stillSteps;
   sample.weight = 1.0 / index;
   drawSample(*still_, *sum_, camera, sample);
   statistics_.width = still_->width;
   statistics_.height = still_->height;
-  if (statistics_.samples >= std::min(kFirstShown, quality_.stillSamples))
-    picture_ = {&*sum_, &*still_, jitterOf(sample, *still_)};
+  const bool finished = statistics_.samples >= quality_.stillSamples;
+  if (finished || statistics_.samples >= kShownEvery) picture_ = {&*sum_, &*still_, jitterOf(sample, *still_)};
   plainIsCurrent_ = false;
-  present(camera, target);
-  return statistics_.samples < quality_.stillSamples;
+  if (always || finished || statistics_.samples % kShownEvery == 0) present(camera, target);
+  return !finished;
 }
 
 Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target, bool always) {
@@ -467,7 +471,7 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
   if (printsChanged_) lastChangeMs_ = nowMs;  // so that refinement does not slow down moving a code
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
-  if (settled && !finished) return drawStill(camera, target);
+  if (settled && !finished) return drawStill(camera, target, always);
   if (printsChanged_) {
     if (const Status drawn = presentPrints(camera, target); !drawn) return tl::unexpected(drawn.error());
   } else if (always) {

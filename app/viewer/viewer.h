@@ -49,7 +49,8 @@ struct ViewQuality {
   double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
   int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
   int stillSteps = 5;        ///< the same at rest
-  int stillSamples = 16;     ///< averaged at rest; multiples of 16 leave no pattern
+  int stillSlices = 2;       ///< of occlusion in a picture at rest
+  int stillSamples = 8;      ///< pictures averaged at rest; with 16 slices in all or a multiple they leave no pattern
   double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
   double settleMs = 120;     ///< without a change, before refinement starts
 
@@ -144,7 +145,7 @@ class Viewer {
   Status makePlain(const CameraView& camera);
   void bindCanvas(const gl::Framebuffer* target) const;
   Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
-  Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
+  Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always);
   double radiusMm() const;
   void adaptToInterval(double nowMs);
 

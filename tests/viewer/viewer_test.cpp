@@ -59,8 +59,8 @@ class ViewerTest : public GlTest {
     camera_.setScene(mesh->box());
     camera_.fitFromDefaultSide();
   }
-  bool draw(double nowMs) {
-    const auto more = viewer_->draw(camera_.view(), nowMs, &target_);
+  bool draw(double nowMs, bool always = false) {
+    const auto more = viewer_->draw(camera_.view(), nowMs, &target_, always);
     EXPECT_TRUE(more.has_value());
     return more.value_or(false);
   }
@@ -405,6 +405,26 @@ TEST_F(ViewerTest, DrawsATooLargeCanvasCoarserButFillsIt) {
 TEST_F(ViewerTest, DrawsOnlyTheBackgroundWithoutAModel) {
   const Picture picture = refined();
   EXPECT_NEAR(picture.brightness({10, 90}), picture.brightness({200, 90}), 0.01);
+}
+
+TEST_F(ViewerTest, RefinementIsPresentedAtEveryFourthPictureUnlessMoreIsDrawnOnTop) {
+  show(shapes::box({40, 40, 40}));
+  const auto presents = [&](double nowMs, bool always) {
+    target_.bind();
+    glClearColor(1, 0, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw(nowMs, always);
+    const Vec3 colour = Picture{target_.readRgba()}.at({2, 2});
+    return colour.y > 0.1;  // no longer magenta
+  };
+  EXPECT_TRUE(presents(0, false));
+  double now = 200;
+  for (int sample = 1; sample <= ViewQuality{}.stillSamples; ++sample, now += 10) {
+    EXPECT_EQ(presents(now, false), sample % 4 == 0) << sample;
+    EXPECT_EQ(viewer_->statistics().samples, sample);
+  }
+  EXPECT_FALSE(presents(now, false));
+  EXPECT_TRUE(presents(now, true));
 }
 
 }  // namespace
