@@ -7,6 +7,7 @@
 #include "message_codes/stages.h"
 #include "native/read_carving.h"
 #include "pipeline/best_spot.h"
+#include "pipeline/verify.h"
 
 namespace qrelief {
 namespace {

@@ -2,6 +2,7 @@
 #include "native/read_carving.h"
 
 #include "native/zxing_decoder.h"
+#include "pipeline/engrave.h"
 #include "pipeline/printed_view.h"
 
 namespace qrelief {

@@ -10,6 +10,7 @@
 #include "engine/loaded_model.h"
 #include "gl/pass_timings.h"
 #include "io/write_files.h"
+#include "pipeline/engrave.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "verdict/engrave_plan.h"

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "pipeline/engravable_model.h"
+
 namespace qrelief {
 
 CodeInput::CodeInput() : symbol_(encodeSymbol(settings_.code.text, settings_.code.symbol)) {}

@@ -3,7 +3,9 @@
 
 #include <optional>
 
-#include "pipeline/engrave.h"
+#include "base/result.h"
+#include "qr/symbol.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 

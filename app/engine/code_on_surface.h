@@ -7,6 +7,7 @@
 #include "engine/code_input.h"
 #include "engine/loaded_model.h"
 #include "mesh/ray.h"
+#include "pipeline/placement.h"
 #include "viewer/viewer.h"
 
 namespace qrelief {

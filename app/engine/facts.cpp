@@ -7,6 +7,7 @@
 #include "engine/model_file.h"
 #include "engine/symbol_facts.h"
 #include "qr/link_advice.h"
+#include "settings/engrave_request.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {

@@ -4,6 +4,11 @@
 #include <cmath>
 #include <span>
 
+#include "depth/search_record.h"
+#include "pipeline/engrave.h"
+#include "qr/module_pattern.h"
+#include "render/geometry_pass.h"
+
 namespace qrelief {
 namespace {
 

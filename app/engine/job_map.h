@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/engrave.h"
-
 namespace qrelief {
+
+class EngraveJob;
 
 /// A map that an engraving job worked on, as numbers; row 0 at the bottom.
 struct JobMap {

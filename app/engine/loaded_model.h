@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/engrave.h"
+#include "pipeline/engravable_model.h"
 #include "projection/direction.h"
+#include "render/gpu_mesh.h"
 #include "viewer/orbit_camera.h"
 
 namespace qrelief {

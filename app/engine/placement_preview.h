@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/code_on_surface.h"
+#include "pipeline/placement.h"
 
 namespace qrelief {
 

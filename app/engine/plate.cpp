@@ -6,6 +6,7 @@
 #include "batch/plate_layout.h"
 #include "io/write_checked.h"
 #include "pipeline/carved_objects.h"
+#include "pipeline/engrave.h"
 
 namespace qrelief {
 

@@ -10,6 +10,9 @@
 
 namespace qrelief {
 
+struct EngraveRequest;
+struct EngraveResult;
+
 /// Carved copies of a model side by side, as `qrelief batch --per-plate` writes them.
 class Plate {
  public:

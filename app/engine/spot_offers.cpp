@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/placement_preview.h"
 #include "viewer/heat_mesh.h"
 
 namespace qrelief {

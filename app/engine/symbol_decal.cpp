@@ -6,6 +6,7 @@
 
 #include "label/ring_coverage.h"
 #include "pipeline/default_patterns.h"
+#include "settings/engrave_request.h"
 #include "viewer/inked_surface.h"
 
 namespace qrelief {

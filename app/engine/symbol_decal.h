@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/engrave.h"
+#include "math/frame.h"
+#include "qr/symbol.h"
 #include "viewer/viewer.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Returns the code as the viewer shows it on the surface before carving: the symbol with ink where the patterns carve,
 /// its quiet zone, and frame and text around it. A code in colour has whole modules in the colours of its materials. A

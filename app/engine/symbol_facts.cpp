@@ -5,6 +5,7 @@
 #include "pipeline/default_patterns.h"
 #include "qr/codewords.h"
 #include "qr/segmentation.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

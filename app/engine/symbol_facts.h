@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "pipeline/engrave.h"
-
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Describes the symbol that a request engraves, as far as it is known before the symbol is placed. Returns a verb's
 /// answer:

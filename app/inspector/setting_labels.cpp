@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "inspector/translation.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

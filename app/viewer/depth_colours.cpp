@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/engrave.h"
+
 namespace qrelief {
 namespace {
 

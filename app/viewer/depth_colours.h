@@ -3,10 +3,12 @@
 
 #include <vector>
 
-#include "pipeline/engrave.h"
+#include "depth/depth_field.h"
 #include "viewer/display_mesh.h"
 
 namespace qrelief {
+
+struct EngraveResult;
 
 /// Returns the depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre.
 /// Single pockets can be several times as deep; a scale up to their depth would show all the others in one colour.

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "pipeline/engrave.h"
+
 namespace qrelief {
 namespace {
 

@@ -3,11 +3,13 @@
 
 #include <vector>
 
-#include "pipeline/engrave.h"
+#include "verification/ink.h"
 #include "viewer/display_mesh.h"
 #include "viewer/viewer.h"
 
 namespace qrelief {
+
+struct EngraveResult;
 
 /// Returns the colours that show two materials. The default ink's white looks as bright as a model without ink.
 SurfaceColours coloursOf(const Ink& ink);

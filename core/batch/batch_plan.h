@@ -8,6 +8,7 @@
 
 #include "batch/batch_list.h"
 #include "batch/text_template.h"
+#include "settings/engrave_request.h"
 #include "settings/settings.h"
 
 namespace qrelief {

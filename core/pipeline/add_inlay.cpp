@@ -5,6 +5,7 @@
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "mesh/weld.h"
+#include "pipeline/engrave.h"
 
 namespace qrelief {
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/engrave.h"
+#include "base/result.h"
+#include "carving/surface_mode.h"
+#include "mesh/mesh.h"
 
 namespace qrelief {
+
+struct EngravableModel;
+struct EngraveResult;
 
 /// Makes the body that fills the pockets of a carved model (carving/inlay.h), for printing in two colours, and checks
 /// it after an STL round trip. Sets EngraveResult::inlay and EngraveResult::inlaySolidity.

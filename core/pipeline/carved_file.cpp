@@ -6,6 +6,7 @@
 #include "message_codes/files.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/carved_runs.h"
+#include "pipeline/engrave.h"
 
 namespace qrelief {
 namespace {

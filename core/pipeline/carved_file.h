@@ -5,11 +5,13 @@
 #include <span>
 #include <string>
 
+#include "base/result.h"
 #include "io/write_files.h"
 #include "mesh/prepare.h"
-#include "pipeline/engrave.h"
 
 namespace qrelief {
+
+struct EngraveResult;
 
 /// A carved model as 3MF.
 struct Carved3mf {

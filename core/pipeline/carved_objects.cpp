@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/filament_code.h"
+#include "pipeline/engrave.h"
 
 namespace qrelief {
 namespace {

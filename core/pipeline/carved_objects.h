@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "carving/mark.h"
 #include "io/rewrite_3mf.h"
 #include "io/write_model.h"
-#include "pipeline/engrave.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
+struct EngraveResult;
 
 /// Returns true if the format can hold everything that the request makes: one body, a body and its inlay, or painted
 /// facets.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/carved_objects.h"
+#include "pipeline/engrave.h"
 
 namespace qrelief {
 namespace {

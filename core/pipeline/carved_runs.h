@@ -5,9 +5,10 @@
 
 #include "io/rewrite_3mf.h"
 #include "mesh/prepare.h"
-#include "pipeline/engrave.h"
 
 namespace qrelief {
+
+struct EngraveResult;
 
 /// Returns the new meshes of a 3MF file's runs, which are the model's bodies: those of the carved body and of
 /// bodies that repairs changed. Facets and their pieces keep their attributes, except under the code.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "settings/engrave_request.h"
 #include "verification/printability.h"
 
 namespace qrelief {

@@ -3,9 +3,11 @@
 
 #include <vector>
 
-#include "settings/engrave_request.h"
+#include "qr/symbol.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Default maximum depth of a pocket, in modules. Walls limit most pockets first
 /// (docs/decisions/0042-whole-finders-where-walls-allow.md).

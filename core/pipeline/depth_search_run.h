@@ -11,9 +11,10 @@
 #include "depth/shader_search.h"
 #include "pipeline/cell_layout.h"
 #include "pipeline/placement_light.h"
-#include "settings/engrave_request.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Factory of the solver that replaces a request's own.
 using MakeSearch = std::function<std::unique_ptr<DepthSolver>(CarvingTarget)>;

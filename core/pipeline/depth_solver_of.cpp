@@ -6,6 +6,7 @@
 
 #include "depth/depth_search.h"
 #include "depth/one_light_search.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

@@ -6,9 +6,10 @@
 
 #include "depth/depth_solver.h"
 #include "depth/fast_search.h"
-#include "settings/engrave_request.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Makes the depth search for a request's objective and solver, on the CPU.
 /// @param request  checked (checkSettings)

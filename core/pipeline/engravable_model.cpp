@@ -6,6 +6,7 @@
 #include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
 #include "projection/size_bound.h"
+#include "settings/engrave_request.h"
 #include "settings/settings.h"
 
 namespace qrelief {

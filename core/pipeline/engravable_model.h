@@ -9,9 +9,10 @@
 #include "qr/symbol.h"
 #include "render/gpu_surface.h"
 #include "render/surface_raster.h"
-#include "settings/engrave_request.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Device that draws maps of a model and computes the light on it.
 enum class Device : std::uint8_t {

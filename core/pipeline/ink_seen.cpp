@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "pipeline/engrave.h"
+
 namespace qrelief {
 
 void addInkSeen(std::vector<float>& luminance, const ProjectionFrame& camera, double extentMm,

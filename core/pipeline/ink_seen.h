@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "pipeline/engrave.h"
 #include "render/surface_raster.h"
 
 namespace qrelief {
+
+struct EngraveResult;
 
 /// Multiplies a camera's picture of a code in colour by the reflectances of the materials in it.
 /// Cost: as SurfaceRaster::draw().

@@ -8,6 +8,7 @@
 #include "depth/depth_field.h"
 #include "mesh/ray_tree.h"
 #include "message_codes/text.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

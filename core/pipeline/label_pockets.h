@@ -3,11 +3,13 @@
 
 #include "base/result.h"
 #include "carving/outlined_pockets.h"
+#include "label/label_layout.h"
 #include "mesh/mesh.h"
 #include "pipeline/placement.h"
-#include "settings/engrave_request.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Depth of a label in layers. One layer could vanish in the first layer's seams; more would need thicker walls.
 inline constexpr int kLabelLayers = 2;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "pipeline/engrave.h"
 #include "pipeline/mark_depth.h"
 
 namespace qrelief {

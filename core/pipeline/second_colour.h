@@ -3,10 +3,13 @@
 
 #include <optional>
 
-#include "pipeline/engrave.h"
+#include "pipeline/placement.h"
 #include "printing/colour_changes.h"
 
 namespace qrelief {
+
+struct EngraveResult;
+struct PrinterRequest;
 
 /// Number of layers that slicers print in the paint's colour under a facet that faces up: one more than the usual five
 /// solid layers (PrusaSlicer 2.5, script/test-slicer).

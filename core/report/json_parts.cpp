@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/message_json.h"
+#include "verification/ink.h"
 
 namespace qrelief {
 namespace {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/message.h"
+#include "carving/mark.h"
+#include "light/directional_light.h"
 #include "math/vec.h"
 #include "verdict/verdict.h"
 #include "verification/grades.h"
@@ -14,6 +16,9 @@
 
 // Pieces that the reports of `engrave` and `verify` share.
 namespace qrelief {
+
+struct Ink;
+struct Printer;
 
 inline nlohmann::ordered_json triple(Vec3 v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }
 

@@ -5,11 +5,13 @@
 
 #include "base/version.h"
 #include "math/angle.h"
+#include "pipeline/engrave.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 #include "qr/codewords.h"
 #include "report/json_parts.h"
+#include "settings/preset.h"
 #include "verification/grades.h"
 
 namespace qrelief {

@@ -6,12 +6,16 @@
 #include <string>
 
 #include "gl/objects.h"
-#include "pipeline/engrave.h"
 #include "report/json_parts.h"
+#include "settings/preset.h"
 #include "verdict/tried_carving.h"
 #include "verdict/verdict.h"
 
 namespace qrelief {
+
+struct EngravableModel;
+struct EngraveRequest;
+struct EngraveResult;
 
 /// Contents of the report in addition to the result itself.
 struct ReportContext {

@@ -8,6 +8,7 @@
 #include "base/version.h"
 #include "message_codes/pipeline.h"
 #include "report/json_parts.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

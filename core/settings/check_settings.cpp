@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "message_codes/settings_errors.h"
+#include "settings/engrave_request.h"
 #include "settings/settings.h"
 
 namespace qrelief {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "settings/engrave_request.h"
+
 namespace qrelief {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "base/parse_json.h"
 #include "message_codes/settings_errors.h"
+#include "settings/engrave_request.h"
 #include "settings/removed_settings.h"
 
 namespace qrelief {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "settings/engrave_request.h"
 #include "settings/preset.h"
 #include "settings/setting_text.h"
 

@@ -9,10 +9,17 @@
 #include <vector>
 
 #include "base/result.h"
-#include "settings/engrave_request.h"
+#include "light/directional_light.h"
+#include "math/vec.h"
 #include "settings/units.h"
 
 namespace qrelief {
+
+struct DepthRequest;
+struct EngraveRequest;
+struct MarkRequest;
+struct PlacementRequest;
+struct PrinterRequest;
 
 /// Value of a setting: nothing (other settings then decide), a switch, a number, a text or the name of a choice, a
 /// vector, or lamps.

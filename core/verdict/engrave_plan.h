@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "settings/engrave_request.h"
 #include "verdict/tried_carving.h"
 #include "verdict/verdict.h"
 

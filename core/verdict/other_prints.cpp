@@ -6,6 +6,7 @@
 
 #include "math/angle.h"
 #include "printing/build_direction.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "message_codes/verdict.h"
+#include "pipeline/engrave.h"
 #include "verdict/ink_advice.h"
 #include "verification/printability.h"
 

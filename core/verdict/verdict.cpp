@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "message_codes/verdict.h"
+#include "pipeline/engrave.h"
 #include "pipeline/label_pockets.h"
+#include "pipeline/verify.h"
 #include "printing/build_direction.h"
 #include "verdict/ink_advice.h"
 #include "verdict/remedies.h"

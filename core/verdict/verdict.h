@@ -5,12 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/engrave.h"
-#include "pipeline/verify.h"
+#include "base/message.h"
 #include "settings/settings.h"
 #include "verification/frontal_reading.h"
+#include "verification/grades.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
+struct EngraveResult;
+struct Printer;
+struct VerifyRequest;
+struct VerifyResult;
 
 enum class Level : std::uint8_t { Good, Barely, Bad };
 

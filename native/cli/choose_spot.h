@@ -4,9 +4,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "pipeline/engrave.h"
+#include "base/result.h"
+#include "math/vec.h"
 
 namespace qrelief {
+
+struct EngravableModel;
+struct EngraveRequest;
 
 /// Prints the position of a spot in the file's units.
 void printSpot(Vec3 centreMm, double scaleToMm, std::FILE* to);

@@ -9,6 +9,7 @@
 #include "generate/option_texts.h"
 #include "messages/sentences.h"
 #include "messages/setting_words.h"
+#include "settings/engrave_request.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 

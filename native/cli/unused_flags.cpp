@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "message_codes/command.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

@@ -7,9 +7,10 @@
 #include "base/message.h"
 #include "cli/setting_flags.h"
 #include "pipeline/placement.h"
-#include "settings/engrave_request.h"
 
 namespace qrelief {
+
+struct EngraveRequest;
 
 /// Returns a warning for each given flag that has no effect on the request, such as --light on a painted code.
 std::vector<Message> unusedFlags(const SettingFlags& flags, const EngraveRequest& request);

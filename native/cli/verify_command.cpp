@@ -18,6 +18,7 @@
 #include "native/read_carving.h"
 #include "native/zxing_decoder.h"
 #include "report/verify_report.h"
+#include "settings/engrave_request.h"
 #include "verdict/other_prints.h"
 
 namespace qrelief {

@@ -5,7 +5,7 @@
 #   QRelief::native    both, with the GPU (without a window), files, a QR decoder and `Engraver`
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
-foreach(dependency qrencode:libqrencode zlib:zlib expat:expat freetype:freetype2 gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)
+foreach(dependency fmt:fmt qrencode:libqrencode zlib:zlib expat:expat freetype:freetype2 gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)
   string(REPLACE ":" ";" parts ${dependency})
   list(GET parts 0 name)
   list(GET parts 1 module)

@@ -12,7 +12,8 @@ endforeach()
 
 add_library(qrelief_headers INTERFACE)
 target_include_directories(qrelief_headers SYSTEM INTERFACE $<BUILD_INTERFACE:${QRELIEF_HEADERS}>)
-target_compile_definitions(qrelief_headers INTERFACE FMT_HEADER_ONLY CGAL_DISABLE_GMP=1 CGAL_NO_GMP=1)
+target_compile_definitions(qrelief_headers INTERFACE CGAL_DISABLE_GMP=1 CGAL_NO_GMP=1)
+target_link_libraries(qrelief_headers INTERFACE qrelief::fmt)
 if(EMSCRIPTEN)
   # WASM cannot switch the rounding mode; without this CGAL's interval filters are silently wrong.
   target_compile_definitions(qrelief_headers INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST)
@@ -22,11 +23,13 @@ add_library(qrelief::headers ALIAS qrelief_headers)
 if(EMSCRIPTEN)
   # emcc's optimiser looks for the JavaScript parser acorn. Debian installs it where only its own Node looks.
   set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
-  include(wasm_sources)  # qrelief::qrencode, zlib, expat, csv, freetype and imgui from source
+  include(wasm_sources)  # qrelief::fmt, qrencode, zlib, expat, csv, freetype and imgui from source
   add_library(qrelief_gles INTERFACE)
   add_library(qrelief_hwy INTERFACE)  # one instruction set, so there is nothing to choose at run time
 else()
   find_package(PkgConfig REQUIRED)
+  pkg_check_modules(fmt REQUIRED IMPORTED_TARGET fmt)
+  add_library(qrelief::fmt ALIAS PkgConfig::fmt)
   pkg_check_modules(qrencode REQUIRED IMPORTED_TARGET libqrencode)
   add_library(qrelief::qrencode ALIAS PkgConfig::qrencode)
   pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)

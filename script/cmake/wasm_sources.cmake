@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv, qrelief::freetype and qrelief::imgui for WebAssembly, from the sources
-# that script/fetch-sources puts into build/deps.
+# qrelief::fmt, qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv, qrelief::freetype and qrelief::imgui for
+# WebAssembly, from the sources that script/fetch-sources puts into build/deps.
 set(deps ${PROJECT_SOURCE_DIR}/build/deps)
-foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg freetype-2.12.1+dfsg imgui-1.86)
+foreach(folder fmtlib-9.1.0+ds1 qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg freetype-2.12.1+dfsg imgui-1.86)
   if(NOT IS_DIRECTORY ${deps}/${folder})
     message(FATAL_ERROR "build/deps/${folder} is missing: run script/setup (or script/fetch-sources alone)")
   endif()
 endforeach()
+
+set(folder ${deps}/fmtlib-9.1.0+ds1)
+add_library(qrelief_fmt STATIC ${folder}/src/format.cc)
+target_include_directories(qrelief_fmt SYSTEM PUBLIC ${folder}/include)
+target_compile_options(qrelief_fmt PRIVATE -fwasm-exceptions -msimd128 -Oz)
+add_library(qrelief::fmt ALIAS qrelief_fmt)
 
 set(folder ${deps}/qrencode-4.1.1)
 add_library(qrelief_qrencode STATIC

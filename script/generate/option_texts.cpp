@@ -6,6 +6,7 @@
 
 #include "messages/sentences.h"
 #include "messages/setting_words.h"
+#include "settings/engrave_request.h"
 #include "settings/preset.h"
 #include "settings/setting_text.h"
 

@@ -6,6 +6,7 @@
 
 #include "base/message_json.h"
 #include "messages/setting_words.h"
+#include "settings/engrave_request.h"
 #include "settings/removed_settings.h"
 #include "settings/setting_json.h"
 #include "settings/settings.h"

@@ -6,6 +6,7 @@
 // first failure. A print decodes if at least two in five tries succeed (verification/frontal_reading.h). Version 2,
 // contrast of the preset `balanced`, carved for the simulated print. Depth: mean over the carved submodules.
 #include "native/read_carving.h"
+#include "pipeline/verify.h"
 #include "study/experiments/experiments.h"
 
 namespace qrelief::study {

@@ -6,6 +6,7 @@
 
 #include "engine/symbol_facts.h"
 #include "io/write_stl.h"
+#include "settings/engrave_request.h"
 #include "settings/setting_json.h"
 #include "support/shapes.h"
 

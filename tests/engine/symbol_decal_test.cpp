@@ -7,6 +7,7 @@
 
 #include "math/frame.h"
 #include "pipeline/engravable_model.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

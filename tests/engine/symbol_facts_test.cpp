@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "qr/symbol.h"
+#include "settings/engrave_request.h"
 #include "verification/printability.h"
 
 namespace qrelief {

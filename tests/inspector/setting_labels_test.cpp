@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "inspector/translation.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

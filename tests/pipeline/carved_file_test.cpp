@@ -8,6 +8,7 @@
 
 #include "io/read_3mf.h"
 #include "io/write_3mf.h"
+#include "pipeline/engrave.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "support/slicer_rules.h"

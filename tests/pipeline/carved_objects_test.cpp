@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "pipeline/engrave.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 

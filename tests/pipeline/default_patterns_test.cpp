@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "settings/engrave_request.h"
 #include "settings/settings.h"
 #include "verification/printability.h"
 

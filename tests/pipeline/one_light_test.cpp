@@ -8,6 +8,7 @@
 #include "mesh/ray_tree.h"
 #include "native/read_carving.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/engrave.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "report/verify_report.h"

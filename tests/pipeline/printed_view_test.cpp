@@ -5,6 +5,7 @@
 
 #include "native/read_carving.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/engrave.h"
 #include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"

@@ -9,8 +9,10 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/engrave.h"
 #include "report/report.h"
 #include "report/verify_report.h"
+#include "settings/preset.h"
 #include "support/follow_job.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "messages/sentences.h"
+#include "settings/engrave_request.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {

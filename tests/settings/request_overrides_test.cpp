@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "settings/engrave_request.h"
+
 namespace qrelief {
 namespace {
 

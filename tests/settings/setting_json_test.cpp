@@ -6,6 +6,7 @@
 
 #include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "settings/engrave_request.h"
+
 namespace qrelief {
 namespace {
 

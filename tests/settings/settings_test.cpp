@@ -7,6 +7,7 @@
 #include <set>
 
 #include "messages/sentences.h"
+#include "settings/engrave_request.h"
 
 namespace qrelief {
 namespace {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/engrave.h"
 #include "qr/symbol.h"
 #include "verdict/remedies.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/prepare.h"
+#include "pipeline/engrave.h"
 #include "settings/settings.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
