@@ -15,7 +15,8 @@ const kCancelled = 'Cancelled. The model is unchanged.';
  * @param {Page} page
  * @param {string} stage  beginning of the status
  * @param {string} [cancelled]  final status
- * @returns {Promise<number>}  ms from the click to the final status, by the page's own clock
+ * @returns {Promise<number | undefined>}  ms from the click to the final status, by the page's own clock; none: the page
+ *   was too busy to show the stage before the work ended
  */
 const cancelAt = (page, stage, cancelled = kCancelled) =>
   page.evaluate(
@@ -37,6 +38,9 @@ const cancelAt = (page, stage, cancelled = kCancelled) =>
             observer.disconnect();
             resolve(performance.now() - clicked);
             thaw();
+          } else if (clicked === 0 && words.startsWith('Engraved')) {
+            observer.disconnect();
+            resolve(undefined);
           }
         };
         const observer = new MutationObserver(look);
@@ -58,15 +62,20 @@ const kStages = [
 test('Cancelling works at once in every stage and loses nothing', async ({ page }) => {
   const app = new Engraver(page);
   await page.addInitScript(holdWorkers);
-  await app.open('?sample=saddle&text=cancelled%20often');
-  await page.evaluate(() => {
-    /** @type {any} */ (window).skipped = ['prepareEngrave']; // otherwise the page prepares the carving in advance
-  });
-  await app.expectReady();
+  const begin = async () => {
+    await app.open('?sample=saddle&text=cancelled%20often');
+    await page.evaluate(() => {
+      /** @type {any} */ (window).skipped = ['prepareEngrave']; // otherwise the page prepares the carving in advance
+    });
+    await app.expectReady();
+  };
+  await begin();
   const centre = await app.centre();
   /** @type {string[]} */ const measured = [];
-  const expectCancelled = async (/** @type {string} */ stage, /** @type {Promise<number>} */ time) => {
-    measured.push(`${stage} ${(await time).toFixed(0)} ms`);
+  const expectCancelled = async (/** @type {string} */ stage, /** @type {Promise<number | undefined>} */ time) => {
+    const ms = await time;
+    expect(ms, `“${stage}” was shown`).toBeDefined();
+    measured.push(`${stage} ${ms?.toFixed(0)} ms`);
     await expect(app.progress).toBeHidden();
     await expect(app.result).toBeHidden();
     await expect(app.engraveButton).toBeEnabled();
@@ -74,9 +83,17 @@ test('Cancelling works at once in every stage and loses nothing', async ({ page 
 
   for (const stage of kStages) {
     await test.step(stage, async () => {
-      const time = cancelAt(page, stage);
-      await app.engraveButton.click();
-      await expectCancelled(stage, time);
+      const cancelledEngraving = async () => {
+        const time = cancelAt(page, stage);
+        await app.engraveButton.click();
+        return time;
+      };
+      let time = await cancelledEngraving();
+      for (let tries = 1; time === undefined && tries < 4; tries += 1) {
+        await begin();
+        time = await cancelledEngraving();
+      }
+      await expectCancelled(stage, Promise.resolve(time));
     });
   }
   await expect(app.status).toHaveText(kCancelled);

@@ -462,7 +462,7 @@ const Setting* findSetting(std::string_view key) {
 
 void apply(const SettingChange& change, EngraveRequest& request) {
   const Setting* setting = findSetting(change.setting);
-  assert(setting && (setting->takesChoice() || setting->takesNumber()));
+  assert(setting && (setting->kind == Setting::Kind::Text || setting->takesChoice() || setting->takesNumber()));
   const auto value = valueFromText(*setting, std::vector{change.value});
   assert(value);
   setting->write(request, *value);

@@ -86,7 +86,7 @@ struct SettingChange {
 };
 
 /// Writes a change into a request.
-/// @param change  of a setting that takes choices or a number, to a value that it accepts
+/// @param change  of a setting that takes a text, choices or a number, to a value that it accepts
 void apply(const SettingChange& change, EngraveRequest& request);
 
 /// Returns the request before the user sets anything: the initialisers, but with error correction raised where that

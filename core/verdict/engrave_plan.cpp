@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "qr/link_advice.h"
+
 namespace qrelief {
 namespace {
 
@@ -24,6 +26,12 @@ int rankOf(const Verdict& verdict) {
 void set(std::vector<SettingChange>& changes, const SettingChange& change) {
   std::erase_if(changes, [&](const SettingChange& other) { return other.setting == change.setting; });
   changes.push_back(change);
+}
+
+/// Returns true if the symbol of `a` has fewer modules than that of `b`.
+bool isSmaller(const CodeRequest& a, const CodeRequest& b) {
+  const auto symbolA = encodeSymbol(a.text, a.symbol), symbolB = encodeSymbol(b.text, b.symbol);
+  return symbolA && symbolB && symbolA->size < symbolB->size;
 }
 
 }  // namespace
@@ -105,13 +113,31 @@ std::vector<SettingChange> EngravePlan::withGrowth(std::vector<SettingChange> ch
   return changes;
 }
 
-bool EngravePlan::isSymbolSmallerAt(ErrorCorrection level) const {
-  SymbolOptions options = asked_.code.symbol;
-  const auto now = encodeSymbol(asked_.code.text, options);
-  options.errorCorrection = level;
-  options.raiseErrorCorrection = false;
-  const auto then = encodeSymbol(asked_.code.text, options);
-  return now && then && then->size < now->size;
+/// Writes a link's scheme and host in capitals, if the symbol is then smaller and the text may change.
+void EngravePlan::capitalise(CodeRequest& code, std::vector<SettingChange>& changes) const {
+  if (isFixed("text")) return;
+  for (const ShorterForm& form : shorterForms(code.text)) {
+    CodeRequest other = code;
+    other.text = form.text;
+    if (form.kind != ShorterForm::Kind::Capitals || !isSmaller(other, code)) continue;
+    code.text = form.text;
+    set(changes, {"text", form.text});
+    return;
+  }
+}
+
+/// Adds the next changes for a smaller symbol. @returns false if it is not smaller
+bool EngravePlan::shrinkSymbol(ErrorCorrection correction, std::vector<SettingChange>& changes) const {
+  EngraveRequest request = asked_;
+  for (const SettingChange& change : changes) apply(change, request);
+  CodeRequest code = request.code;
+  if (correction != code.symbol.errorCorrection) {
+    code.symbol.errorCorrection = correction;
+    code.symbol.raiseErrorCorrection = false;
+    set(changes, {"ecc", std::string(errorCorrectionName(correction))});
+  }
+  capitalise(code, changes);
+  return isSmaller(code, request.code);
 }
 
 /// Tries the next remedy for a carving that fails.
@@ -140,10 +166,17 @@ bool EngravePlan::tryRemedy() {
           return true;
         }
         break;
-      case Remedy::SmallerSymbol:
-        if (isOpen("ecc") && isSymbolSmallerAt(ErrorCorrection::L)) {
-          std::vector<SettingChange> changes = withGrowth(kept.changes);
-          set(changes, {"ecc", std::string(errorCorrectionName(ErrorCorrection::L))});
+      case Remedy::Capitals:
+        if (std::vector<SettingChange> changes = withGrowth(kept.changes);
+            shrinkSymbol(asked_.code.symbol.errorCorrection, changes)) {
+          set(growth_, changes.back());
+          carveAnew(Phase::Remedy, std::move(changes));
+          return true;
+        }
+        break;
+      case Remedy::LessCorrection:
+        if (std::vector<SettingChange> changes = withGrowth(kept.changes);
+            isOpen("ecc") && shrinkSymbol(ErrorCorrection::L, changes)) {
           carveAnew(Phase::Remedy, std::move(changes));
           return true;
         }

@@ -16,14 +16,15 @@ namespace qrelief {
 /// 1. Carve as requested; if the code does not decode, or its print barely does, carve deeper (changeToTryNext()). Take
 ///    the first carving that decodes.
 /// 2. If it fails, try what the user left open, cheapest first: the largest size at the best rotation, a size beyond
-///    the usual limit, less error correction if the symbol then has fewer modules. Each attempt goes to its own best
-///    spot if the centre is open, too, and goes deeper if its print barely decodes.
+///    the usual limit, a link's scheme and host in capitals and less error correction if the symbol then has fewer
+///    modules. Each attempt goes to its own best spot if the centre is open, too, and goes deeper if its print barely
+///    decodes.
 /// 3. If the mark is open (MarkRequest::isOpen) and no shadow code decodes and prints well, carve an inlay, then paint.
 /// 4. Deliver the best, or else the carving as requested. If that fails and the user did not choose the mark, carve the
 ///    other marks only to offer them (TriedCarving::isOffer).
 ///
 /// A first carving that passes ends the plan at once. A setting that the user chose is not changed, except by deeper
-/// presets and by carving for the design alone. The host carries out each step and reports the outcome. Command, batch
+/// presets, by carving for the design alone, and for capitals, which open the same address. The host carries out each step and reports the outcome. Command, batch
 /// and page drive the same plan, so they deliver the same carving.
 class EngravePlan {
  public:
@@ -72,7 +73,7 @@ class EngravePlan {
 
  private:
   enum class Phase { Design, Print, Remedy, OtherMark, Offer };  // goal of the changes
-  enum class Remedy { LargestSize, LargerLimit, SmallerSymbol, None };
+  enum class Remedy { LargestSize, LargerLimit, Capitals, LessCorrection, None };
   struct Attempt {
     int number = 0;
     EngraveRequest request;
@@ -89,7 +90,8 @@ class EngravePlan {
   void settleAttempt(const Verdict& verdict, const PrintedEvidence* print = nullptr);
   std::vector<SettingChange> withGrowth(std::vector<SettingChange> changes) const;
   std::optional<SettingChange> largestSize() const;
-  bool isSymbolSmallerAt(ErrorCorrection level) const;
+  void capitalise(CodeRequest& code, std::vector<SettingChange>& changes) const;
+  bool shrinkSymbol(ErrorCorrection correction, std::vector<SettingChange>& changes) const;
   bool tryRemedy();
   bool tryOtherMark();
   bool tryOffer();
@@ -99,7 +101,7 @@ class EngravePlan {
   bool looksAtPrint_ = false;
   bool isMarkOpen_ = false;
   Remedy nextRemedy_ = Remedy::LargestSize;
-  std::vector<SettingChange> growth_;        // changes of the size that were tried
+  std::vector<SettingChange> growth_;        // changes that were tried because they make modules larger
   std::size_t marksTried_ = 0;               // of the other marks
   std::optional<SettingChange> markToGrow_;  // the mark tried last, if a larger code is still to be tried
   std::optional<int> keptRank_;              // of the kept carving, see rankOf(); none: not carved

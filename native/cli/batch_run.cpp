@@ -160,7 +160,7 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
   const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - options_->first);
-  EngravePlan::Options plan{.looksAtPrint = looksAtPrint, .chosen = options_->flags.given()};
+  EngravePlan::Options plan{.looksAtPrint = looksAtPrint, .fixed = {"text"}, .chosen = options_->flags.given()};
   if (isFiled()) plan.otherMarks = marksInColour(formatOfName(row.file));
   auto engraved = engraver_->engrave(
       row.request, [](const Progress&) {}, plan);

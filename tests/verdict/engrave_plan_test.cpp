@@ -350,13 +350,42 @@ TEST_F(OpenSettingsTest, ACodeOfTheUsualGreatestSizeMayBeLarger) {
 }
 
 TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedIfTheSymbolIsSmaller) {
-  request_.code.text = "https://example.com/abcdefghij";  // version 3 at M, version 2 at L
+  request_.code.text = "thirty characters without link";  // version 3 at M, version 2 at L
   begin();
   carveAndPrint(0);
   carveAndPrint(0);
   EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"}));
   carveAndPrint(30);
   EXPECT_EQ(plan_->attempt(), 2);
+}
+
+TEST_F(OpenSettingsTest, ALinkIsWrittenInCapitalsIfTheSymbolIsSmaller) {
+  request_.code.text = "https://example.com/abcdefghij";  // version 3, in capitals version 2, also at L
+  const SettingChange capitals{"text", "HTTPS://EXAMPLE.COM/abcdefghij"};
+  begin({.chosen = {"text"}});
+  carveAndPrint(0);
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), capitals));
+  EXPECT_EQ(plan_->request().code.text, capitals.value);
+  carveAndPrint(0);
+  expectDelivery(0, "balanced");
+}
+
+TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedForALinkInCapitals) {
+  request_.code.text = "https://example.com/ab";  // version 2, and in capitals or at L, too; with both, version 1
+  begin();
+  carveAndPrint(0);
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"},
+                                            SettingChange{"text", "HTTPS://EXAMPLE.COM/ab"}));
+}
+
+TEST_F(OpenSettingsTest, AFixedTextKeepsItsCase) {
+  request_.code.text = "https://example.com/abcdefghij";
+  begin({.fixed = {"text"}});
+  carveAndPrint(0);
+  carveAndPrint(0);
+  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"}));
 }
 
 TEST_F(OpenSettingsTest, RemediesAreTriedWhereNothingCouldBeCarved) {

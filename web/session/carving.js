@@ -237,16 +237,20 @@ export class Carving {
    * @returns {Promise<Work>}  the work with them
    */
   async change_(changes) {
-    const values = changes.reduce((before, change) => this.fields_.after(before, change), this.asked_.values);
-    this.store_.update({ values });
+    const isOfText = (/** @type {import('../engine/types.js').SettingChange} */ { setting }) => setting === 'text';
+    const content = changes.find(isOfText)?.value ?? this.asked_.text;
+    const values = changes
+      .filter((change) => !isOfText(change))
+      .reduce((before, change) => this.fields_.after(before, change), this.asked_.values);
+    this.store_.update({ text: content, values });
     const { work } = this.store_;
     await this.client_.configure(this.batching_.settings());
     return work;
   }
 
   /** Returns to the settings of an earlier carving. @param {Work} work */
-  async return_({ values }) {
-    this.store_.update({ values });
+  async return_({ text: content, values }) {
+    this.store_.update({ text: content, values });
     await this.client_.configure(this.batching_.settings());
   }
 
@@ -260,6 +264,7 @@ export class Carving {
   /** @param {Work} work @param {Work} asked */
   wordsForChange_(work, asked) {
     if (work.values.mark !== asked.values.mark) return text('page.engravedInColour');
+    if (work.text !== asked.text) return text('page.engravedCapitals');
     if (work.values.size !== asked.values.size || work.values.maxSizeMm !== asked.values.maxSizeMm)
       return text('page.engravedLarger');
     if (work.values.ecc !== asked.values.ecc) return text('page.engravedSmallerSymbol');
@@ -428,7 +433,7 @@ export class Carving {
     try {
       return await this.carveOnce_(signal, { next: true });
     } catch (thrown) {
-      this.store_.update({ values: first.work.values });
+      this.store_.update({ text: first.work.text, values: first.work.values });
       throw thrown;
     }
   }

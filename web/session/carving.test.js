@@ -187,6 +187,16 @@ test('A code that does not decode is carved with the next deeper preset', async 
   assert.equal(latest()?.number, 2);
 });
 
+test('A link that must be in capitals is so in the text, and the message says it', async () => {
+  store.update({ text: 'https://example.org/a' });
+  setValues({ preset: 'balanced' });
+  steps = [carve('text', 'HTTPS://EXAMPLE.ORG/a'), print(2)];
+  await carving.engrave();
+  assert.equal(store.work.text, 'HTTPS://EXAMPLE.ORG/a');
+  assert.deepEqual(values(), { preset: 'balanced' });
+  assert.match(String(messages.said.at(-1)), /in capitals/);
+});
+
 test('A code that does not decode when carved for the print is carved for the design, with a message', async () => {
   setValues({ preset: 'balanced', carveFor: 'print' });
   steps = [carve('carveFor', 'design'), print(2)];

@@ -113,6 +113,8 @@ export const page = {
     carvingForPrint: 'The print would barely read. Engraving deeper',
     engravedInColour: 'Made in a second colour: here a shadow would not read well as printed.',
     engravedLarger: 'Engraved larger than by default, and turned for it: the default code would not read as printed.',
+    engravedCapitals:
+      'Engraved with the link’s beginning in capitals, which opens the same page and makes larger modules: else the code would not read.',
     engravedSmallerSymbol: 'Engraved with less error correction and larger modules: else the code would not read.',
     engravedForPrint: 'Engraved deeper than you chose: at that depth the print would barely read.',
     printing: 'Simulating the print…',
@@ -256,6 +258,8 @@ export const page = {
     carvingForPrint: 'Der Druck wäre kaum lesbar. Tiefer gravieren',
     engravedInColour: 'In einer zweiten Farbe: Ein Schatten wäre hier im Druck nicht gut lesbar.',
     engravedLarger: 'Größer als üblich graviert und dafür gedreht: Der übliche Code wäre gedruckt nicht lesbar.',
+    engravedCapitals:
+      'Graviert mit dem Anfang des Links in Großbuchstaben, der dieselbe Seite öffnet und größere Module ergibt: Sonst wäre der Code nicht lesbar.',
     engravedSmallerSymbol:
       'Mit weniger Fehlerkorrektur und größeren Modulen graviert: Sonst wäre der Code nicht lesbar.',
     engravedForPrint: 'Tiefer graviert als gewählt: In der gewählten Tiefe wäre der Druck kaum lesbar.',
