@@ -24,8 +24,8 @@ namespace qrelief {
 ///    other marks only to offer them (TriedCarving::isOffer).
 ///
 /// A first carving that passes ends the plan at once. A setting that the user chose is not changed, except by deeper
-/// presets, by carving for the design alone, and for capitals, which open the same address. The host carries out each step and reports the outcome. Command, batch
-/// and page drive the same plan, so they deliver the same carving.
+/// presets, by carving for the design alone, and for capitals, which open the same address. The host carries out each
+/// step and reports the outcome. Command, batch and page drive the same plan, so they deliver the same carving.
 class EngravePlan {
  public:
   enum class Step {

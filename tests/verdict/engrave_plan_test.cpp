@@ -376,8 +376,8 @@ TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedForALinkInCapitals) {
   begin();
   carveAndPrint(0);
   carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"},
-                                            SettingChange{"text", "HTTPS://EXAMPLE.COM/ab"}));
+  EXPECT_THAT(plan_->changes(),
+              ElementsAre(size("best"), SettingChange{"ecc", "L"}, SettingChange{"text", "HTTPS://EXAMPLE.COM/ab"}));
 }
 
 TEST_F(OpenSettingsTest, AFixedTextKeepsItsCase) {
