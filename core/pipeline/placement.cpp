@@ -214,7 +214,10 @@ Error PlacementSearch::doesNotFit() const {
               with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
 }
 
-double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }
+double PlacementSearch::sampledMm() const {
+  if (request_.sizeMode == SizeMode::Fixed) return request_.sizeMm;
+  return std::max(fitMm_, kMinModuleMm * modules_);  // 0 fits at a centre on a silhouette
+}
 
 DirectionOptions PlacementSearch::directionOptions() const {
   DirectionOptions options;

@@ -279,5 +279,19 @@ TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfAnUnprintableSize) {
   }
 }
 
+TEST_F(PlacementTest, ACentreWhereABodyBeginsIsRefused) {
+  // A column stands on the plate, and the centre is on its foot: from everywhere, its silhouette leaves no room.
+  load(shapes::together(shapes::box({40, 40, 6}), shapes::translated(shapes::box({8, 20, 20}), {0, 0, 13})));
+  for (const SizeMode mode : {SizeMode::Fixed, SizeMode::Free, SizeMode::Oriented, SizeMode::Best}) {
+    PlacementRequest request;
+    request.centreMm = {4, 1, 3};
+    request.sizeMode = mode;
+    request.sizeMm = 20;
+    const auto refused = place(request);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution) << sentence(refused.error().message);
+  }
+}
+
 }  // namespace
 }  // namespace qrelief
