@@ -35,7 +35,11 @@ TEST_F(FailingCodeTest, ACodeThatDoesNotReadAsPrintedFailsAndIsWritten) {
   const nlohmann::json verdict = report()["verification"]["verdict"];
   EXPECT_EQ(verdict["passed"], false);
   EXPECT_EQ(verdict["prints"]["passed"], false);
-  EXPECT_EQ(report()["tried"].size(), 1u) << "nothing was left open";
+  const nlohmann::json tried = report()["tried"];
+  ASSERT_EQ(tried.size(), 2u) << "only correction and capitals were left open";
+  EXPECT_EQ(tried[1]["changes"], nlohmann::json({{{"setting", "ecc"}, {"value", "L"}},
+                                                 {{"setting", "text"}, {"value", "HTTPS://EXAMPLE.COM/a1"}}}));
+  EXPECT_EQ(tried[1]["passed"], false);
 }
 
 TEST_F(FailingCodeTest, ALargerCodeIsFoundWithoutBeingAsked) {
