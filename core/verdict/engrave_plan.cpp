@@ -28,7 +28,7 @@ void set(std::vector<SettingChange>& changes, const SettingChange& change) {
   changes.push_back(change);
 }
 
-/// Returns true if the symbol of `a` has fewer modules than that of `b`.
+/// Returns true if `a` needs fewer modules than `b`.
 bool isSmaller(const CodeRequest& a, const CodeRequest& b) {
   const auto symbolA = encodeSymbol(a.text, a.symbol), symbolB = encodeSymbol(b.text, b.symbol);
   return symbolA && symbolB && symbolA->size < symbolB->size;
@@ -107,7 +107,7 @@ std::optional<SettingChange> EngravePlan::largestSize() const {
   return SettingChange{"size", sizeModeName(isOpen("rotateDeg") && !isUpChosen ? SizeMode::Best : SizeMode::Oriented)};
 }
 
-/// Returns the changes with those of the size.
+/// Returns the changes with those that made modules larger.
 std::vector<SettingChange> EngravePlan::withGrowth(std::vector<SettingChange> changes) const {
   for (const SettingChange& change : growth_) set(changes, change);
   return changes;
@@ -126,7 +126,7 @@ void EngravePlan::capitalise(CodeRequest& code, std::vector<SettingChange>& chan
   }
 }
 
-/// Adds the next changes for a smaller symbol. @returns false if it is not smaller
+/// Adds the changes to this error correction and to capitals. @returns false if the symbol is then no smaller
 bool EngravePlan::shrinkSymbol(ErrorCorrection correction, std::vector<SettingChange>& changes) const {
   EngraveRequest request = asked_;
   for (const SettingChange& change : changes) apply(change, request);
