@@ -43,7 +43,7 @@ test('Text, size and centre are undone and redone separately', async ({ page }) 
   await expect(app.setting('Width (mm)')).toHaveValue('40');
   await undo.click();
   await expect(undo).toBeEnabled();
-  await expect(app.setting('Size of the code')).toHaveValue('free');
+  await expect(app.setting('Size of the code')).toHaveValue('best');
   await expect(app.text).toHaveValue('second');
   await undo.click();
   await expect(app.text).toHaveValue('first');

@@ -153,7 +153,7 @@ function connect(notices) {
   });
   const carved = { ...base, model, batching, placing, carving };
   const spots = new SpotFinding({ ...carved, code, panel: spotsPanel });
-  const editing = new Editing({ ...carved, spots, form, code, batchPanel });
+  const editing = new Editing({ ...carved, spots, form, code, batchPanel, placePanel });
   const storage = new BatchStore(new Folder('batch'));
   const batchCarving = new BatchCarving({ ...carved, editing, storage, panel: panels.partsPanel });
   const exporting = new Exporting({ ...carved, editing, panel: panels.exportPanel });

@@ -57,6 +57,12 @@ double numberOf(const Json& json) {
 
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
+Json jsonOf(std::span<const Message> messages) {
+  Json array = Json::array();
+  for (const Message& message : messages) array.push_back(jsonOf(message));
+  return array;
+}
+
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings) {
   Json list = Json::array();
   for (const Message& warning : warnings) list.push_back(besides({{"severity", "warning"}}, warning));

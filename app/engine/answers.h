@@ -33,6 +33,7 @@ std::string answer(const Progress& progress, const Json& more = Json::object());
 double numberOf(const Json& json);
 
 Json jsonOf(Vec3 v);
+Json jsonOf(std::span<const Message> messages);
 
 extern const Error kNoModel, kNoCode, kNoResult;
 

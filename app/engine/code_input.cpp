@@ -20,26 +20,28 @@ void CodeInput::choose(std::optional<Vec3> centreMm, std::optional<Vec3> directi
 }
 
 EngraveRequest CodeInput::request(Vec3 upHint) const {
-  EngraveRequest request = settings_;
-  request.placement = movedTo(*centreMm_, upHint);
+  EngraveRequest request = requestAt(*centreMm_, upHint);
   if (direction_) request.placement.direction = direction_;
-  BuildDirection& build = request.print.buildUp;
-  const bool isFilesUp = upHint == Vec3(0, 0, 1);
-  if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;  // as the user sees it
   return request;
 }
 
-PlacementRequest CodeInput::movedTo(Vec3 centreMm, Vec3 upHint) const {
-  PlacementRequest request = settings_.placement;
-  request.centreMm = centreMm;
-  request.upHint = upHint;
+EngraveRequest CodeInput::requestAt(Vec3 centreMm, Vec3 upHint) const {
+  EngraveRequest request = settings_;
+  request.placement.centreMm = centreMm;
+  request.placement.upHint = upHint;
+  request.print.buildUp = buildDirection(upHint);
   return request;
+}
+
+BuildDirection CodeInput::buildDirection(Vec3 upHint) const {
+  BuildDirection build = settings_.print.buildUp;
+  const bool isFilesUp = upHint == Vec3(0, 0, 1);
+  if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;
+  return build;
 }
 
 PlacementRequest CodeInput::placementAt(Vec3 centreMm, Vec3 upHint) const {
-  EngraveRequest request = settings_;
-  request.placement = movedTo(centreMm, upHint);
-  return searchedPlacement(request, symbol_->size);
+  return searchedPlacement(requestAt(centreMm, upHint), symbol_->size);
 }
 
 }  // namespace qrelief

@@ -26,12 +26,14 @@ class CodeInput {
   /// Returns the request for an engraving at the centre, which must be chosen.
   /// @param upHint  the axis that is up in the scene
   EngraveRequest request(Vec3 upHint) const;
+  /// Returns the request for an engraving at another centre.
+  EngraveRequest requestAt(Vec3 centreMm, Vec3 upHint) const;
+  /// Returns the pose on the printer. A model as in its file stands as the scene shows it.
+  BuildDirection buildDirection(Vec3 upHint) const;
   /// Returns the request for a placement at another centre, with room for label and pockets. The symbol must exist.
   PlacementRequest placementAt(Vec3 centreMm, Vec3 upHint) const;
 
  private:
-  PlacementRequest movedTo(Vec3 centreMm, Vec3 upHint) const;
-
   EngraveRequest settings_;
   Result<Symbol> symbol_;
   std::optional<Vec3> centreMm_, direction_;

@@ -6,7 +6,10 @@
 
 #include "engine/symbol_decal.h"
 #include "math/angle.h"
-#include "projection/code_estimate.h"
+#include "pipeline/default_patterns.h"
+#include "pipeline/spot_concerns.h"
+#include "projection/flatness.h"
+#include "projection/nearby_centre.h"
 
 namespace qrelief {
 namespace {
@@ -24,6 +27,11 @@ std::shared_ptr<const VisibilityMap> trusted(VisibilityMap reach) {
   return std::make_shared<const VisibilityMap>(std::move(reach));
 }
 
+/// The surface on which codes are estimated. Following the pointer does not wait for the GPU.
+EstimatedSurface estimatedSurface(const LoadedModel& model) {
+  return {model.mesh(), *model.engravable->raster, model.engravable->box.diagonal()};
+}
+
 }  // namespace
 
 bool CodeOnSurface::covers(const Mesh& mesh, const SurfacePoint& at) const {
@@ -34,29 +42,38 @@ bool CodeOnSurface::covers(const Mesh& mesh, const SurfacePoint& at) const {
 
 void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer) {
   decal.frame = turned(decal.frame, toRadians(toRotationDeg - rotationDeg));
+  const Vec3 right = decal.frame.right;
+  const double turn = std::atan2(glm::dot(right, reach->frame.up), glm::dot(right, reach->frame.right));
+  const double limitMm = (reach->alignedMm(turn) - reach->window.texelMm()) / outer;
+  if (limitMm > 0) toSymbolMm = std::min(toSymbolMm, limitMm);
   decal.edgeMm *= toSymbolMm / symbolMm;
   decal.reach = reach;
   rotationDeg = toRotationDeg;
   symbolMm = toSymbolMm;
   isExact = false;
-  const Vec3 right = decal.frame.right;
-  const double turn = std::atan2(glm::dot(right, reach->frame.up), glm::dot(right, reach->frame.right));
   missingFraction = reach->missingFraction(symbolMm * outer, turn);
+}
+
+SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 upHint, const SurfacePoint& picked) {
+  const Symbol& symbol = *input.symbol();
+  const double leastMm = symbol.size * leastPrintableModuleMm(symbol, input.settings());
+  const auto found =
+      nearbyCentre(estimatedSurface(model), picked, symbol.size, input.placementAt(picked.position, upHint), leastMm);
+  return found ? found->centre : picked;
 }
 
 Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,
                                     const SurfacePoint& at, std::optional<double> expectedMm) {
   const Symbol& symbol = *input.symbol();
-  // Following the pointer does not wait for the GPU.
-  const EstimatedSurface surface{model.mesh(), *model.engravable->raster, model.engravable->box.diagonal()};
-  auto estimate = estimateCode(surface, at, symbol.size, input.placementAt(at.position, upHint), expectedMm);
+  auto estimate =
+      estimateCode(estimatedSurface(model), at, symbol.size, input.placementAt(at.position, upHint), expectedMm);
   if (!estimate) return tl::unexpected(estimate.error());
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;
   code.modules = symbol.size;
   code.rotationDeg = estimate->rotationDeg;
-  code.guaranteedMm = estimate->guaranteedMm;
   code.missingFraction = estimate->missingFraction;
+  code.isForgiving = aimToleranceDeg(estimate->bendMm, code.moduleMm()) >= kForgivingTiltDeg;
   code.reach = estimate->reach;
   code.decal = symbolDecal(symbol, estimate->frame, estimate->symbolMm, input.settings());
   code.decal.reach = estimate->reach;
@@ -70,8 +87,11 @@ Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, 
   code.symbolMm = placement.symbolMm;
   code.modules = symbol.size;
   code.rotationDeg = placement.rotationDeg;
-  code.guaranteedMm = placement.guaranteedMm;
+  code.isForgiving = aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg;
   code.isExact = true;
+  auto concerns = concernsAt(*model.engravable, placement, spotSearchFor(request, symbol));
+  if (!concerns) return tl::unexpected(concerns.error());
+  code.concerns = std::move(concerns->reasons);
   auto reach = reachAround(model, code.decal);
   if (!reach) return tl::unexpected(reach.error());
   code.decal.reach = trusted(*reach);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/code_input.h"
 #include "engine/loaded_model.h"
@@ -16,18 +17,24 @@ namespace qrelief {
 struct CodeOnSurface {
   Decal decal;
   int modules = 21;  ///< along the symbol's edge
-  double symbolMm = 0, rotationDeg = 0, guaranteedMm = 0;
+  double symbolMm = 0, rotationDeg = 0;
   double missingFraction = 0;  ///< see CodeEstimate
+  bool isForgiving = true;     ///< flat enough to be read by a phone held without care, see kForgivingTiltDeg
   bool isExact = false;
+  std::vector<Message> concerns;  ///< why the code may not print or decode there (pipeline/spot_concerns.h), if exact
   std::shared_ptr<const VisibilityMap> reach;  ///< coarse; the decal may have a finer one
 
   double moduleMm() const { return symbolMm / modules; }
   /// Returns true if the point lies in the decal and the eye sees it.
   bool covers(const Mesh& mesh, const SurfacePoint& at) const;
-  /// Turns and resizes the code, whether or not it then fits.
+  /// Turns and resizes the code. Makes it no larger than fits there at that rotation, to about a texel of `reach`; if
+  /// not even the centre is reached, takes the size as it is.
   /// @param outer  edge of the square that must fit, in symbol edges
   void adjust(double toRotationDeg, double toSymbolMm, double outer);
 };
+
+/// Returns the centre for a code picked at a point, see nearbyCentre(). The symbol must exist.
+SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 upHint, const SurfacePoint& picked);
 
 /// Estimates where the wanted code would lie, see estimateCode. Its symbol must exist.
 Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,

@@ -77,21 +77,25 @@ std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
   return firstHit(model_->mesh(), ray.origin, ray.direction);
 }
 
-std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
+std::string Engine::chooseCentre(std::optional<SurfacePoint> point, double movedMm) {
   if (!point) return textOf({{"hit", false}});
   wanted_.choose(point->position);
   preview_.forget();
   scene_.show(Scene::Surface::Carved, false);
   updateView();
-  return textOf({{"hit", true}, {"centre", jsonOf(point->position)}});
+  return textOf({{"hit", true}, {"centre", jsonOf(point->position)}, {"movedMm", movedMm}});
 }
 
 std::string Engine::setCentre(const std::string& where) {
   const Result<Json> parsed = parseJson(where);
   if (!parsed) return answer(parsed.error());
   if (parsed->contains("spot")) return chooseSpot(parsed->at("spot"));
-  if (const auto at = parsed->find("at"); at != parsed->end())
-    return chooseCentre(surfaceAt(numberOf(at->at(0)), numberOf(at->at(1))));
+  if (const auto at = parsed->find("at"); at != parsed->end()) {
+    const auto picked = surfaceAt(numberOf(at->at(0)), numberOf(at->at(1)));
+    if (!picked || !takesCode() || parsed->value("exact", false)) return chooseCentre(picked);
+    const SurfacePoint centre = centreNear(*model_, wanted_, scene_.camera().skyward(), *picked);
+    return chooseCentre(centre, glm::distance(centre.position, picked->position));
+  }
   const Json& mm = parsed->at("mm");
   const Vec3 point(numberOf(mm.at(0)), numberOf(mm.at(1)), numberOf(mm.at(2)));
   if (!model_ || !std::isfinite(point.x + point.y + point.z)) return chooseCentre({});

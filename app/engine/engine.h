@@ -46,18 +46,22 @@ class Engine {
   std::string configure(const std::string& settings);
 
   /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: true,
-  /// centre} if the model is there, else {hit: false}; BadUsage if the spot does not exist.
-  /// @param where  {"at": [x, y]}: the point at a screen position; {"mm": [x, y, z]}: the point nearest to this one;
+  /// centre, movedMm} if the model is there, else {hit: false}; BadUsage if the spot does not exist. `movedMm`: from
+  /// the point at the screen position.
+  /// @param where  {"at": [x, y], "exact": false}: the point at a screen position, moved to where the code lies flat
+  ///               (projection/nearby_centre.h) unless `exact`; {"mm": [x, y, z]}: the point nearest to this one;
   ///               {"spot": index}: a spot of the last search, with the direction found for it
   std::string setCentre(const std::string& where);
 
   /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
-  /// moduleMm, guaranteedMm, rotationDeg, version, modules}}. `direction` is the direction that came with the centre
-  /// (from a spot), else null. Where no code fits, shows the part that does.
+  /// moduleMm, largestMm, sizeMode, concerns: [message], aimToleranceDeg, forgiving, rotationDeg, colourLayers,
+  /// version, modules}}. `direction` is the direction that came with the centre (from a spot), else null; `concerns`
+  /// are the reasons why the code may not print or decode there. Where no code fits, shows the part that does.
   std::string placement();
 
   /// Shows the code about where it would lie. Returns {hit: false}, {hit: true, onCode: true} over the placed code,
-  /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
+  /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, missingShare, forgiving,
+  /// concerns, exact}; `concerns` as for placement(), once exact.
   /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
   std::string hover(const std::string& at);
   /// Previews a change of the placed code until placement(). Returns {hit, code}; BadUsage if no code is placed.
@@ -84,7 +88,7 @@ class Engine {
   ///                 (show). `printable`: its file is written, so that printOrder() and exportModel("stl")
   ///                 work
   ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
-  ///                 concerns: [message]}], topMm}, and the model shows the sizes. Best first, with the largest size
+  ///                 concerns: [message]}], topMm}. Best first, with the largest size
   ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
   ///                 last colour of the map
   ///             "settling": returns {done} or {done: true, code}; an error where no code fits
@@ -232,7 +236,7 @@ class Engine {
   PlacementTask task() const;
   Carvings::Ground ground() const { return {*model_, pass_}; }
   Status placeCode();
-  std::string chooseCentre(std::optional<SurfacePoint> point);
+  std::string chooseCentre(std::optional<SurfacePoint> point, double movedMm = 0);
   std::string chooseSpot(std::size_t index);
   std::string moveCode(double x, double y);
   std::string resizeCode(double rotateDeg, double symbolMm);

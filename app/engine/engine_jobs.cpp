@@ -14,12 +14,10 @@ namespace {
 Json jsonOf(const SpotOffers& offers) {
   Json spots = Json::array();
   for (const Spot& spot : offers.spots()) {
-    Json concerns = Json::array();
-    for (const Message& concern : spot.concerns) concerns.push_back(qrelief::jsonOf(concern));
     spots.push_back({{"centre", qrelief::jsonOf(spot.centreMm)},
                      {"aimToleranceDeg", spot.aimToleranceDeg},
                      {"sizeMm", offers.offeredMm(spot)},
-                     {"concerns", concerns}});
+                     {"concerns", qrelief::jsonOf(std::span(spot.concerns))}});
   }
   return spots;
 }
@@ -87,7 +85,6 @@ std::string Engine::advanceSpotSearch() {
   const Result<Progress> progress = offers_.advance();
   if (!progress) return answer(progress.error());
   if (!progress->done) return answer(*progress);
-  showSizes(true);
   return answer(*progress, {{"spots", jsonOf(offers_)}, {"topMm", offers_.topMm()}});
 }
 

@@ -34,6 +34,7 @@ std::string Engine::placement() {
 
 std::string Engine::describePlacement() const {
   const Placement& placement = *preview_.placement();
+  const Symbol& symbol = *wanted_.symbol();
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement.frame.centre)},
@@ -42,13 +43,15 @@ std::string Engine::describePlacement() const {
                    {"up", jsonOf(placement.frame.up)},
                    {"symbolMm", placement.symbolMm},
                    {"moduleMm", placement.moduleMm},
-                   {"guaranteedMm", placement.guaranteedMm},
+                   {"largestMm", placement.largestMm},
+                   {"sizeMode", sizeModeName(settings().placement.sizeMode)},
+                   {"concerns", jsonOf(std::span(preview_.code()->concerns))},
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
                    {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
                    {"rotationDeg", placement.rotationDeg},
                    {"colourLayers", layersOfCode(placement, wanted_.settings().print)},
-                   {"version", wanted_.symbol()->version},
-                   {"modules", wanted_.symbol()->size}}}});
+                   {"version", symbol.version},
+                   {"modules", symbol.size}}}});
 }
 
 std::string Engine::describeCode(const CodeOnSurface& code) const {
@@ -59,8 +62,9 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
                  {"code",
                   {{"symbolMm", code.symbolMm},
                    {"moduleMm", code.moduleMm()},
-                   {"guaranteedMm", code.guaranteedMm},
                    {"missingShare", code.missingFraction},
+                   {"forgiving", code.isForgiving},
+                   {"concerns", jsonOf(std::span(code.concerns))},
                    {"exact", code.isExact}}}});
 }
 

@@ -79,16 +79,20 @@ void PlacementPreview::endHover() {
 bool PlacementPreview::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
+  const SurfacePoint centre = centreNear(task.model, task.wanted, task.upHint, *hoveredAt_);
   settling_.emplace(model.prepared, *model.renderer, task.wanted.symbol()->size,
-                    task.wanted.placementAt(hoveredAt_->position, task.upHint));
+                    task.wanted.placementAt(centre.position, task.upHint));
   return true;
 }
 
 Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   const Result<bool> isSettled = settling_->step();
   if (isSettled && !*isSettled) return false;
-  auto code = isSettled ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
-                        : tl::unexpected(isSettled.error());
+  const auto settled = [&](const Placement& placement) {
+    const EngraveRequest request = task.wanted.requestAt(placement.frame.centre, task.upHint);
+    return exactCode(task.model, *task.wanted.symbol(), request, placement);
+  };
+  auto code = isSettled ? settled(settling_->placement()) : tl::unexpected(isSettled.error());
   settling_.reset();
   if (!code) return tl::unexpected(code.error());
   hovered_ = std::move(*code);

@@ -46,7 +46,7 @@ void SpotOffers::finish() {
 }
 
 double SpotOffers::offeredMm(const Spot& spot) const {
-  return request_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm;
+  return request_.placement.sizeMode == SizeMode::Fixed ? spot.largestMm : spot.symbolMm;
 }
 
 void SpotOffers::forget() {

@@ -77,6 +77,7 @@ Status PlacementSearch::start() {
   const double expected = fitMm_;
   const Status measured = measure(surfaceNormal_);
   fitMm_ = measured ? std::max(expected, fitMm_) : expected;
+  fits_.clear();
   return {};
 }
 
@@ -96,61 +97,98 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
     if (patch && model_->hasCrossings)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
-    const double size = sizeWithin(patch->silhouette);
+    const double size = sizeWithin(patch->silhouette, region);
     if (size * halfDiagonal + beyond <= radius) return patch;
     radius = std::min(farthest, kNextReach * radius);
   }
 }
 
-/// Returns the largest symbol that fits in the silhouette; for SizeMode::Best, at the best rotation.
-double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
+/// Returns the largest symbol that fits in the silhouette: for a square upright, for a disc at every rotation, or at
+/// the best one if the search may turn the code.
+double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const {
   const double most = largestMm() * outerFactor();
-  const double size = request_.sizeMode == SizeMode::Free   ? freeSize(silhouette)
-                      : request_.sizeMode == SizeMode::Best ? bestSize(silhouette, most).sizeMm
-                                                            : orientedSize(silhouette);
+  const double size = region == GrowingRegion::Square ? orientedSize(silhouette)
+                      : request_.mayTurn()            ? bestSize(silhouette, most).sizeMm
+                                                      : freeSize(silhouette);
   return std::min(most, size) / outerFactor();
 }
 
-/// Returns the largest symbol that fits at every rotation. A partly hidden patch for a square is found again for a
-/// disc.
-Result<double> PlacementSearch::guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const {
-  const auto of = [&](const VisiblePatch& visible) {
-    return std::min(largestMm(), freeSize(visible.silhouette) / outerFactor());
-  };
-  if (!patch.partlyHidden || request_.sizeMode == SizeMode::Free) return of(patch);
-  const auto forDiscs = decisivePatch(frame, GrowingRegion::Disc);
-  if (!forDiscs) return tl::unexpected(forDiscs.error());
-  return std::max(of(patch), of(*forDiscs));
+PlacementSearch::Fit PlacementSearch::fitIn(VisiblePatch patch, const ProjectionFrame& frame, Fit::Turn turn) const {
+  Fit fit{turn, {}};
+  Placement& placed = fit.placement;
+  placed.frame = frame;
+  placed.seed = placement_.seed;
+  placed.iterations = placement_.iterations;
+  placed.rotationDeg = request_.rotateDeg;
+  const bool isForDisc = turn == Fit::Turn::EveryRotation;
+  placed.symbolMm = isForDisc ? std::min(largestMm(), freeSize(patch.silhouette) / outerFactor())
+                              : sizeWithin(patch.silhouette, GrowingRegion::Square);
+  placed.patch = std::move(patch);
+  return fit;
+}
+
+/// Turns the code so that it is largest within the patch for a disc.
+Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) const {
+  const double rotation = bestSize(disc.silhouette, largestMm() * outerFactor()).rotation;
+  const ProjectionFrame turnedFrame = turned(frame, rotation);
+  auto square = disc.partlyHidden ? decisivePatch(turnedFrame, GrowingRegion::Square) : Result<VisiblePatch>(disc);
+  if (!square) return tl::unexpected(square.error());
+  if (!disc.partlyHidden) square->silhouette = inTurnedAxes(disc.silhouette, rotation);
+  Fit fit = fitIn(std::move(*square), turnedFrame, Fit::Turn::ToFit);
+  fit.placement.rotationDeg = toDegrees(rotation);
+  return fit;
+}
+
+/// Returns the ways in which the code fits from a direction, walls ignored. The first is for every rotation.
+Result<std::vector<PlacementSearch::Fit>> PlacementSearch::fitsFrom(const ProjectionFrame& frame) const {
+  const bool isFree = request_.sizeMode == SizeMode::Free;
+  const bool needsDisc = isFree || request_.mayTurn();
+  auto disc = decisivePatch(frame, needsDisc ? GrowingRegion::Disc : GrowingRegion::Square);
+  if (!disc) return tl::unexpected(disc.error());
+  auto square = disc;  // the same for both regions if nothing is partly hidden
+  if (disc->partlyHidden && !isFree) {
+    auto& other = needsDisc ? square : disc;
+    other = decisivePatch(frame, needsDisc ? GrowingRegion::Square : GrowingRegion::Disc);
+    if (!other) return tl::unexpected(other.error());
+  }
+
+  std::vector<Fit> fits;
+  if (request_.mayTurn()) {
+    auto fit = turnedFit(*disc, frame);
+    if (!fit) return tl::unexpected(fit.error());
+    fits.push_back(std::move(*fit));
+  }
+  fits.insert(fits.begin(), fitIn(std::move(*disc), frame, Fit::Turn::EveryRotation));
+  if (!isFree) fits.insert(fits.begin() + 1, fitIn(std::move(*square), frame, Fit::Turn::Upright));
+  const double guaranteedMm = fits.front().placement.symbolMm;
+  for (Fit& fit : fits) {
+    fit.placement.guaranteedMm = guaranteedMm;
+    fit.placement.largestMm = std::max(guaranteedMm, fit.placement.symbolMm);
+  }
+  return fits;
+}
+
+/// Returns the largest fit, but an upright one rather than one that is turned and hardly larger. Of equal ones, the
+/// last.
+PlacementSearch::Fit& PlacementSearch::fitToTake(std::vector<Fit>& fits) {
+  Fit *upright = nullptr, *turnedToFit = nullptr;
+  for (Fit& fit : fits) {
+    Fit*& best = fit.turn == Fit::Turn::ToFit ? turnedToFit : upright;
+    if (!best || fit.placement.symbolMm * (1 + kEqualSizes) >= best->placement.symbolMm) best = &fit;
+  }
+  const bool isTurned = turnedToFit && upright->placement.symbolMm < kUprightFraction * turnedToFit->placement.symbolMm;
+  return isTurned ? *turnedToFit : *upright;
 }
 
 Status PlacementSearch::measure(Vec3 normal) {
   const Stopwatch stopwatch(sizeMs_);
   const bool isFixed = request_.sizeMode == SizeMode::Fixed;
-  ProjectionFrame frame = frameFor(normal);
-  const bool isAlongAxes = isFixed || request_.sizeMode == SizeMode::Oriented;
-  auto patch = decisivePatch(frame, isAlongAxes ? GrowingRegion::Square : GrowingRegion::Disc);
-  if (!patch) return tl::unexpected(patch.error());
-  double rotation = 0;
-  if (request_.sizeMode == SizeMode::Best) {
-    rotation = bestSize(patch->silhouette, largestMm() * outerFactor()).rotation;
-    frame = turned(frame, rotation);
-    if (patch->partlyHidden)
-      patch = decisivePatch(frame, GrowingRegion::Square);
-    else
-      patch->silhouette = inTurnedAxes(patch->silhouette, rotation);
-    if (!patch) return tl::unexpected(patch.error());
-  }
-  const auto guaranteed = guaranteedMm(*patch, frame);
-  if (!guaranteed) return tl::unexpected(guaranteed.error());
-
-  placement_.frame = frame;
-  placement_.rotationDeg = request_.rotateDeg + toDegrees(rotation);
-  placement_.patch = std::move(*patch);
-  placement_.guaranteedMm = *guaranteed;
-  const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
-  fitMm_ = request_.sizeMode == SizeMode::Free ? placement_.guaranteedMm
-                                               : std::min(largestMm(), orientedSize(silhouette) / outerFactor());
-  placement_.symbolMm = isFixed ? request_.sizeMm : fitMm_;
+  auto fits = fitsFrom(frameFor(normal));
+  if (!fits) return tl::unexpected(fits.error());
+  if (isFixed) fits->erase(fits->begin());
+  placement_ = fitToTake(*fits).placement;
+  fitMm_ = placement_.symbolMm;
+  if (isFixed) placement_.symbolMm = request_.sizeMm;
   placement_.moduleMm = placement_.symbolMm / modules_;
   if (fitMm_ < std::min(isFixed ? request_.sizeMm : request_.maxSizeMm, kMinModuleMm * modules_))
     if (const Status apart = checkCrossings(); !apart) return apart;
@@ -169,6 +207,9 @@ Status PlacementSearch::measure(Vec3 normal) {
                     with::cause<"advice">(roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
                                                      message<"choose-a-wider-spot">()))));
   }
+  if (request_.sizeMode != SizeMode::Best) fits_.clear();
+  if (isFixed) fits->front().placement = placement_;
+  fits_.insert(fits_.end(), std::move_iterator(fits->begin()), std::move_iterator(fits->end()));
   return {};
 }
 
@@ -267,26 +308,26 @@ Result<bool> PlacementSearch::refine() {
     normals.push_back(look.normal);
     if (look.normal == optimal_->iterations().front().normal) break;
   }
+  fits_.clear();
   if (const Status measured = measureFirstFitting(normals); !measured) return tl::unexpected(measured.error());
   return true;
 }
 
 /// Reduces a found size if walls are too thin for its pockets. If they take no code at all, keeps the size; the depth
 /// search then decides whether anything can be carved.
-Status PlacementSearch::leaveWalls() {
+Status PlacementSearch::leaveWalls(Fit& fit) const {
+  fit.leavesWalls = true;
   const PocketDemand& pockets = request_.pockets;
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
-  const Stopwatch stopwatch(sizeMs_);
-  const CellSquare square{placement_.symbolMm, modules_};
-  const bool isFree = request_.sizeMode == SizeMode::Free;  // a size for every rotation does not depend on one
-  const ProjectionFrame frame = isFree ? turned(placement_.frame, -toRadians(request_.rotateDeg)) : placement_.frame;
-  const auto walls = measureModuleWalls(model_->mesh, *surface_, frame, placement_.patch, square,
-                                        pockets.depth(placement_.moduleMm), pockets.minWallMm);
+  Placement& placed = fit.placement;
+  const CellSquare square{placed.symbolMm, modules_};
+  const bool isAnyWayUp = fit.turn == Fit::Turn::EveryRotation;  // its size does not depend on a rotation
+  const ProjectionFrame frame = isAnyWayUp ? turned(placed.frame, -toRadians(request_.rotateDeg)) : placed.frame;
+  const auto walls = measureModuleWalls(model_->mesh, *surface_, frame, placed.patch, square,
+                                        pockets.depth(placed.symbolMm / modules_), pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
-  if (taken < kMinModuleMm * modules_) return {};
-  placement_.symbolMm = taken;
-  placement_.moduleMm = taken / modules_;
+  if (taken >= kMinModuleMm * modules_) placed.symbolMm = taken;
   return {};
 }
 
@@ -299,37 +340,33 @@ bool PlacementSearch::lookFromFree() {
   sizeMs_ += free_->sizeMs();
   if (isDone) {
     placement_.iterations = free_->placement().iterations;
-    if (measure(free_->placement().frame.normal)) rounds_.insert(rounds_.begin(), placement_);
+    std::vector<Fit> earlier = std::move(fits_);
+    fits_.clear();
+    measure(free_->placement().frame.normal);  // an error leaves the earlier fits
+    fits_.insert(fits_.end(), std::move_iterator(earlier.begin()), std::move_iterator(earlier.end()));
   }
   free_.reset();
   return true;
 }
 
-void PlacementSearch::keepRound() {
-  if (request_.sizeMode == SizeMode::Best) rounds_.push_back(placement_);
-}
-
-/// Takes the round with the largest size that leaves walls; of equal ones, the last.
-Status PlacementSearch::takeBestRound() {
-  std::optional<Placement> best;
-  const auto isLarger = [&](const Placement& other) {
-    return !best || other.symbolMm > best->symbolMm * (1 + kEqualSizes);
-  };
-  for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round) {
-    if (!isLarger(*round)) continue;
-    placement_ = std::move(*round);
-    if (const Status left = leaveWalls(); !left) return left;
-    if (isLarger(placement_)) best = std::move(placement_);
+/// Takes the best fit with walls counted. Walls only reduce sizes, so most need not be measured.
+Status PlacementSearch::takeBestFit() {
+  const Stopwatch stopwatch(sizeMs_);
+  Fit* best = &fitToTake(fits_);
+  while (!best->leavesWalls) {
+    if (const Status left = leaveWalls(*best); !left) return left;
+    best = &fitToTake(fits_);
   }
-  placement_ = std::move(*best);
-  rounds_.clear();
+  placement_ = std::move(best->placement);
+  placement_.moduleMm = placement_.symbolMm / modules_;
+  fits_.clear();
   return {};
 }
 
 Result<bool> PlacementSearch::step() {
   if (free_) {
     if (!lookFromFree()) return false;
-    if (rounds_.empty()) return tl::unexpected(*doesNotFit_);
+    if (fits_.empty()) return tl::unexpected(*doesNotFit_);
   } else {
     const Result<bool> done = searchOnce();
     const bool isBest = request_.sizeMode == SizeMode::Best && !request_.direction && !optimal_;
@@ -343,8 +380,7 @@ Result<bool> PlacementSearch::step() {
     }
     if (!done || !*done) return done;
   }
-  if (const Status left = rounds_.empty() || optimal_ ? leaveWalls() : takeBestRound(); !left)
-    return tl::unexpected(left.error());
+  if (const Status taken = takeBestFit(); !taken) return tl::unexpected(taken.error());
   placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;
 }
@@ -369,7 +405,6 @@ Result<bool> PlacementSearch::searchOnce() {
   if (const Status measured = measureFirstFitting(roundCandidates()); !measured)
     return tl::unexpected(measured.error());
   direction_.reset();
-  keepRound();
   ++round_;
   const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||
                        std::abs(fitMm_ - before) < kSettledShare * before;

@@ -23,7 +23,8 @@ struct Placement {
   std::uint32_t seed = 0;  ///< triangle under the centre
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
-  double guaranteedMm = 0;  ///< largest symbol up to the size limit that fits at every rotation, walls ignored
+  double largestMm = 0;     ///< largest symbol up to the size limit that fits at this rotation, walls ignored
+  double guaranteedMm = 0;  ///< the same at every rotation
   double bendMm = 0;        ///< bend of the surface under the symbol, see projection/flatness.h
   double rotationDeg = 0;   ///< from upHint to the symbol's top, anticlockwise as the viewer sees it
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
@@ -36,7 +37,10 @@ Message codeInWords(const PlacementRequest& request);
 /// Search for direction and size. They depend on each other, so it finds them in turn until the size changes by less
 /// than 1 % (at most 5 rounds) [Papp 2022, §3 and §4]. Then it searches once for the optimal direction, at the size
 /// found, starting from the depth-balanced direction. For SizeMode::Best the round with the largest size wins. Unless
-/// that is the size limit, it also looks from the direction that SizeMode::Free finds, so Best is never smaller.
+/// that is the size limit, it also looks from the direction that SizeMode::Free finds.
+///
+/// Walls too thin for the pockets reduce a found size. From the same direction, with walls counted, a code turned to
+/// fit is at least as large as an upright one, and that as one that fits at every rotation.
 class PlacementSearch {
  public:
   /// @param model, surface  kept by reference
@@ -53,21 +57,31 @@ class PlacementSearch {
   double sizeMs() const { return sizeMs_; }
 
  private:
+  /// One way in which the code fits.
+  struct Fit {
+    enum class Turn { EveryRotation, Upright, ToFit };
+    Turn turn = Turn::Upright;
+    Placement placement;
+    bool leavesWalls = false;  ///< false: walls may still reduce its size
+  };
+
   Result<bool> searchOnce();
   Status start();
-  Status leaveWalls();
+  Status leaveWalls(Fit& fit) const;
   bool lookFromFree();
-  void keepRound();
-  Status takeBestRound();
+  Status takeBestFit();
   Status measure(Vec3 normal);
+  Result<std::vector<Fit>> fitsFrom(const ProjectionFrame& frame) const;
+  Fit fitIn(VisiblePatch patch, const ProjectionFrame& frame, Fit::Turn turn) const;
+  Result<Fit> turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) const;
+  static Fit& fitToTake(std::vector<Fit>& fits);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
   Error doesNotFit() const;
   Status checkCrossings() const;
   Result<bool> refine();
   Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
-  Result<double> guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const;
-  double sizeWithin(std::span<const Segment2> silhouette) const;
+  double sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const;
   double largestMm() const;
   double sampledMm() const;
   double outerFactor() const;
@@ -82,9 +96,9 @@ class PlacementSearch {
   Vec3 surfaceNormal_{0};
   std::optional<DirectionSearch> direction_;
   std::optional<OptimalDirection> optimal_;
+  std::vector<Fit> fits_;                  // of the last round; SizeMode::Best: of all rounds that fit
   std::unique_ptr<PlacementSearch> free_;  // SizeMode::Best: the search for the free size's direction
   std::optional<Error> doesNotFit_;        // the error of all rounds, if none fits
-  std::vector<Placement> rounds_;          // SizeMode::Best: the rounds that fit
   int round_ = 0;
   bool started_ = false;
   double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate

@@ -14,15 +14,13 @@
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "message_codes/pipeline.h"
-#include "message_codes/printing.h"
 #include "message_codes/settings_errors.h"
 #include "message_codes/stages.h"
-#include "message_codes/verdict.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/mark_depth.h"
-#include "pipeline/module_walls.h"
 #include "pipeline/placement.h"
 #include "pipeline/second_colour.h"
+#include "pipeline/spot_concerns.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
 #include "projection/size.h"
@@ -63,39 +61,7 @@ Status checkRequest(const SpotSearchRequest& request) {
               message<"place-count">(with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
 }
 
-struct Wall {
-  bool takes = false;      ///< takes pockets of the least depth
-  double thicknessMm = 0;  ///< along the rays
-};
-
 bool isUneven(const Spot& spot) { return spot.unevenLight > kMostUnevenLight; }
-
-std::vector<Message> concernsAt(const Spot& spot, const SpotSearchRequest& request) {
-  std::vector<Message> concerns;
-  if (!spot.prints)
-    concerns.push_back(
-        message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(request.nozzleMm),
-                                           with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
-  if (!spot.takesPockets)
-    concerns.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
-  if (spot.facesDown) concerns.push_back(message<"faces-down">());
-  if (isUneven(spot)) concerns.push_back(message<"spot-lit-unevenly">());
-  return concerns;
-}
-
-/// Measures the wall under nearly all modules, by the limits used in engraving.
-Result<Wall> measureWall(const EngravableModel& model, const Placement& placement, int modules, double depthMm,
-                         double minWallMm) {
-  auto walls = measureModuleWalls(model.prepared.mesh, *model.renderer, placement.frame, placement.patch,
-                                  {placement.symbolMm, modules}, depthMm, minWallMm);
-  if (!walls) return tl::unexpected(walls.error());
-  std::vector<double>& thickness = walls->thicknessMm;
-  const auto taking = static_cast<std::size_t>(
-      std::count_if(walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= depthMm; }));
-  const auto thin = static_cast<std::size_t>((1 - kTakenFraction) * static_cast<double>(thickness.size()));
-  std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
-  return Wall{taking + thin >= thickness.size(), thickness[thin]};
-}
 
 }  // namespace
 
@@ -150,8 +116,6 @@ struct SpotSearchJob::State {
   void startMap(double leastMm);
   Result<StageStep> drawViews();
   void propose(double leastSizeMm);
-  bool facesDown(const ProjectionFrame& frame) const;
-  double lightOn(const ProjectionFrame& frame, double symbolMm) const;
   bool isDoubtful(const SpotCandidate& spot) const;
   bool screen();
   bool recallDeferred();
@@ -212,22 +176,11 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   likely = static_cast<std::size_t>(unlikely - candidates.begin());
 }
 
-bool SpotSearchJob::State::facesDown(const ProjectionFrame& frame) const {
-  if (!request.buildUp) return false;
-  const Vec3 up = glm::normalize(request.buildUp->resolve(frame));
-  return glm::dot(up, frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
-}
-
-/// Returns unevenLight() for a code there.
-double SpotSearchJob::State::lightOn(const ProjectionFrame& frame, double symbolMm) const {
-  const int quietModules = static_cast<int>((outer - 1) * request.modules / 2);
-  return unevenLight(model->prepared.mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
-}
-
 bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
   const PlacementRequest& place = request.placement;
   const ProjectionFrame frame = makeFrame(spot.position, spot.direction, place.upHint, place.eyeDistanceMm);
-  return facesDown(frame) || lightOn(frame, std::min(wantedMm(), spot.sizeMm / outer)) > kMostUnevenLight;
+  const double symbolMm = std::min(wantedMm(), spot.sizeMm / outer);
+  return facesDown(frame, request) || unevenLightOn(model->prepared.mesh, frame, symbolMm, request) > kMostUnevenLight;
 }
 
 /// Screens the next candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
@@ -280,7 +233,7 @@ void SpotSearchJob::State::beginTest() {
   direction = placement.direction;
   const double pocketMm = placement.pockets.depth(wantedMm() / request.modules);
   placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
-  if (findsLargest) placement.sizeMode = SizeMode::Free;
+  if (findsLargest) placement.sizeMode = SizeMode::Oriented;
   search.emplace(model->prepared, *model->renderer, request.modules, placement);
   ++result.tried;
 }
@@ -297,26 +250,25 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.body = model->prepared.mesh.body(placement.seed);
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
-  offered.facesDown = facesDown(placement.frame);
   if (request.colourPrinter) offered.colourLayers = layersOfCode(placement, *request.colourPrinter);
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
-  offered.largestMm =
-      std::min(std::max(wantedMm(), request.placement.maxSizeMm), orientedSize(placement.patch.silhouette) / outer);
+  offered.largestMm = placement.largestMm;
   offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
   const bool tooTight = fixed() && !findsLargest && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
   if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
     nextTry();
     return {};
   }
-  const auto wall = measureWall(*model, placement, request.modules, request.leastDepthMm, request.minWallMm);
-  if (!wall) return tl::unexpected(wall.error());
-  if (wall->takes || (request.offersThinWalls && !findsLargest)) {
-    offered.takesPockets = wall->takes;
-    offered.unevenLight = lightOn(placement.frame, placement.symbolMm);
-    offered.prints = offered.symbolMm >= request.leastPrintableMm;
-    offered.concerns = concernsAt(offered, request);
+  const auto concerns = concernsAt(*model, placement, request);
+  if (!concerns) return tl::unexpected(concerns.error());
+  if (concerns->takesPockets || (request.offersThinWalls && !findsLargest)) {
+    offered.prints = concerns->prints;
+    offered.takesPockets = concerns->takesPockets;
+    offered.facesDown = concerns->facesDown;
+    offered.unevenLight = concerns->unevenLight;
+    offered.concerns = concerns->reasons;
     if (!findsLargest)
       result.spots.push_back(offered);
     else if (!largest || offered.symbolMm > largest->symbolMm)
@@ -324,7 +276,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
     withDirection = true;  // done with this spot
   } else if (!withDirection) {
     ++tooThin;
-    thickestMm = std::max(thickestMm, wall->thicknessMm);
+    thickestMm = std::max(thickestMm, concerns->wallMm);
   }
   nextTry();
   return {};
@@ -358,7 +310,8 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
     return kStageDone;
   }
   const auto rank = [&](const Spot& spot) {
-    return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
+    return SpotRank(fixed() ? spot.guaranteedMm : spot.symbolMm, spot.quality, spot.symbolMm * outer,
+                    spot.aimToleranceDeg);
   };
   // Doubts in order of importance.
   const auto doubts = [](const Spot& spot) {

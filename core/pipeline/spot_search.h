@@ -57,7 +57,7 @@ struct Spot {
   bool takesPockets = true;       ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
   bool needsDirection = false;    ///< the request's method finds no direction that fits
   double symbolMm = 0;            ///< the size requested or found
-  double largestMm = 0;           ///< largest size from that direction, at the requested rotation
+  double largestMm = 0;           ///< see Placement
   double guaranteedMm = 0;        ///< largest size at every rotation
   double aimToleranceDeg = 0;     ///< of the symbol, see projection/flatness.h
   SquareQuality quality;          ///< of the symbol, with its quiet zone if that must fit

@@ -41,8 +41,10 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
   return search.normal();
 }
 
+/// Returns the turn that SizeMode::Best would take, in radians.
 double bestTurn(const VisibilityMap& reach) {
-  double best = 0, largest = reach.alignedMm(0);
+  const double upright = reach.alignedMm(0);
+  double best = 0, largest = upright;
   for (int i = 1; i < kTurns; ++i) {
     const double turn = toRadians(i * 90.0 / kTurns - (2 * i > kTurns ? 90 : 0));
     const double fits = reach.alignedMm(turn);
@@ -50,7 +52,7 @@ double bestTurn(const VisibilityMap& reach) {
     largest = fits;
     best = turn;
   }
-  return best;
+  return upright >= kUprightFraction * largest ? 0 : best;
 }
 
 /// @param room   edge of the largest symbol that fits in the map at every rotation, mm
@@ -69,7 +71,7 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
     auto reach = lookAround(surface.renderer, upright, window);
     if (!reach) return tl::unexpected(reach.error());
     double turn = toRadians(request.rotateDeg);
-    if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);
+    if (request.mayTurn()) turn = bestTurn(*reach);
     const double free = reach->freeMm() / outer;
     estimate.frame = turned(upright, turn);
     estimate.rotationDeg = toDegrees(turn);
@@ -77,6 +79,7 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
     estimate.symbolMm = isFixed                              ? most
                         : request.sizeMode == SizeMode::Free ? estimate.guaranteedMm
                                                              : std::min(most, reach->alignedMm(turn) / outer);
+    estimate.bendMm = reach->bendMm(estimate.symbolMm, turn);
     estimate.missingFraction = isFixed ? reach->missingFraction(most * outer, turn) : 0;
     estimate.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
     if (isFixed || request.direction || estimate.symbolMm >= kMuchSmaller * sampled || estimate.symbolMm <= 0) break;

@@ -25,6 +25,7 @@ struct CodeEstimate {
   double symbolMm = 0;
   double guaranteedMm = 0;     ///< size that fits at every rotation, at most the requested size or limit
   double rotationDeg = 0;      ///< from the direction of upHint
+  double bendMm = 0;           ///< bend of the surface under the symbol, see projection/flatness.h
   double missingFraction = 0;  ///< fraction of the required square that overhangs or is hidden, 0 … 1
 };
 

@@ -25,6 +25,22 @@ void PlaneFit::add(Vec2 at, double height, double weight) {
   weights_ += weight;
 }
 
+PlaneFit& PlaneFit::operator+=(const PlaneFit& other) {
+  moments_ += other.moments_;
+  products_ += other.products_;
+  squares_ += other.squares_;
+  weights_ += other.weights_;
+  return *this;
+}
+
+PlaneFit& PlaneFit::operator-=(const PlaneFit& part) {
+  moments_ -= part.moments_;
+  products_ -= part.products_;
+  squares_ -= part.squares_;
+  weights_ -= part.weights_;
+  return *this;
+}
+
 double PlaneFit::rms() const {
   // Lengths have any unit, so compare the determinant with that of the same spread in all directions.
   const double spread = moments_[1][1] + moments_[2][2];

@@ -14,6 +14,9 @@ namespace qrelief {
 class PlaneFit {
  public:
   void add(Vec2 at, double height, double weight = 1);
+  PlaneFit& operator+=(const PlaneFit& other);
+  PlaneFit& operator-=(const PlaneFit& part);
+  double weight() const { return weights_; }
   /// Returns the root mean square distance of the heights from the plane; 0 if the heights determine no plane.
   double rms() const;
 

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best", "fixed"};
+constexpr std::array<const char*, 4> kSizeModeNames = {"best", "oriented", "free", "fixed"};
 
 }  // namespace
 

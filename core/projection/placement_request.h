@@ -9,13 +9,16 @@
 namespace qrelief {
 
 enum class SizeMode {
-  Free,      ///< the largest size that fits at every rotation
+  Best,      ///< as Oriented, or turned to fit if the code is then more than a ninth larger; a requested turn is kept
   Oriented,  ///< the largest size that fits at the requested rotation
-  Best,      ///< the largest size that fits at any rotation, and that rotation
+  Free,      ///< the largest size that fits at every rotation [Papp 2022, §4]
   Fixed      ///< the requested size, or an error that names the largest
 };
 
-/// Returns "free", "oriented", "best" or "fixed". Scripts rely on these names.
+/// SizeMode::Best leaves a code upright if its size is at least this fraction of the turned code's.
+inline constexpr double kUprightFraction = 0.9;
+
+/// Returns "best", "oriented", "free" or "fixed". Scripts rely on these names.
 const char* sizeModeName(SizeMode mode);
 
 /// Material that a found size needs behind the surface.
@@ -32,12 +35,12 @@ struct PocketDemand {
 /// The requested centre, direction and size of a code.
 struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
-  SizeMode sizeMode = SizeMode::Free;
+  SizeMode sizeMode = SizeMode::Best;
   double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
   double maxSizeMm = 40;  ///< upper bound of a found size, > 0; larger codes need deeper pockets and decode no better
   bool quietZone = true;  ///< the quiet zone must fit, too
   Vec3 upHint{0, 0, 1};   ///< direction of the symbol's top, projected onto the QR plane
-  double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it; Best: the turn before the search
+  double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
   std::optional<Vec3> direction;  ///< towards the viewer; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
@@ -45,6 +48,9 @@ struct PlacementRequest {
   /// Width that a label needs on each side of the symbol, in modules, with the quiet zone; 0: no label.
   double labelMarginModules = 0;
   PocketDemand pockets;  ///< for found sizes only; a fixed size is carved as deep as its walls allow
+
+  /// Returns true if the search may turn the code.
+  bool mayTurn() const { return sizeMode == SizeMode::Best && rotateDeg == 0; }
 
   bool operator==(const PlacementRequest&) const = default;
 };

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "projection/flatness.h"
+
 namespace qrelief {
 namespace {
 
@@ -48,6 +50,8 @@ void flood(VisibilityMap& reach, const std::vector<float>& maps) {
 
 bool VisibilityMap::isReached(int column, int row) const { return texels[indexOf(column, row, window.texels) + 1] > 0; }
 
+float VisibilityMap::heightMm(int column, int row) const { return texels[indexOf(column, row, window.texels)]; }
+
 double VisibilityMap::freeMm() const {
   double nearest = (window.extentMm + window.texelMm()) / 2;
   for (int row = 0; row < window.texels; ++row)
@@ -82,6 +86,19 @@ double VisibilityMap::missingFraction(double edgeMm, double turn) const {
     }
   }
   return static_cast<double>(missing) / (kFractionSamples * kFractionSamples);
+}
+
+double VisibilityMap::bendMm(double edgeMm, double turn) const {
+  const double c = std::cos(turn), s = std::sin(turn);
+  PlaneFit fit;
+  for (int row = 0; row < window.texels; ++row) {
+    for (int column = 0; column < window.texels; ++column) {
+      const Vec2 p = window.planePoint(column, row);
+      const bool isInside = std::max(std::abs(p.x * c + p.y * s), std::abs(p.y * c - p.x * s)) <= edgeMm / 2;
+      if (isInside && isReached(column, row)) fit.add(p, static_cast<double>(heightMm(column, row)));
+    }
+  }
+  return fit.rms();
 }
 
 void VisibilityMap::trust() {

@@ -22,6 +22,7 @@ struct VisibilityMap {
   std::vector<float> texels;
 
   bool isReached(int column, int row) const;
+  float heightMm(int column, int row) const;
 
   /// Returns the edge of the largest square about the centre that is reached at every rotation, mm; within the window.
   double freeMm() const;
@@ -30,6 +31,9 @@ struct VisibilityMap {
   double alignedMm(double turn) const;
   /// Returns the fraction of such a square that is not reached, 0 … 1.
   double missingFraction(double edgeMm, double turn) const;
+
+  /// Returns the bend of the reached surface under such a square, mm (projection/flatness.h).
+  double bendMm(double edgeMm, double turn) const;
 
   /// Marks everything the eye sees as reached, as in the exact patch.
   void trust();

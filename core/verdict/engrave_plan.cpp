@@ -99,14 +99,6 @@ void EngravePlan::settle() {
   step_ = Step::Deliver;
 }
 
-/// Returns the change to the largest size: at the best rotation, unless the user chose one.
-std::optional<SettingChange> EngravePlan::largestSize() const {
-  if (!isOpen("size")) return std::nullopt;
-  const bool isUpChosen =
-      isFixed("up") || std::find(options_.chosen.begin(), options_.chosen.end(), "up") != options_.chosen.end();
-  return SettingChange{"size", sizeModeName(isOpen("rotateDeg") && !isUpChosen ? SizeMode::Best : SizeMode::Oriented)};
-}
-
 /// Returns the changes with those that made modules larger.
 std::vector<SettingChange> EngravePlan::withGrowth(std::vector<SettingChange> changes) const {
   for (const SettingChange& change : growth_) set(changes, change);
@@ -151,16 +143,8 @@ bool EngravePlan::tryRemedy() {
     const Remedy remedy = nextRemedy_;
     nextRemedy_ = static_cast<Remedy>(static_cast<int>(remedy) + 1);
     switch (remedy) {
-      case Remedy::LargestSize:
-        if (const auto largest = largestSize(); largest && !isAtLimit) {
-          growth_ = {*largest};
-          carveAnew(Phase::Remedy, withGrowth(kept.changes));
-          return true;
-        }
-        break;
       case Remedy::LargerLimit:
         if (isAtLimit && isOpen("maxSizeMm") && isOpen("size")) {
-          set(growth_, *largestSize());
           set(growth_, {"maxSizeMm", fmt::format("{:g}", kLargerLimit * mostMm)});
           carveAnew(Phase::Remedy, withGrowth(kept.changes));
           return true;
@@ -188,18 +172,11 @@ bool EngravePlan::tryRemedy() {
   return false;
 }
 
-/// Carves the next of the other marks, if the mark is open and one is left. A mark that fails gets a larger code first.
+/// Carves the next of the other marks, if the mark is open and one is left.
 bool EngravePlan::tryOtherMark() {
-  if (!isMarkOpen_ || keptRank_ == kBestRank || isFixed("mark")) return false;
-  const bool hasFailed = phase_ == Phase::OtherMark && lastRank_.value_or(0) == 0;
-  const auto largest = largestSize();
-  if (markToGrow_ && hasFailed && largest) {
-    carveAnew(Phase::OtherMark, {*std::exchange(markToGrow_, std::nullopt), *largest});
-    return true;
-  }
-  if (marksTried_ == options_.otherMarks.size()) return false;
+  if (!isMarkOpen_ || keptRank_ == kBestRank || isFixed("mark") || marksTried_ == options_.otherMarks.size())
+    return false;
   const SettingChange mark{"mark", std::string(markName(options_.otherMarks[marksTried_++]))};
-  markToGrow_ = growth_.empty() ? std::optional(mark) : std::nullopt;
   carveAnew(Phase::OtherMark, withGrowth({mark}), fails());
   return true;
 }
@@ -208,9 +185,7 @@ bool EngravePlan::tryOtherMark() {
 bool EngravePlan::tryOffer() {
   if (!options_.offersMarks || !fails() || isMarkOpen_ || asked_.marking.isInColour() || !isOpen("mark")) return false;
   if (passedOffer(tried_) || marksTried_ == options_.otherMarks.size()) return false;
-  std::vector<SettingChange> changes = {{"mark", std::string(markName(options_.otherMarks[marksTried_++]))}};
-  if (const auto largest = largestSize()) set(changes, *largest);
-  carveAnew(Phase::Offer, std::move(changes));
+  carveAnew(Phase::Offer, {{"mark", std::string(markName(options_.otherMarks[marksTried_++]))}});
   return true;
 }
 
@@ -222,8 +197,7 @@ void EngravePlan::keepCurrent(const Verdict& verdict) {
 /// Keeps a finished attempt if it is better, and goes on.
 /// @param print  null: not looked at
 void EngravePlan::settleAttempt(const Verdict& verdict, const PrintedEvidence* print) {
-  lastRank_ = rankOf(verdict);
-  if (phase_ != Phase::Offer && lastRank_ > keptRank_.value_or(-1)) keepCurrent(verdict);
+  if (phase_ != Phase::Offer && rankOf(verdict) > keptRank_.value_or(-1)) keepCurrent(verdict);
   const bool mayDeepen = phase_ == Phase::Remedy && print;
   const auto next = mayDeepen ? changeToTryNext(current_.request, verdict, print) : std::nullopt;
   if (next && !isFixed(next->setting))
@@ -266,7 +240,6 @@ void EngravePlan::carved(const Verdict& verdict, const ReadingCount& reads, doub
 void EngravePlan::notCarved(const Error& error) {
   assert(step_ == Step::Carve || step_ == Step::Place);
   current().failure = error.message;
-  lastRank_.reset();
   if (error.kind != ErrorKind::NoSolution && current_.number == 0) {
     step_ = Step::Deliver;
     return;

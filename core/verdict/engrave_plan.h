@@ -15,10 +15,9 @@ namespace qrelief {
 ///
 /// 1. Carve as requested; if the code does not decode, or its print barely does, carve deeper (changeToTryNext()). Take
 ///    the first carving that decodes.
-/// 2. If it fails, try what the user left open, cheapest first: the largest size at the best rotation, a size beyond
-///    the usual limit, a link's scheme and host in capitals and less error correction if the symbol then has fewer
-///    modules. Each attempt goes to its own best spot if the centre is open, too, and goes deeper if its print barely
-///    decodes.
+/// 2. If it fails, try what the user left open, cheapest first: a size beyond the usual limit, a link's scheme and host
+///    in capitals and less error correction if the symbol then has fewer modules. Each attempt goes to its own best
+///    spot if the centre is open, too, and goes deeper if its print barely decodes.
 /// 3. If the mark is open (MarkRequest::isOpen) and no shadow code decodes and prints well, carve an inlay, then paint.
 /// 4. Deliver the best, or else the carving as requested. If that fails and the user did not choose the mark, carve the
 ///    other marks only to offer them (TriedCarving::isOffer).
@@ -73,7 +72,7 @@ class EngravePlan {
 
  private:
   enum class Phase { Design, Print, Remedy, OtherMark, Offer };  // goal of the changes
-  enum class Remedy { LargestSize, LargerLimit, Capitals, LessCorrection, None };
+  enum class Remedy { LargerLimit, Capitals, LessCorrection, None };
   struct Attempt {
     int number = 0;
     EngraveRequest request;
@@ -89,7 +88,6 @@ class EngravePlan {
   void keepCurrent(const Verdict& verdict);
   void settleAttempt(const Verdict& verdict, const PrintedEvidence* print = nullptr);
   std::vector<SettingChange> withGrowth(std::vector<SettingChange> changes) const;
-  std::optional<SettingChange> largestSize() const;
   void capitalise(CodeRequest& code, std::vector<SettingChange>& changes) const;
   bool shrinkSymbol(ErrorCorrection correction, std::vector<SettingChange>& changes) const;
   bool tryRemedy();
@@ -100,12 +98,10 @@ class EngravePlan {
   EngraveRequest asked_;
   bool looksAtPrint_ = false;
   bool isMarkOpen_ = false;
-  Remedy nextRemedy_ = Remedy::LargestSize;
-  std::vector<SettingChange> growth_;        // changes that were tried because they make modules larger
-  std::size_t marksTried_ = 0;               // of the other marks
-  std::optional<SettingChange> markToGrow_;  // the mark tried last, if a larger code is still to be tried
-  std::optional<int> keptRank_;              // of the kept carving, see rankOf(); none: not carved
-  std::optional<int> lastRank_;              // of the last attempt
+  Remedy nextRemedy_ = Remedy::LargerLimit;
+  std::vector<SettingChange> growth_;  // changes that were tried because they make modules larger
+  std::size_t marksTried_ = 0;         // of the other marks
+  std::optional<int> keptRank_;        // of the kept carving, see rankOf(); none: not carved
   Step step_ = Step::Carve;
   Phase phase_ = Phase::Design;
   Attempt kept_, current_;

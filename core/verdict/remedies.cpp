@@ -29,15 +29,17 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
   const PlacementRequest& place = request.placement;
   const Placement& placement = result.placement;
   if (place.sizeMode == SizeMode::Fixed) {
-    if (placement.guaranteedMm > placement.symbolMm + 0.1)
-      remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "free"});
+    if (placement.largestMm > placement.symbolMm + 0.1)
+      remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "best"});
     return;
   }
   const double neededMm = std::ceil(std::max(kLarger * placement.symbolMm, leastModuleMm * result.symbol.size));
   if (placement.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
     remedies.push_back({message<"remedy-allow-size">(with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
   else if (place.sizeMode != SizeMode::Best)
-    remedies.push_back({message<"remedy-turn">(), "size", "best"});
+    remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "best"});
+  else if (!place.mayTurn())
+    remedies.push_back({message<"remedy-turn">(), "rotateDeg", "0"});
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {

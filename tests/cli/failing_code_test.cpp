@@ -13,15 +13,14 @@ namespace {
 class FailingCodeTest : public CommandTest {
  protected:
   Outcome engrave(const Mesh& mesh, std::vector<std::string> more, const std::string& output = "out.3mf") const {
-    std::vector<std::string> all = {"engrave",  writeModel("model.stl", mesh),
-                                    "--text",   "https://example.com/a1",
-                                    "-o",       path(output),
-                                    "--report", path("out.json"),
-                                    "--quiet"};
+    std::vector<std::string> all = {
+        "engrave", writeModel("model.stl", mesh), "--text", text_, "-o", path(output), "--report", path("out.json"),
+        "--quiet"};
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }
   nlohmann::json report() const { return nlohmann::json::parse(contentOf(path("out.json"))); }
+  std::string text_ = "https://example.com/a1";
   Mesh tag_ = shapes::box({25, 25, 3});
 };
 
@@ -42,17 +41,24 @@ TEST_F(FailingCodeTest, ACodeThatDoesNotReadAsPrintedFailsAndIsWritten) {
   EXPECT_EQ(tried[1]["passed"], false);
 }
 
-TEST_F(FailingCodeTest, ALargerCodeIsFoundWithoutBeingAsked) {
+TEST_F(FailingCodeTest, TheLargestCodeIsMadeWithoutBeingAsked) {
   const Outcome outcome = engrave(tag_, {"--label", "A-001"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("engraved with --size best"), std::string::npos) << outcome.out;
-  EXPECT_EQ(report()["size"]["mode"], "best");
+  const nlohmann::json size = report()["size"];
+  EXPECT_EQ(size["mode"], "best");
+  EXPECT_GT(size["symbolMm"], 1.2 * size["guaranteedMm"].get<double>());
+}
+
+TEST_F(FailingCodeTest, WithLessErrorCorrectionASmallCodeHasLargerModules) {
+  text_ = "thirty characters without link";  // version 3 at M, version 2 at L
+  const Outcome outcome = engrave(shapes::box({18, 18, 4}), {"--mark", "shadow"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("engraved with --ecc L"), std::string::npos) << outcome.out;
   const nlohmann::json tried = report()["tried"];
-  ASSERT_EQ(tried.size(), 2u);
+  ASSERT_GE(tried.size(), 2u);
   EXPECT_EQ(tried[0]["passed"], false);
-  EXPECT_EQ(tried[1]["delivered"], true);
-  EXPECT_EQ(tried[1]["changes"][0], (nlohmann::json{{"setting", "size"}, {"value", "best"}}));
-  EXPECT_GT(tried[1]["symbolMm"], tried[0]["symbolMm"]);
+  EXPECT_EQ(tried[1]["passed"], true);
+  EXPECT_EQ(tried[1]["changes"][0], (nlohmann::json{{"setting", "ecc"}, {"value", "L"}}));
 }
 
 TEST_F(FailingCodeTest, ThinWallsAreToldToTakeTheMarkThatWasTried) {

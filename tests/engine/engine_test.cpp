@@ -289,7 +289,7 @@ TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
     const Json placement = Json::parse(engine_->placement());
     ASSERT_EQ(placement["ok"], true) << placement;
     EXPECT_NEAR(placement["placement"]["symbolMm"], progress["spots"][i]["sizeMm"], 1e-6);
-    EXPECT_NEAR(placement["placement"]["guaranteedMm"], progress["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
+    EXPECT_NEAR(placement["placement"]["largestMm"], progress["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
   expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
   EXPECT_EQ(Json::parse(engine_->setCentre(R"({"spot": 100})"))["error"]["values"]["index"]["count"], 100);
@@ -354,10 +354,10 @@ TEST_F(EngineTest, ALabelMustFitToo) {
   ASSERT_EQ(placed["ok"], true) << placed;
   // The square with the label fits a circle of 30 mm radius about the centre.
   EXPECT_NEAR(Json::parse(engine_->viewState())["code"]["edgeMm"].get<double>(), std::sqrt(2.0) * 30, 0.5);
-  // A fifth larger and turned by 45 degrees, its corners stick out by 6 mm.
-  const double symbolMm = 1.2 * placed["placement"]["symbolMm"].get<double>();
-  const Json larger = Json::parse(engine_->adjustCode(Json{{"rotateDeg", 45}, {"symbolMm", symbolMm}}.dump()));
-  EXPECT_NEAR(larger["code"]["missingShare"].get<double>(), 4 * 6 * 6 / (1.44 * 2 * 30 * 30), 0.01);
+  // Turned by 45 degrees, it takes no fifth more.
+  const double symbolMm = placed["placement"]["symbolMm"].get<double>();
+  const Json larger = Json::parse(engine_->adjustCode(Json{{"rotateDeg", 45}, {"symbolMm", 1.2 * symbolMm}}.dump()));
+  EXPECT_NEAR(larger["code"]["symbolMm"].get<double>() / symbolMm, 1, 0.03);
 }
 
 TEST_F(EngineTest, ReportsWhereTheCodeIsOfTheCarvedModelToo) {
@@ -438,13 +438,51 @@ TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
   ASSERT_EQ(turned["ok"], true) << turned;
   EXPECT_LT(turned["code"]["missingShare"], 0.01);  // a free size fits at every rotation
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["rotationDeg"], 45);
-  const Json larger = Json::parse(resize(45, 1.3 * mm));
+  const Json larger = Json::parse(resize(0, 1.3 * mm));
   EXPECT_NEAR(larger["code"]["symbolMm"], 1.3 * mm, 1e-9);
-  EXPECT_GT(larger["code"]["missingShare"], 0.05);
+  const Json limited = Json::parse(resize(45, 1.3 * mm));
+  EXPECT_NEAR(limited["code"]["symbolMm"], mm, 0.03 * mm) << "no larger fits at this rotation";
+  EXPECT_LT(limited["code"]["missingShare"], 0.01);
   expectError(resize(0, 0), "BadUsage", "code-size-unusable");
 
   ASSERT_EQ(Json::parse(engine_->adjustCode(R"({"at": [200, 150]})"))["hit"], true);
   EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the setting applies
+}
+
+TEST_F(EngineTest, ACodePickedNextToAnEdgeMovesOntoTheFaceUnlessItMustBeExact) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "A"})");
+  engine_->look(R"({"kind": "standard", "name": "top"})");
+  engine_->draw();
+  // A point on the upper face next to its edge, found by moving towards the right.
+  Json last;
+  double x = 100;
+  const auto pick = [&](double at, bool exact) {
+    return Json::parse(engine_->setCentre(Json{{"at", {at, 150}}, {"exact", exact}}.dump()));
+  };
+  do last = pick(++x, true);
+  while (last["hit"] == true && last["centre"][0] < 28.5);
+  ASSERT_EQ(last["hit"], true) << last;
+  ASSERT_LT(last["centre"][0], 30) << last;
+  EXPECT_EQ(last["movedMm"], 0);
+  ASSERT_EQ(Json::parse(engine_->placement())["placement"]["forgiving"], false);
+  const Json moved = pick(x, false);
+  EXPECT_GT(moved["movedMm"].get<double>(), 3);
+  EXPECT_LT(moved["centre"][0].get<double>(), 27);
+  const Json placed = Json::parse(engine_->placement())["placement"];
+  EXPECT_EQ(placed["forgiving"], true);
+  EXPECT_TRUE(placed["concerns"].empty()) << placed;
+}
+
+TEST_F(EngineTest, AThinWallIsAConcernBeforeAnythingIsCarved) {
+  load(shapes::box({60, 60, 1}));
+  engine_->configure(R"({"text": "A"})");
+  engine_->setCentre(R"({"mm": [0, 0, 0.5]})");
+  const Json placed = Json::parse(engine_->placement())["placement"];
+  ASSERT_EQ(placed["concerns"].size(), 1u) << placed;
+  EXPECT_EQ(placed["concerns"][0]["code"], "nothing-can-be-carved");
+  engine_->configure(R"({"text": "A", "mark": "paint"})");
+  EXPECT_TRUE(Json::parse(engine_->placement())["placement"]["concerns"].empty());
 }
 
 TEST_F(EngineTest, ShowsACodeThatDoesNotFit) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/placement.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "messages/sentences.h"
 #include "projection/size.h"
 #include "render/gpu_surface.h"
@@ -84,6 +86,7 @@ TEST_F(PlacementTest, TheBestSizeIsNeverSmallerThanTheFreeOne) {
       PlacementRequest request;
       request.centreMm = centre;
       request.quietZone = false;
+      request.sizeMode = SizeMode::Free;
       const auto free = place(request);
       request.sizeMode = SizeMode::Best;
       const auto best = place(request);
@@ -100,6 +103,7 @@ TEST_F(PlacementTest, TheFreeSizeDoesNotDependOnTheRotation) {
     if (p.z < -1) p.z = -0.6f - 0.1f * (30 - p.x);
   load(wedge);
   PlacementRequest request;
+  request.sizeMode = SizeMode::Free;
   request.pockets = {0.8, 1};
   request.beyondMm = 5;
   const auto straight = place(request);
@@ -113,15 +117,67 @@ TEST_F(PlacementTest, TheFreeSizeDoesNotDependOnTheRotation) {
   }
 }
 
-TEST_F(PlacementTest, AddsTheRequestedRotationToTheBestOne) {
+TEST_F(PlacementTest, ARequestedTurnIsKept) {
   load(turnedPlate(40, kTurn));
   PlacementRequest request;
   request.upHint = {0, 1, 0};
-  request.sizeMode = SizeMode::Best;
-  request.rotateDeg = 100;
+  request.rotateDeg = 35;
   const auto placed = place(request);
   ASSERT_TRUE(placed.has_value());
-  EXPECT_NEAR(placed->rotationDeg, 110, 1e-3);
+  EXPECT_NEAR(placed->rotationDeg, 35, 1e-9);
+  request.sizeMode = SizeMode::Oriented;
+  EXPECT_NEAR(placed->symbolMm, place(request)->symbolMm, 1e-9);
+}
+
+TEST_F(PlacementTest, ACodeThatWouldHardlyGrowStaysUpright) {
+  // A square turned by t leaves an upright square 1/(cos t + sin t) of its edge: 0.92 at 5°, 0.88 at 8°.
+  for (const auto& [turnDeg, isUpright] : {std::pair(5.0, true), std::pair(8.0, false)}) {
+    load(turnedPlate(40, turnDeg * std::numbers::pi / 180));
+    PlacementRequest request;
+    request.upHint = {0, 1, 0};
+    const auto placed = place(request);
+    ASSERT_TRUE(placed.has_value());
+    EXPECT_NEAR(placed->rotationDeg, isUpright ? 0 : turnDeg, 1e-3);
+  }
+}
+
+TEST_F(PlacementTest, FromOneDirectionTurnedIsNoSmallerThanUprightAndThatThanAnyWayUp) {
+  Random random(46);
+  int places = 0, reduced = 0;
+  const auto draw = [&](const Mesh& mesh, int count) {
+    load(mesh);
+    for (const int end = places + count; places < end;) {
+      const auto t = static_cast<std::uint32_t>(random.below(mesh.triangles.size()));
+      const double u = random.uniform(), v = (1 - u) * random.uniform();
+      PlacementRequest request;
+      request.centreMm = (1 - u - v) * mesh.corner(t, 0) + u * mesh.corner(t, 1) + v * mesh.corner(t, 2);
+      request.direction = triangleNormal(mesh, t);
+      request.quietZone = random.uniform(0, 1) < 0.5;
+      if (random.uniform(0, 1) < 0.6) request.pockets = {0.8, random.uniform(0.3, 1.2)};
+      request.beyondMm = 6;
+      std::array<double, 3> sizes{};
+      for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best}) {
+        request.sizeMode = mode;
+        const auto placed = place(request);
+        sizes[static_cast<std::size_t>(mode)] = placed ? placed->symbolMm : 0;
+        if (!placed) continue;
+        if (placed->symbolMm < placed->largestMm * (1 - 1e-9)) ++reduced;
+        EXPECT_LE(placed->symbolMm, placed->largestMm * (1 + 1e-9));
+        EXPECT_LE(placed->guaranteedMm, placed->largestMm * (1 + 1e-9));
+      }
+      const double best = sizes[static_cast<std::size_t>(SizeMode::Best)];
+      const double oriented = sizes[static_cast<std::size_t>(SizeMode::Oriented)];
+      const double free = sizes[static_cast<std::size_t>(SizeMode::Free)];
+      EXPECT_GE(best, oriented * (1 - 1e-6)) << "triangle " << t;
+      EXPECT_GE(oriented, free * (1 - 1e-6)) << "triangle " << t;
+      if (best > 0) ++places;
+    }
+  };
+  draw(shapes::bumpySphere(30, 4, 5, 4), 150);
+  draw(shapes::together(shapes::box({60, 24, 8}), shapes::translated(shapes::box({24, 60, 40}), {80, 0, 0})), 100);
+  draw(shapes::together(shapes::box({50, 40, 30}), shapes::insideOut(shapes::box({46, 36, 26}))), 150);
+  draw(turnedPlate(40, kTurn), 100);
+  EXPECT_GE(reduced, 50) << "walls reduce some sizes";
 }
 
 TEST_F(PlacementTest, RefusesASizeThatDoesNotFitAndNamesTheLargestHereAndAtTheBestRotation) {
@@ -162,6 +218,7 @@ TEST_F(PlacementTest, TheFoundSizeLeavesRoomForPocketsInATaperingWall) {
     if (p.z < -1) p.z = static_cast<float>(-thickness(static_cast<double>(p.x)));
   load(wedge);
   PlacementRequest request;
+  request.sizeMode = SizeMode::Free;
   request.upHint = {0, 1, 0};
   request.direction = Vec3(0, 0, 1);
   request.beyondMm = 3;
@@ -210,6 +267,7 @@ TEST_F(PlacementTest, TheSearchRadiusDoesNotChangeTheSize) {
   PlacementRequest request;
   request.direction = Vec3(0, 0, 1);
   request.centreMm = {0, 0, r};
+  request.sizeMode = SizeMode::Free;
   for (const double most : {40.0, 60.0, 500.0}) {
     request.maxSizeMm = most;
     const auto placed = place(request);
@@ -223,6 +281,7 @@ TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOne) {
   for (const Vec3 centre : {Vec3(0, 0, 40), Vec3(25, 20, 25), Vec3(-30, 5, 25)}) {
     PlacementRequest request;
     request.centreMm = centre;
+    request.sizeMode = SizeMode::Oriented;
     const auto balanced = place(request);
     request.directionMethod = DirectionMethod::Optimal;
     const auto optimal = place(request);

@@ -167,6 +167,7 @@ TEST_F(SpotSearchTest, RanksTheSpotThatDecodesFromWiderAnglesFirst) {
       upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
   SpotSearchRequest parameters = request(0);
   parameters.modules = 29;
+  parameters.placement.sizeMode = SizeMode::Free;
   parameters.placement.maxSizeMm = 20;
   parameters.count = 3;
   const auto search = findSpots(model, parameters);

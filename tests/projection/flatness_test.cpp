@@ -34,6 +34,23 @@ TEST(Bend, OfACylinderMatchesAParabola) {
   EXPECT_NEAR(bendMm(surfaceOf([&](Vec2 p) { return -p.x * p.x / (2 * r); }), kWindow), expected, 0.005 * expected);
 }
 
+TEST(PlaneFit, AFitOfAPartIsTheDifferenceOfFits) {
+  const auto height = [](Vec2 p) { return 0.3 * p.x + 0.02 * p.x * p.y - 0.05 * p.y * p.y; };
+  PlaneFit all, left, right;
+  for (int x = -20; x < 20; ++x) {
+    for (int y = -7; y < 7; ++y) {
+      all.add(Vec2(x, y), height({x, y}));
+      (x < 3 ? left : right).add(Vec2(x, y), height({x, y}));
+    }
+  }
+  PlaneFit difference = all;
+  difference -= left;
+  EXPECT_NEAR(difference.rms(), right.rms(), 1e-9);
+  EXPECT_EQ(difference.weight(), right.weight());
+  left += right;
+  EXPECT_NEAR(left.rms(), all.rms(), 1e-9);
+}
+
 TEST(Bend, IgnoresTexelsOutsideTheModel) {
   std::vector<float> surface = surfaceOf([](Vec2 p) { return p.x > 5 ? 100 : 0.1 * p.x; });
   for (int row = 0; row < kWindow.texels; ++row)

@@ -42,6 +42,15 @@ TEST_F(EyeReachTest, TheMissingFractionIsTheFractionOfTheArea) {
   EXPECT_NEAR(reach.missingFraction(60, 0), 1 / 6.0, 0.03);
 }
 
+TEST_F(EyeReachTest, TheBendIsThatOfTheSurfaceUnderTheTurnedSquare) {
+  // A step of 2 mm at x = 8: a square that ends before it is flat, one beyond it or turned into it is not.
+  const Mesh plate = shapes::plate({60, 60}, 10, 60, 12, [](double x, double) { return x < 8 ? 0.0 : 2.0; });
+  const VisibilityMap reach = look(plate, {0, 0, 0}, 60);
+  EXPECT_NEAR(reach.bendMm(14, 0), 0, 1e-3);
+  EXPECT_GT(reach.bendMm(14, std::numbers::pi / 4), 0.05);
+  EXPECT_GT(reach.bendMm(24, 0), 0.2);
+}
+
 TEST_F(EyeReachTest, ASeparatePartIsVisibleButNotConnected) {
   const Mesh two =
       shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 20}), {25, 0, 0}));

@@ -34,8 +34,8 @@ TEST(OptionTexts, ContainFlagValuesRangeAndDefault) {
   EXPECT_EQ(wall.range, "0 to 1000");
   EXPECT_EQ(wall.initial, "0.8");
   const OptionTexts size = optionTexts(*findSetting("size"));
-  EXPECT_EQ(size.values, "MM|free|oriented|best");
-  EXPECT_EQ(size.initial, "free");
+  EXPECT_EQ(size.values, "MM|best|oriented|free");
+  EXPECT_EQ(size.initial, "best");
   const OptionTexts margin = optionTexts(*findSetting("quietZone"));
   EXPECT_EQ(margin.flag, "--no-quiet-zone");
   EXPECT_EQ(margin.values, "");

@@ -61,7 +61,7 @@ TEST(Tunables, ANumberAppliesOnlyIfItIsTheChoice) {
   const Tunable& number = tunables()[indexOf("size.number")];
   EngraveRequest request = defaultRequest();
   number.write(request, 12);
-  EXPECT_EQ(request.placement.sizeMode, SizeMode::Free);
+  EXPECT_EQ(request.placement.sizeMode, SizeMode::Best);
   choice.write(request, choice.max);
   EXPECT_EQ(request.placement.sizeMode, SizeMode::Fixed);
   EXPECT_EQ(request.placement.sizeMm, 35);

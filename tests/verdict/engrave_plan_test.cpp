@@ -285,7 +285,7 @@ class OpenSettingsTest : public EngravePlanTest {
     carve(true);
     printWith(reads);
   }
-  static SettingChange size(const char* value) { return {"size", value}; }
+  inline static const SettingChange kLarger{"maxSizeMm", "80"};
 };
 
 TEST_F(OpenSettingsTest, AFirstCarvingThatPassesCostsNothingMore) {
@@ -298,13 +298,14 @@ TEST_F(OpenSettingsTest, AFirstCarvingThatPassesCostsNothingMore) {
   }
 }
 
-TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLargerAndTurned) {
+TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLarger) {
+  symbolMm_ = request_.placement.maxSizeMm;
   begin();
   carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best")));
-  EXPECT_EQ(plan_->request().placement.sizeMode, SizeMode::Best);
+  EXPECT_THAT(plan_->changes(), ElementsAre(kLarger));
+  EXPECT_EQ(plan_->request().placement.maxSizeMm, 80);
   EXPECT_TRUE(plan_->expectsPrint());
-  symbolMm_ = 28;
+  symbolMm_ = 68;
   carveAndPrint(42);
   EXPECT_EQ(plan_->step(), Step::Deliver);
   EXPECT_EQ(plan_->attempt(), 1);
@@ -312,27 +313,19 @@ TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLargerAndTurned) {
   EXPECT_EQ(plan_->tried()[0].printed, (ReadingCount{72, 0}));
   EXPECT_FALSE(plan_->tried()[0].passed);
   EXPECT_EQ(plan_->tried()[1].printed, (ReadingCount{72, 42}));
-  EXPECT_EQ(plan_->tried()[1].symbolMm, 28);
+  EXPECT_EQ(plan_->tried()[1].symbolMm, 68);
   EXPECT_TRUE(plan_->tried()[1].passed);
 }
 
 TEST_F(OpenSettingsTest, ALargerCodeWhosePrintBarelyDecodesIsCarvedDeeper) {
+  symbolMm_ = request_.placement.maxSizeMm;
   begin();
   carveAndPrint(0);
   carveAndPrint(23);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"preset", "robust"}));
+  EXPECT_THAT(plan_->changes(), ElementsAre(kLarger, SettingChange{"preset", "robust"}));
   EXPECT_EQ(plan_->kept(), 1);
   carveAndPrint(40);
   expectDelivery(2, "robust");
-}
-
-TEST_F(OpenSettingsTest, ARotationThatTheUserChoseStays) {
-  for (const bool isRotated : {true, false}) {
-    request_.placement.rotateDeg = isRotated ? 30 : 0;
-    begin({.chosen = isRotated ? std::vector<std::string>{} : std::vector<std::string>{"up"}});
-    carveAndPrint(0);
-    EXPECT_THAT(plan_->changes(), ElementsAre(size("oriented")));
-  }
 }
 
 TEST_F(OpenSettingsTest, SettingsThatTheUserGaveAreNotChanged) {
@@ -341,22 +334,13 @@ TEST_F(OpenSettingsTest, SettingsThatTheUserGaveAreNotChanged) {
   expectDelivery(0, "balanced");
 }
 
-TEST_F(OpenSettingsTest, ACodeOfTheUsualGreatestSizeMayBeLarger) {
-  symbolMm_ = request_.placement.maxSizeMm;
-  begin();
-  carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"maxSizeMm", "80"}));
-  EXPECT_EQ(plan_->request().placement.maxSizeMm, 80);
-}
-
 TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedIfTheSymbolIsSmaller) {
   request_.code.text = "thirty characters without link";  // version 3 at M, version 2 at L
   begin();
   carveAndPrint(0);
-  carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"}));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"ecc", "L"}));
   carveAndPrint(30);
-  EXPECT_EQ(plan_->attempt(), 2);
+  EXPECT_EQ(plan_->attempt(), 1);
 }
 
 TEST_F(OpenSettingsTest, ALinkIsWrittenInCapitalsIfTheSymbolIsSmaller) {
@@ -364,8 +348,7 @@ TEST_F(OpenSettingsTest, ALinkIsWrittenInCapitalsIfTheSymbolIsSmaller) {
   const SettingChange capitals{"text", "HTTPS://EXAMPLE.COM/abcdefghij"};
   begin({.chosen = {"text"}});
   carveAndPrint(0);
-  carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), capitals));
+  EXPECT_THAT(plan_->changes(), ElementsAre(capitals));
   EXPECT_EQ(plan_->request().code.text, capitals.value);
   carveAndPrint(0);
   expectDelivery(0, "balanced");
@@ -375,23 +358,22 @@ TEST_F(OpenSettingsTest, LessErrorCorrectionIsTriedForALinkInCapitals) {
   request_.code.text = "https://example.com/ab";  // version 2, and in capitals or at L, too; with both, version 1
   begin();
   carveAndPrint(0);
-  carveAndPrint(0);
   EXPECT_THAT(plan_->changes(),
-              ElementsAre(size("best"), SettingChange{"ecc", "L"}, SettingChange{"text", "HTTPS://EXAMPLE.COM/ab"}));
+              ElementsAre(SettingChange{"ecc", "L"}, SettingChange{"text", "HTTPS://EXAMPLE.COM/ab"}));
 }
 
 TEST_F(OpenSettingsTest, AFixedTextKeepsItsCase) {
   request_.code.text = "https://example.com/abcdefghij";
   begin({.fixed = {"text"}});
   carveAndPrint(0);
-  carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best"), SettingChange{"ecc", "L"}));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"ecc", "L"}));
 }
 
 TEST_F(OpenSettingsTest, RemediesAreTriedWhereNothingCouldBeCarved) {
+  request_.code.text = "thirty characters without link";
   begin();
   plan_->notCarved(noSolution());
-  EXPECT_THAT(plan_->changes(), ElementsAre(size("best")));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"ecc", "L"}));
   carveAndPrint(30);
   EXPECT_EQ(plan_->attempt(), 1);
   ASSERT_TRUE(plan_->tried()[0].failure);
@@ -412,6 +394,7 @@ TEST_F(OpenSettingsTest, ThinWallsTakeNoLargerShadowEither) {
 }
 
 TEST_F(OpenSettingsTest, EachAttemptGoesToItsOwnSpotIfTheCentreIsOpen) {
+  symbolMm_ = request_.placement.maxSizeMm;
   begin({.mayMove = true});
   const auto place = [&](double x) {
     ASSERT_EQ(plan_->step(), Step::Place);
@@ -423,43 +406,33 @@ TEST_F(OpenSettingsTest, EachAttemptGoesToItsOwnSpotIfTheCentreIsOpen) {
   place(1);
   carveAndPrint(0);
   place(2);
-  EXPECT_EQ(plan_->request().placement.sizeMode, SizeMode::Best);
+  EXPECT_EQ(plan_->request().placement.maxSizeMm, 80);
   carveAndPrint(60);
   EXPECT_EQ(plan_->step(), Step::Deliver);
   EXPECT_EQ(plan_->request().placement.centreMm.x, 2);
   EXPECT_EQ(plan_->tried()[0].centreMm, Vec3(1, 0, 0));
 }
 
-TEST_F(OpenSettingsTest, OtherMarksAreMadeAsLargeAsPossibleIfAShadowFails) {
+TEST_F(OpenSettingsTest, OtherMarksKeepTheChangesThatMadeModulesLarger) {
   request_.marking.isOpen = true;
+  symbolMm_ = request_.placement.maxSizeMm;
   begin();
   carveAndPrint(0);
   carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, kLarger));
   carveAndPrint(72);
   EXPECT_EQ(plan_->step(), Step::Deliver);
   EXPECT_EQ(plan_->attempt(), 2);
 }
 
-TEST_F(OpenSettingsTest, AMarkThatFailsIsMadeLargerBeforeTheNextMark) {
-  request_.marking.isOpen = true;
-  begin();
-  carveAndPrint(20);  // barely
-  carveAndPrint(20);  // deeper
-  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}));
-  carveAndPrint(0);
-  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
-}
-
 TEST_F(OpenSettingsTest, OtherMarksAreOfferedButNotDelivered) {
   begin({.offersMarks = true});
   carveAndPrint(0);
-  carveAndPrint(3);
-  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}, size("best")));
+  EXPECT_THAT(plan_->changes(), ElementsAre(SettingChange{"mark", "inlay"}));
   carveAndPrint(72);
   expectDelivery(0, "balanced");
-  ASSERT_EQ(plan_->tried().size(), 3u);
-  EXPECT_TRUE(plan_->tried()[2].isOffer);
+  ASSERT_EQ(plan_->tried().size(), 2u);
+  EXPECT_TRUE(plan_->tried()[1].isOffer);
   ASSERT_NE(passedOffer(plan_->tried()), nullptr);
 }
 
@@ -468,10 +441,10 @@ TEST_F(OpenSettingsTest, RemediesThatWereTriedInVainAreNotOffered) {
     return Remedy{Message("remedy-turn", {}), setting, value};
   };
   Verdict verdict = verdictOfPrint(0);
-  verdict.prints.remedies = {remedy("size", "best"), remedy("nozzleMm", "0.25"), remedy("", "")};
+  verdict.prints.remedies = {remedy("maxSizeMm", "80"), remedy("nozzleMm", "0.25"), remedy("", "")};
   std::vector<TriedCarving> tried(3);
-  tried[1].changes = {size("best")};
-  tried[2].changes = {{"mark", "inlay"}, size("best")};
+  tried[1].changes = {kLarger};
+  tried[2].changes = {{"mark", "inlay"}, kLarger};
   tried[2].isOffer = tried[2].passed = true;
   tried[2].printed = {72, 70};
   const std::vector<Remedy> left = withRemediesLeft(verdict, tried).prints.remedies;

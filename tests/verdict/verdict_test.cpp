@@ -70,7 +70,10 @@ TEST(EvidenceOf, CountsTheWantedTextAndListsItFirst) {
 
 class VerdictTest : public testing::Test {
  protected:
-  VerdictTest() { request_.code.text = "HELLO"; }
+  VerdictTest() {
+    request_.code.text = "HELLO";
+    request_.placement.sizeMode = SizeMode::Free;
+  }
   Verdict judged(int reads, double symbolMm = 30, double depthMm = 0.5) {
     return judge(request_, carved(request_, symbolMm, depthMm), evidence(reads));
   }
@@ -143,6 +146,8 @@ TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
   request_.depth.contrast = 0.2;
   request_.placement.sizeMode = SizeMode::Best;
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
+  request_.placement.rotateDeg = 20;
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "rotateDeg=0", "="));
   request_.placement.maxSizeMm = 30;  // the bound limits the size
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
   request_.depth.objective = DepthObjective::OneLight;

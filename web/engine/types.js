@@ -28,8 +28,8 @@
  * @property {'shallow' | 'balanced' | 'robust'} preset   target darkness of the code
  * @property {ModulePattern} pattern
  * @property {FinderPattern} finderPattern
- * @property {'free' | 'oriented' | 'best' | number} size   edge of the symbol without quiet zone; a number is mm
- * @property {number} maxSizeMm                    upper limit of 'free', 'oriented' and 'best'
+ * @property {'best' | 'oriented' | 'free' | number} size   edge of the symbol without quiet zone; a number is mm
+ * @property {number} maxSizeMm                    upper limit of a found size
  * @property {boolean} quietZone                   the quiet zone has to fit on the surface
  * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
  * @property {number} rotateDeg
@@ -44,17 +44,21 @@
 
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
- *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
+ *   symbolMm: number, moduleMm: number, largestMm: number, sizeMode: 'best' | 'oriented' | 'free' | 'fixed',
+ *   concerns: Message[], version: number, modules: number, rotationDeg: number,
  *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean, colourLayers: number }} Placement
  *   `direction`: viewing direction of a suggested spot, null otherwise; `aimToleranceDeg`: largest angle off the
  *   viewing direction, to any side, at which the code can decode; `colourLayers`: layers that the code lies in, 0 if the
  *   printer is not known; `rotationDeg`: angle from up to the symbol's top,
- *   anticlockwise
+ *   anticlockwise; `largestMm`: largest symbol that fits at this rotation, walls ignored; `concerns`: reasons why the
+ *   code may not print or decode there
  */
 
 /**
- * @typedef {{ symbolMm: number, moduleMm: number, guaranteedMm: number, missingShare: number, exact: boolean }} CodeFacts
- *   `missingShare`: share of the required square, 0 … 1, that overhangs or is hidden
+ * @typedef {{ symbolMm: number, moduleMm: number, missingShare: number, forgiving: boolean, concerns: Message[],
+ *   exact: boolean }} CodeFacts
+ *   `missingShare`: share of the required square, 0 … 1, that overhangs or is hidden; `forgiving`: flat enough to be
+ *   read by a phone held without care
  * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult
  *   `onCode`: the pointer is over the placed code
  */
@@ -95,8 +99,9 @@
 
 /**
  * A centre of the code: the surface point at a position on the canvas, the one nearest to a point, or a spot found last.
- * @typedef {{ at: [number, number] } | { mm: [number, number, number] } | { spot: number }} CentreChoice
- * @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult
+ * @typedef {{ at: [number, number], exact?: boolean } | { mm: [number, number, number] } | { spot: number }} CentreChoice
+ *   `exact`: not moved to where the code lies flat
+ * @typedef {{ hit: boolean, centre?: [number, number, number], movedMm?: number }} PickResult  `movedMm`: from the position on the canvas
  */
 /**
  * A change to the placed code: to a position on the canvas, or to a rotation and size.

@@ -105,7 +105,7 @@ test('every wrong setting is named with its value', () => {
     [{ text: 5 }, /setting text must be text, not 5/],
     [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
     [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/],
-    [{ size: 'huge' }, /size must be one of free, oriented, best/],
+    [{ size: 'huge' }, /size must be one of best, oriented, free/],
     [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/],
     [{ rotateDeg: '0' }, /rotateDeg must be a number/],
     [{ ecc: null }, /ecc must be one of/],

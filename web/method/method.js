@@ -131,10 +131,10 @@ class Demonstration {
     const { triangles } = await this.client_.loadModel(await fetchBytes(`samples/${sample.file}`), sample.file, 1);
     await this.client_.setCentre({ mm: sample.centreMm });
     await this.client_.configure(kSettings);
-    const { guaranteedMm, symbolMm, moduleMm, modules } = await this.client_.placement();
+    const { largestMm, symbolMm, moduleMm, modules } = await this.client_.placement();
     await this.client_.act({ kind: 'face' });
     showNumbers('size-numbers', [
-      [() => text('method.guaranteed'), () => inMm(guaranteedMm, 1)],
+      [() => text('method.guaranteed'), () => inMm(largestMm, 1)],
       [() => text('method.chosen'), () => `${inMm(symbolMm, 1)}, ${modules} × ${modules}`],
       [() => text('method.module'), () => inMm(moduleMm, 2)],
     ]);

@@ -18,13 +18,14 @@ import { valuesByHandles } from './work.js';
  * @property {import('./batching.js').Batching} batching
  * @property {import('./spot_finding.js').SpotFinding} spots
  * @property {import('./placing.js').Placing} placing
+ * @property {Pick<import('../ui/place_panel.js').PlacePanel, 'listenToRemedies'>} placePanel
  * @property {import('../ui/messages.js').Messages} messages
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Editing {
   /** @param {EditingOptions} options */
-  constructor({ store, fields, form, code, batchPanel, model, batching, spots, placing, messages, guard }) {
+  constructor({ store, fields, form, code, batchPanel, placePanel, model, batching, spots, placing, messages, guard }) {
     this.store_ = store;
     this.fields_ = fields;
     this.code_ = code;
@@ -46,6 +47,7 @@ export class Editing {
       onFile: (file) => guard(() => batching.openList(file)),
     });
     placing.placed.on((placement) => code.showPlaced(placement));
+    placePanel.listenToRemedies((change, label) => void guard(() => this.remedy({ change }, label)));
     batching.changed.on((planned) =>
       code.showParts(
         planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first },
@@ -61,6 +63,7 @@ export class Editing {
     await this.batching_.ready();
     await this.spots_.forget();
     await this.placing_.place();
+    this.spots_.again();
   }
 
   /**
@@ -93,7 +96,7 @@ export class Editing {
     await this.apply();
   }
 
-  /** Applies a remedy. @param {import('../engine/types.js').Remedy} remedy @param {string} label */
+  /** Applies a remedy. @param {Pick<import('../engine/types.js').Remedy, 'change'>} remedy @param {string} label */
   async remedy({ change }, label) {
     if (!change) return this.spots_.suggest();
     const { id, value } = this.fields_.controlFor(change);

@@ -8,10 +8,11 @@ import { ModelSession } from './model_session.js';
 import { Placing } from './placing.js';
 import { Signal } from './signal.js';
 import { SpotFinding } from './spot_finding.js';
-import { FakeMessages, fake, storeOf } from './testing.js';
+import { FakeMessages, fake, settled, storeOf } from './testing.js';
 
 const kDefaults = {
   preset: 'balanced',
+  mark: 'shadow',
   process: 'none',
   nozzle: '0.4',
   layer: '0.2',
@@ -21,6 +22,7 @@ const kDefaults = {
 };
 const kFields = /** @type {import('../ui/setting_fields.js').Field[]} */ ([
   { id: 'preset', key: 'preset' },
+  { id: 'mark', key: 'mark' },
   { id: 'process', key: 'process' },
   { id: 'nozzle', key: 'nozzleMm' },
   { id: 'layer', key: 'layerMm' },
@@ -50,6 +52,7 @@ class FakePanel {
 /** @type {FakePanel} */ let form;
 /** @type {FakePanel} */ let code;
 /** @type {FakePanel} */ let batchPanel;
+/** @type {(change: import('../engine/types.js').SettingChange, label: string) => void} */ let remedy;
 /** @type {any} */ let model;
 /** @type {any} */ let batching;
 /** @type {any} */ let spots;
@@ -74,6 +77,7 @@ beforeEach(() => {
     form,
     code,
     batchPanel,
+    placePanel: { listenToRemedies: (listener) => void (remedy = listener) },
     model,
     batching,
     spots,
@@ -91,6 +95,20 @@ test('Each letter changes the work; a pause applies the text', async () => {
   assert.deepEqual([applied, placing.calls], [['text'], ['place']]);
 });
 
+test('A change that helps at the place is made', async () => {
+  let said = 0;
+  messages.say = () => void (said += 1);
+  remedy({ setting: 'mark', value: 'paint' }, 'Paint the code instead');
+  await settled();
+  assert.equal(store.work.values.mark, 'paint');
+  assert.equal(said, 1);
+});
+
+test('Once a change is applied, a best spot is proposed again', async () => {
+  await code.user.onChange();
+  assert.deepEqual(spots.calls, ['forget', 'again']);
+});
+
 test('A complete edit of a setting changes its dependent settings', async () => {
   form.user.onInput('process', 'resin-0.05');
   assert.deepEqual([store.work.values.process, store.work.values.nozzle], ['resin-0.05', '0.4']);
@@ -102,7 +120,7 @@ test('A complete edit of a setting changes its dependent settings', async () => 
 test('The handles set the size and drop the suggested spots', async () => {
   await editing.adjust({ symbolMm: 21.5 });
   assert.deepEqual([store.work.values.size, store.work.values['size-mm']], ['fixed', '21.5']);
-  assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget'], ['place']]);
+  assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'again'], ['place']]);
 });
 
 test('A list changes the work before it is planned', async () => {
@@ -114,15 +132,15 @@ test('A list changes the work before it is planned', async () => {
 });
 
 test('A remedy changes its setting and reports it; a remedy without a setting suggests spots', async () => {
-  const remedy = /** @type {any} */ ({ change: { setting: 'preset', value: 'robust' } });
+  const deeper = /** @type {any} */ ({ change: { setting: 'preset', value: 'robust' } });
   let said = 0;
   messages.say = () => void (said += 1);
-  await editing.remedy(remedy, 'Carve deeper');
+  await editing.remedy(deeper, 'Carve deeper');
   assert.deepEqual([store.work.values.preset, said], ['robust', 1]);
   placing.placement = undefined;
-  await editing.remedy({ ...remedy, change: { setting: 'preset', value: 'shallow' } }, 'Carve shallower');
+  await editing.remedy({ ...deeper, change: { setting: 'preset', value: 'shallow' } }, 'Carve shallower');
   assert.deepEqual([store.work.values.preset, said], ['shallow', 1]);
-  await editing.remedy({ ...remedy, change: undefined }, 'Find a spot');
+  await editing.remedy({ ...deeper, change: undefined }, 'Find a spot');
   assert.equal(spots.calls.at(-1), 'suggest');
   assert.deepEqual([applied.length, said], [2, 1]);
 });

@@ -20,6 +20,7 @@ export class Jobs {
     this.messages_ = messages;
     this.onBusy_ = onBusy;
     /** @type {AbortController | undefined} */ this.abort_ = undefined;
+    /** @type {AbortController | undefined} */ this.background_ = undefined;
     /** @type {Promise<unknown> | undefined} */ this.running_ = undefined;
   }
 
@@ -56,6 +57,30 @@ export class Jobs {
     }
   }
 
+  /**
+   * Runs a job after the current one, without making the page busy. The next job waits for it.
+   * @template T
+   * @param {(signal: AbortSignal) => Promise<T>} run
+   * @returns {Promise<T>}
+   */
+  async runInBackground(run) {
+    await this.untilIdle();
+    const abort = new AbortController();
+    this.background_ = abort;
+    const running = run(abort.signal);
+    this.running_ = running;
+    try {
+      return await running;
+    } finally {
+      this.running_ = undefined;
+      this.background_ = undefined;
+    }
+  }
+
+  abortBackground() {
+    this.background_?.abort();
+  }
+
   /** @param {import('../engine/types.js').EngraveProgress} progress */
   showProgress({ stage, fraction }) {
     const words = () => sentenceOf(stage) || text('page.preparing');
@@ -71,6 +96,7 @@ export class Jobs {
 
   abort() {
     this.abort_?.abort();
+    this.abortBackground();
   }
 
   async untilIdle() {

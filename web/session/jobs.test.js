@@ -88,3 +88,36 @@ test('After a failed job the next one runs', async () => {
   );
   assert.deepEqual(busy, [true, false, true, false]);
 });
+
+test('A job in the background leaves the page free, and the next job waits for it', async () => {
+  const background = new Pending();
+  const result = jobs.runInBackground(() => background.promise);
+  await settled();
+  assert.equal(jobs.busy, false);
+  assert.deepEqual([busy, panel.calls, messages.said], [[], [], []]);
+  let begun = false;
+  const next = jobs.run(
+    () => 'next',
+    async () => void (begun = true),
+  );
+  await settled();
+  assert.equal(begun, false);
+  background.resolve(4);
+  assert.equal(await result, 4);
+  await next;
+  assert.equal(begun, true);
+});
+
+test('A job in the background can be aborted', async () => {
+  /** @type {AbortSignal | undefined} */ let signal;
+  const background = new Pending();
+  const result = jobs.runInBackground((given) => {
+    signal = given;
+    return background.promise;
+  });
+  await settled();
+  jobs.abortBackground();
+  assert.equal(signal?.aborted, true);
+  background.resolve();
+  await result;
+});

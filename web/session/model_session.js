@@ -121,6 +121,7 @@ export class ModelSession {
    */
   async load(source, centreMm) {
     this.onReplacing_();
+    this.jobs_.abortBackground();
     await this.jobs_.untilIdle();
     this.messages_.clearError();
     const axisBefore = this.source?.upAxis ?? 'z';

@@ -3,6 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
+import { formatMm } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { Signal } from './signal.js';
 import { centredAt, chosenCentre } from './work.js';
@@ -82,12 +83,22 @@ export class Placing {
   /** Moves the code. @param {() => Promise<import('../engine/types.js').PickResult>} pick */
   async move(pick) {
     if (!this.mayMove_ || !this.model_.engravable) return;
-    const { hit, centre } = await pick();
+    const { hit, centre, movedMm = 0 } = await pick();
     if (!hit || !centre) return;
     this.messages_.clearError();
     this.store_.update(centredAt(centre));
     this.store_.applied.tell('centre');
     this.moved.tell();
+    await this.place();
+    if (movedMm > 0 && this.placement && !this.again_)
+      this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
+  }
+
+  /** Places the code where the program proposes. @param {import('../engine/types.js').CentreChoice} choice */
+  async propose(choice) {
+    const { hit, centre } = await this.client_.setCentre(choice);
+    if (!hit || !centre) return;
+    this.store_.update(centredAt(centre, true));
     await this.place();
   }
 

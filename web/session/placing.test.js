@@ -71,6 +71,21 @@ test('A proposed centre without room asks for another; a chosen one is an error'
   assert.equal(moved, 1);
 });
 
+test('A code that was moved off an edge says so', async () => {
+  await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([4, 0, 0]), movedMm: 3.25 }));
+  assert.match(messages.said.at(-1) ?? '', /moved by 3\.\d+ mm/);
+  assert.deepEqual(store.work.centreMm, [4, 0, 0]);
+});
+
+test('A proposed centre is the user’s only once chosen', async () => {
+  client.answers.setCentre = async () => ({ hit: true, centre: [7, 8, 9] });
+  await placing.propose({ spot: 0 });
+  assert.deepEqual(store.work.centreMm, [7, 8, 9]);
+  assert.equal(store.work.centreIsGuess, true);
+  assert.equal(moved, 0);
+  assert.equal(placing.placement?.symbolMm, 20);
+});
+
 test('Insisting on the proposal reports the error', async () => {
   await placing.begin();
   placing.insist();

@@ -43,6 +43,7 @@ export class Session {
     this.allow();
     spots.clear();
     await placing.begin();
+    spots.begin();
   }
 
   /** Enables the controls that need a model and no running job. */
@@ -57,8 +58,9 @@ export class Session {
   }
 
   async engrave() {
-    const { batching, batchPanel, code, carving } = this.options_;
+    const { batching, batchPanel, code, carving, spots } = this.options_;
     await batching.ready();
+    await spots.proposed;
     if (batching.incomplete) batchPanel.reveal();
     else if (code.incomplete) code.reveal();
     else await carving.engrave();

@@ -11,7 +11,7 @@ import { Placing } from './placing.js';
 import { Session } from './session.js';
 import { Signal } from './signal.js';
 import { SpotFinding } from './spot_finding.js';
-import { fake, storeOf } from './testing.js';
+import { Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
@@ -30,7 +30,7 @@ beforeEach(() => {
     batching,
     model: { engravable: true },
     jobs: { busy: false, cancel: noted('cancelled') },
-    spots: fake(SpotFinding),
+    spots: fake(SpotFinding, {}, { proposed: Promise.resolve() }),
     placing: fake(Placing, { begin: noted('placed') }),
     carving: fake(Carving, { drop: noted('dropped'), engrave: noted('carved') }),
     undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
@@ -46,7 +46,7 @@ beforeEach(() => {
 test('A new model drops the carving before placing the code', async () => {
   await session.useModel();
   assert.deepEqual(order, ['dropped', 'applied', 'placed']);
-  assert.deepEqual(parts.spots.calls, ['allow true', 'clear']);
+  assert.deepEqual(parts.spots.calls, ['allow true', 'clear', 'begin']);
 });
 
 test('Engraving is disabled during jobs and on unsuitable models', () => {
@@ -56,6 +56,17 @@ test('Engraving is disabled during jobs and on unsuitable models', () => {
   Object.assign(parts, { jobs: { busy: false }, model: { engravable: false } });
   session.allow();
   assert.deepEqual(parts.workPanel.calls, ['listen', 'allowEngrave true', 'allowEngrave false', 'allowEngrave false']);
+});
+
+test('Engraving waits for the spot that is being proposed', async () => {
+  const proposed = new Pending();
+  parts.spots.proposed = proposed.promise;
+  const engraving = user.onEngrave();
+  await settled();
+  assert.deepEqual(order, ['planned']);
+  proposed.resolve();
+  await engraving;
+  assert.deepEqual(order, ['planned', 'carved']);
 });
 
 test('Missing input is revealed instead of engraving', async () => {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Searches for the best spots and lets the user choose one.
 import { isReplaced } from '../engine/client.js';
+import { isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
+import { chosenCentre } from './work.js';
 
 const kPicturePx = 84; // height of a spot's picture
 const kPictureAspect = 1.5;
@@ -10,6 +12,7 @@ const kPictureAspect = 1.5;
  * @typedef {object} SpotFindingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./jobs.js').Jobs} jobs
+ * @property {import('./work_store.js').WorkStore} store
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
@@ -22,9 +25,10 @@ const kPictureAspect = 1.5;
 
 export class SpotFinding {
   /** @param {SpotFindingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, batching, carving, code, guard }) {
+  constructor({ client, jobs, store, model, placing, messages, panel, batching, carving, code, guard }) {
     this.client_ = client;
     this.jobs_ = jobs;
+    this.store_ = store;
     this.model_ = model;
     this.placing_ = placing;
     this.messages_ = messages;
@@ -34,6 +38,8 @@ export class SpotFinding {
     this.guard_ = guard;
     this.searching_ = false;
     this.search_ = 0;
+    /** Resolves once no spot is being proposed. @type {Promise<void>} */ this.proposed = Promise.resolve();
+    this.mayPropose_ = false;
     panel.listen({
       onSuggest: () =>
         guard(async () => {
@@ -44,7 +50,50 @@ export class SpotFinding {
       onSizes: (areShown) => guard(() => this.showSizes_(areShown)),
     });
     carving.started.on(() => panel.setSizesShown(false));
-    placing.moved.on(() => panel.mark());
+    placing.moved.on(() => {
+      panel.mark();
+      this.stopProposing_();
+    });
+  }
+
+  /** Proposes the best spot of a new model, unless the user has chosen a place. Does not make the page busy. */
+  begin() {
+    this.mayPropose_ = true;
+    this.propose_();
+  }
+
+  stopProposing_() {
+    this.mayPropose_ = false;
+    this.jobs_.abortBackground();
+  }
+
+  propose_() {
+    const isOpen = this.mayPropose_ && this.model_.engravable && !chosenCentre(this.store_.work);
+    if (isOpen) this.proposed = this.guard_(() => this.moveToBest_());
+  }
+
+  async moveToBest_() {
+    const model = this.model_.info;
+    const result = await this.jobs_
+      .runInBackground(async (signal) => {
+        this.messages_.say(() => text('page.lookingForSpots'));
+        return this.client_.findSpots({ signal, onProgress: () => {} });
+      })
+      .catch((thrown) => {
+        if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
+        return undefined; // the code may fit at the module's proposal; otherwise the page asks for a place
+      });
+    const isWanted = this.mayPropose_ && model === this.model_.info;
+    if (isWanted && result) {
+      this.mayPropose_ = false;
+      this.panel_.show(result, false);
+      await this.placing_.propose({ spot: 0 });
+      this.panel_.mark(0);
+      await this.client_.act({ kind: 'face' });
+      void this.drawPictures_(result.spots.length);
+    } else if (isWanted) {
+      await this.placing_.place();
+    }
   }
 
   /** Enables or disables the search. @param {boolean} allowed */
@@ -74,8 +123,8 @@ export class SpotFinding {
         () => text('page.lookingForSpots'),
         (signal) => this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }),
       );
-      void this.guard_(() => this.carving_.show(false)); // the model shows the sizes
-      if (result) this.show_(result);
+      await this.carving_.show(false);
+      if (result) await this.show_(result);
       this.messages_.say(() => text(result ? 'page.chooseSpot' : 'page.searchCancelled'));
     } finally {
       this.searching_ = false;
@@ -83,15 +132,23 @@ export class SpotFinding {
   }
 
   /** @param {import('../engine/types.js').Spots} result */
-  show_(result) {
-    this.panel_.show(result);
-    this.drawPictures_(result.spots.length).catch((thrown) => {
+  async show_(result) {
+    this.panel_.show(result, true);
+    await this.client_.show({ sizes: true });
+    void this.drawPictures_(result.spots.length);
+  }
+
+  /** @param {number} count */
+  async drawPictures_(count) {
+    try {
+      await this.drawEach_(count);
+    } catch (thrown) {
       if (!isReplaced(thrown)) console.warn('The spots have no pictures:', thrown);
-    });
+    }
   }
 
   /** Draws the pictures one by one, so that the view is drawn in between. @param {number} count */
-  async drawPictures_(count) {
+  async drawEach_(count) {
     this.search_ += 1;
     const { search_: search } = this;
     const size = kPicturePx * Math.min(devicePixelRatio, 2);
@@ -112,8 +169,14 @@ export class SpotFinding {
   /** Drops the spots: they were found with other settings. */
   async forget() {
     if (this.searching_) this.jobs_.abort();
+    this.jobs_.abortBackground();
     if (!this.panel_.known) return;
     this.panel_.clear();
     await this.client_.show({ sizes: false });
+  }
+
+  /** Looks again with the new settings, if the proposal had not come before they changed. */
+  again() {
+    this.propose_();
   }
 }

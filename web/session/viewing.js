@@ -37,8 +37,8 @@ export class Viewing {
   listen_({ view, inspector, inspecting, placing, editing }) {
     const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
     const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
-    const pick = (/** @type {number} */ x, /** @type {number} */ y) =>
-      guard(() => placing.move(() => client.setCentre({ at: [x, y] })));
+    const pick = (/** @type {number} */ x, /** @type {number} */ y, exact = false) =>
+      guard(() => placing.move(() => client.setCentre({ at: [x, y], exact })));
     view.listen({
       onAct: (action) => tools.act(action),
       onPick: pick,

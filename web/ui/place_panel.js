@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The code's placement: its width and its exact centre.
-import { text } from '../i18n/catalogue.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 import { formatMm } from '../i18n/format.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { showSpotCost } from './carve_panel.js';
+import { showFindings } from './messages.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
+/** @typedef {import('../engine/types.js').SettingChange} SettingChange */
+/** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {[number, number, number]} Point */
 
 export class PlacePanel {
   constructor() {
     /** @type {(centreMm: Point) => void} */ this.onCentre_ = () => {};
+    /** @type {(change: SettingChange, label: string) => void} */ this.onRemedy_ = () => {};
+    this.concerns_ = byId('place-concerns', HTMLElement);
+    /** @type {Message[]} */ this.shown_ = [];
+    onLanguage(() => this.showConcerns_());
     this.centre_ = ['centre-x', 'centre-y', 'centre-z'].map((id) => byId(id, HTMLInputElement));
     const place = () => {
       const centre = this.centre_.map((input) => input.valueAsNumber);
@@ -34,6 +42,11 @@ export class PlacePanel {
     this.onCentre_ = onCentre;
   }
 
+  /** @param {(change: SettingChange, label: string) => void} onRemedy  called with a change that helps here */
+  listenToRemedies(onRemedy) {
+    this.onRemedy_ = onRemedy;
+  }
+
   /** @param {Point} centreMm */
   showCentre(centreMm) {
     this.centre_.forEach((input, axis) => {
@@ -46,11 +59,44 @@ export class PlacePanel {
     const aim = byId('placement-aim', HTMLElement);
     aim.hidden = !placement;
     showSpotCost(placement?.colourLayers ?? 0);
+    this.shown_ = placement?.concerns ?? [];
+    this.showConcerns_();
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
-    const { symbolMm, guaranteedMm, aimToleranceDeg, forgiving } = placement;
+    const { concerns, aimToleranceDeg, forgiving } = placement;
     write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
-    return showStep('place', 'done', () =>
-      text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }),
+    return showStep('place', concerns.length > 0 ? 'warn' : 'done', () => sizeInWords(placement));
+  }
+
+  showConcerns_() {
+    showFindings(
+      this.concerns_,
+      this.shown_.map((concern) => {
+        const label = text('page.paintInstead');
+        const paint = { label, run: () => this.onRemedy_(kPaint, label) };
+        const isThin = concern.code === 'nothing-can-be-carved';
+        return {
+          severity: 'warning',
+          found: sentenceOf(concern),
+          help: hintOf(concern),
+          remedies: isThin ? [paint] : [],
+        };
+      }),
     );
   }
+}
+
+/** A code that needs no wall. @type {SettingChange} */
+const kPaint = { setting: 'mark', value: 'paint' };
+
+const kWorthSaying = 1.01; // ratio of two sizes
+
+/** @param {Placement} placement */
+function sizeInWords({ symbolMm, largestMm, sizeMode, rotationDeg }) {
+  const width = formatMm(symbolMm);
+  if (largestMm > kWorthSaying * symbolMm)
+    return text(sizeMode === 'fixed' ? 'page.placeFits' : 'page.placeWall', { width, largest: formatMm(largestMm) });
+  const deg = Math.round(rotationDeg);
+  return sizeMode === 'best' && deg !== 0
+    ? text('page.placeTurned', { width, deg })
+    : text('page.placeState', { width });
 }

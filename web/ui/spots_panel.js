@@ -44,8 +44,11 @@ export class SpotsPanel {
     this.suggest_.disabled = !allowed;
   }
 
-  /** @param {Spots} found */
-  show({ spots, topMm }) {
+  /**
+   * @param {Spots} found
+   * @param {boolean} withSizes  show the sizes, too
+   */
+  show({ spots, topMm }, withSizes) {
     this.spots_ = spots;
     this.list_.replaceChildren(
       ...spots.map((_, index) => {
@@ -61,8 +64,8 @@ export class SpotsPanel {
     this.nameSpots_();
     this.topMm_ = topMm;
     this.sizes_.disabled = false;
-    this.setSizesShown(true);
-    this.list_.scrollIntoView({ block: 'nearest' });
+    this.setSizesShown(withSizes);
+    if (withSizes) this.list_.scrollIntoView({ block: 'nearest' });
   }
 
   nameSpots_() {

@@ -20,7 +20,7 @@ import { drawSymbol } from './symbol_drawing.js';
  *   that applies it
  */
 /**
- * @typedef {{ symbolMm: number, guaranteedMm: number }} Room  the symbol's edge as placed, and the edge that fits there
+ * @typedef {{ symbolMm: number, largestMm: number }} Room  the symbol's edge as placed, and the edge that fits there
  *   at any rotation
  */
 /** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
@@ -193,7 +193,7 @@ export class SymbolPanel {
       facts,
       settings: { nozzleMm, maxSizeMm },
     } = this.shown_;
-    const { symbolMm, guaranteedMm } = this.room_;
+    const { symbolMm, largestMm } = this.room_;
     if (facts.leastModuleMm === null) return [];
     const small = tooSmall(facts.size, symbolMm, facts.leastModuleMm);
     if (!small) return [];
@@ -204,7 +204,7 @@ export class SymbolPanel {
       least: `${formatPlain(facts.leastModuleMm)} mm`,
     });
     const needed = formatMm(small.neededMm);
-    const full = symbolMm < maxSizeMm && small.neededMm > guaranteedMm; // otherwise the chosen size is too small
+    const full = symbolMm < maxSizeMm && small.neededMm > largestMm; // otherwise the chosen size is too small
     const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
     const shorter =
       small.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: small.printable })}`;

@@ -2,6 +2,7 @@
 // The label next to the pointer or the handle that shows how large the code would be there.
 import { make } from '../dom/dom.js';
 import { text } from '../i18n/catalogue.js';
+import { sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
 
@@ -22,7 +23,7 @@ export class CodeChip {
   }
 
   /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
-  show({ symbolMm, moduleMm, missingShare, exact }, x, y) {
+  show({ symbolMm, moduleMm, missingShare, forgiving, concerns, exact }, x, y) {
     const isPossible = moduleMm >= kLeastModuleMm;
     this.size_.textContent = isPossible
       ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) })
@@ -33,7 +34,12 @@ export class CodeChip {
       ? text('view.chipTooSmall')
       : missingShare > 0
         ? text('view.chipMissing', { percent: missing })
-        : '';
+        : forgiving
+          ? concerns
+              .slice(0, 1)
+              .map((concern) => sentenceOf(concern))
+              .join('')
+          : text('view.chipBent');
     this.element_.dataset.exact = String(exact);
     this.place_(x, y);
   }

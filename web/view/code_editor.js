@@ -64,6 +64,7 @@ export class CodeEditor {
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
+    this.limitMm_ = Infinity; // largest size that fits, once the engine has told it
     /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {}; // but not yet shown by the engine
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
     this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
@@ -196,7 +197,7 @@ export class CodeEditor {
 
   /** @param {Drag} drag */
   finish_(drag) {
-    const { pending_: change } = this;
+    const change = this.withinLimit_(this.pending_);
     this.release_();
     if (drag.kind === 'move' || (drag.kind === 'twist' && drag.moved)) {
       this.listener_.onPlace(...(drag.moved ? this.target_(drag) : drag.at));
@@ -213,9 +214,16 @@ export class CodeEditor {
     this.listener_.onCancel();
   }
 
+  /** Returns the change with no larger size than fits. @param {typeof this.pending_} change */
+  withinLimit_(change) {
+    const { symbolMm = 0 } = change;
+    return symbolMm > this.limitMm_ ? { ...change, symbolMm: Math.floor(this.limitMm_ * 10) / 10 } : change;
+  }
+
   release_() {
     this.drag_ = undefined;
     this.pending_ = {};
+    this.limitMm_ = Infinity;
     clearTimeout(this.commit_);
     this.commit_ = undefined;
     this.queue_.forget();
@@ -279,7 +287,7 @@ export class CodeEditor {
 
   commitNow_() {
     if (this.commit_ === undefined || this.drag_) return;
-    const { at, ...change } = this.pending_;
+    const { at, ...change } = this.withinLimit_(this.pending_);
     this.release_();
     if (at) this.listener_.onPlace(...at);
     this.committed_ = change;
@@ -294,7 +302,11 @@ export class CodeEditor {
   /** @param {number} rotateDeg @param {number} symbolMm @param {Point} beside */
   adjust_(rotateDeg, symbolMm, beside) {
     this.handles_.tell(rotateDeg, symbolMm);
-    this.ask_(async () => (await this.client_.adjustCode({ rotateDeg, symbolMm })).code, beside);
+    this.ask_(async () => {
+      const { code } = await this.client_.adjustCode({ rotateDeg, symbolMm });
+      this.limitMm_ = code && code.symbolMm < symbolMm ? code.symbolMm : Infinity;
+      return code;
+    }, beside);
   }
 
   /** @param {() => Promise<CodeFacts | undefined>} show @param {Point} beside */

@@ -14,12 +14,12 @@ const kWheelPagePx = 400;
  * @property {(dx: number, dy: number) => void} onOrbit
  * @property {(dx: number, dy: number) => void} onPan
  * @property {(factor: number, x: number, y: number) => void} onZoom  factor > 1 zooms in
- * @property {(x: number, y: number) => void} onClick
+ * @property {(x: number, y: number, alt: boolean) => void} onClick
  */
 
 /** @typedef {{ x: number, y: number }} Position */
 /** @typedef {{ clientX: number, clientY: number, offsetX: number, offsetY: number, pointerId: number,
- *   pointerType: string, button: number, buttons: number, shiftKey: boolean }} PointerLike */
+ *   pointerType: string, button: number, buttons: number, shiftKey: boolean, altKey: boolean }} PointerLike */
 
 export class GestureReader {
   /** @param {GestureListener} listener */
@@ -87,7 +87,7 @@ export class GestureReader {
   /** @param {PointerLike} event @param {boolean} completed */
   up_(event, completed) {
     const known = this.pointers_.delete(event.pointerId);
-    if (known && completed && this.mayClick_) this.listener_.onClick(event.offsetX, event.offsetY);
+    if (known && completed && this.mayClick_) this.listener_.onClick(event.offsetX, event.offsetY, event.altKey);
     this.mayClick_ = false;
   }
 }

@@ -8,7 +8,7 @@ function heard(play) {
   /** @type {any[]} */ const calls = [];
   const tell =
     (/** @type {string} */ name) =>
-    (/** @type {number[]} */ ...values) =>
+    (/** @type {unknown[]} */ ...values) =>
       calls.push([name, ...values]);
   play(new GestureReader({ onOrbit: tell('orbit'), onPan: tell('pan'), onZoom: tell('zoom'), onClick: tell('click') }));
   return calls;
@@ -25,6 +25,7 @@ const at = (x, y, more = {}) => ({
   button: 0,
   buttons: 1,
   shiftKey: false,
+  altKey: false,
   ...more,
 });
 
@@ -35,8 +36,16 @@ test('A press that hardly moves is a click and turns nothing', () => {
       reader.pointer('pointermove', at(12, 11));
       reader.pointer('pointerup', at(12, 11));
     }),
-    [['click', 12, 11]],
+    [['click', 12, 11, false]],
   );
+});
+
+test('A click tells whether Alt was held', () => {
+  const calls = heard((reader) => {
+    reader.pointer('pointerdown', at(10, 10));
+    reader.pointer('pointerup', at(10, 10, { altKey: true }));
+  });
+  assert.deepEqual(calls, [['click', 10, 10, true]]);
 });
 
 test('A drag turns by its whole movement, including the part before it was recognised', () => {

@@ -16,7 +16,7 @@ export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5:
 /**
  * @typedef {object} ViewListener
  * @property {(action: ViewAction) => void} onAct
- * @property {(x: number, y: number) => void} onPick
+ * @property {(x: number, y: number, exact?: boolean) => void} onPick  `exact`: exactly there, even at an edge
  * @property {(x: number, y: number) => void} [onHover]  the mouse moved with no button held
  * @property {() => void} [onHoverEnd]
  * @property {(held: boolean) => void} [onBefore]  B, which shows the model before carving, is held
@@ -36,7 +36,7 @@ export class View {
       onOrbit: (dx, dy) => this.listener_?.onAct({ kind: 'orbit', dx, dy }),
       onPan: (dx, dy) => this.listener_?.onAct({ kind: 'pan', dx, dy }),
       onZoom: (factor, x, y) => this.listener_?.onAct({ kind: 'zoom', factor, x, y }),
-      onClick: (x, y) => this.listener_?.onPick(x, y),
+      onClick: (x, y, alt) => this.listener_?.onPick(x, y, alt),
     });
     for (const type of /** @type {const} */ (['pointerdown', 'pointermove', 'pointerup', 'pointercancel'])) {
       stage.addEventListener(type, (event) => {

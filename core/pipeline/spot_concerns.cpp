@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/spot_concerns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/angle.h"
+#include "message_codes/pipeline.h"
+#include "message_codes/printing.h"
+#include "message_codes/verdict.h"
+#include "pipeline/module_walls.h"
+#include "pipeline/spot_light.h"
+
+namespace qrelief {
+namespace {
+
+std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchRequest& request) {
+  std::vector<Message> reasons;
+  if (!concerns.prints)
+    reasons.push_back(
+        message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(request.nozzleMm),
+                                           with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
+  if (!concerns.takesPockets)
+    reasons.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
+  if (concerns.facesDown) reasons.push_back(message<"faces-down">());
+  if (concerns.unevenLight > kMostUnevenLight) reasons.push_back(message<"spot-lit-unevenly">());
+  return reasons;
+}
+
+}  // namespace
+
+bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request) {
+  if (!request.buildUp) return false;
+  const Vec3 up = glm::normalize(request.buildUp->resolve(frame));
+  return glm::dot(up, frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
+}
+
+double unevenLightOn(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm,
+                     const SpotSearchRequest& request) {
+  const int quietModules = static_cast<int>((request.outerFactor() - 1) * request.modules / 2);
+  return unevenLight(mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
+}
+
+Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& placement,
+                                const SpotSearchRequest& request) {
+  const Mesh& mesh = model.prepared.mesh;
+  const auto walls = measureModuleWalls(mesh, *model.renderer, placement.frame, placement.patch,
+                                        {placement.symbolMm, request.modules}, request.leastDepthMm, request.minWallMm);
+  if (!walls) return tl::unexpected(walls.error());
+  std::vector<double> thickness = walls->thicknessMm;
+  const auto taking = static_cast<std::size_t>(std::count_if(
+      walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= request.leastDepthMm; }));
+  const auto thin = static_cast<std::size_t>((1 - kTakenFraction) * static_cast<double>(thickness.size()));
+  std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
+
+  SpotConcerns concerns;
+  concerns.prints = placement.symbolMm >= request.leastPrintableMm;
+  concerns.takesPockets = taking + thin >= thickness.size();
+  concerns.facesDown = facesDown(placement.frame, request);
+  concerns.unevenLight = unevenLightOn(mesh, placement.frame, placement.symbolMm, request);
+  concerns.wallMm = thickness[thin];
+  concerns.reasons = inWords(concerns, request);
+  return concerns;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "pipeline/placement.h"
+#include "pipeline/spot_search.h"
+
+namespace qrelief {
+
+/// What may keep a code at a place from being printed or decoded, as far as can be told without carving it.
+struct SpotConcerns {
+  bool prints = true;            ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
+  bool takesPockets = true;      ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
+  bool facesDown = false;        ///< according to SpotSearchRequest::buildUp
+  double unevenLight = 0;        ///< see pipeline/spot_light.h
+  double wallMm = 0;             ///< thickness of the wall, along the rays, that nearly all modules have
+  std::vector<Message> reasons;  ///< the concerns in words, empty if there are none
+};
+
+/// Measures the wall under nearly all modules by the limits used in engraving, the pose on the printer, and the light.
+Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& placement,
+                                const SpotSearchRequest& request);
+
+/// Returns true if a code on this frame faces down on the printer.
+bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request);
+
+/// Returns unevenLight() for a code of that size on the frame.
+double unevenLightOn(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, const SpotSearchRequest& request);
+
+}  // namespace qrelief

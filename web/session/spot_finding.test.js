@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { CodePanel } from '../ui/code_panel.js';
+import { SpotsPanel } from '../ui/spots_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
+import { Carving } from './carving.js';
+import { Jobs } from './jobs.js';
+import { Placing } from './placing.js';
+import { Signal } from './signal.js';
+import { SpotFinding } from './spot_finding.js';
+import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
+import { centredAt } from './work.js';
+
+const kFound = { spots: [{ centre: [1, 2, 3], sizeMm: 20, aimToleranceDeg: 30, concerns: [] }], topMm: 20 };
+
+/** @type {any} */ let client;
+/** @type {any} */ let model;
+/** @type {any} */ let placing;
+/** @type {any} */ let panel;
+/** @type {FakeMessages} */ let messages;
+/** @type {Jobs} */ let jobs;
+/** @type {import('./work_store.js').WorkStore} */ let store;
+/** @type {SpotFinding} */ let spots;
+/** @type {Pending} */ let search;
+/** @type {AbortSignal | undefined} */ let signal;
+
+beforeEach(() => {
+  search = new Pending();
+  client = fake(EngineClient, {
+    findSpots: (/** @type {{ signal: AbortSignal }} */ options) => {
+      signal = options.signal;
+      return search.promise;
+    },
+    act: async () => {},
+    show: async () => ({}),
+    spotPicture: async () => ({ width: 0, height: 0, pixels: new Uint8Array() }),
+  });
+  model = { info: {}, engravable: true };
+  store = storeOf(centredAt([0, 0, 0], true));
+  placing = fake(Placing, { propose: async () => {}, place: async () => {} }, { moved: new Signal() });
+  panel = fake(SpotsPanel, { known: true });
+  messages = new FakeMessages();
+  const said = /** @type {any} */ (messages);
+  jobs = new Jobs({ panel: fake(WorkPanel), messages: said, onBusy: () => {} });
+  spots = new SpotFinding({
+    ...{ client, jobs, store, model, placing, messages: said, panel },
+    batching: { settings: () => /** @type {any} */ ({}) },
+    carving: fake(Carving, { show: async () => {} }, { started: new Signal() }),
+    code: fake(CodePanel, { settle: async () => {} }),
+    guard: async (action) => void (await action()),
+  });
+});
+
+test('The best spot of a new model is proposed, without the colours of the sizes', async () => {
+  spots.begin();
+  await settled();
+  assert.equal(jobs.busy, false);
+  assert.match(messages.said.at(-1) ?? '', /spot/);
+  search.resolve(kFound);
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['propose']);
+  assert.ok(panel.calls.includes('show false'));
+  assert.deepEqual(client.calls, ['findSpots', 'act', 'spotPicture 0 126 84'].slice(0, client.calls.length));
+});
+
+test('A place that the user has chosen stays', async () => {
+  store.update(centredAt([0, 0, 0]));
+  spots.begin();
+  await spots.proposed;
+  assert.deepEqual([client.calls, placing.calls], [[], []]);
+});
+
+test('A click during the search ends it', async () => {
+  spots.begin();
+  await settled();
+  placing.moved.tell();
+  assert.equal(signal?.aborted, true);
+  search.resolve(undefined);
+  await spots.proposed;
+  assert.deepEqual(placing.calls, []);
+  spots.again();
+  assert.deepEqual(client.calls, ['findSpots']);
+});
+
+test('A change of settings during the search begins it again, once', async () => {
+  spots.begin();
+  await settled();
+  await spots.forget();
+  assert.equal(signal?.aborted, true);
+  const first = search;
+  search = new Pending();
+  first.resolve(undefined);
+  spots.again();
+  await settled();
+  search.resolve(kFound);
+  await spots.proposed;
+  assert.deepEqual(placing.calls.filter((/** @type {string} */ call) => call === 'propose').length, 1);
+  spots.again();
+  await settled();
+  assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call === 'findSpots').length, 2);
+});
+
+test('A model without a spot keeps the first proposal', async () => {
+  spots.begin();
+  await settled();
+  search.reject(noRoom());
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['place']);
+});
