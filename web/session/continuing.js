@@ -21,7 +21,7 @@ export class Continuing {
     this.editing_ = editing;
     this.guard_ = guard;
     this.watching_ = false;
-    store.applied.on(() => this.note());
+    store.changed.on(() => this.note()); // not only complete edits: the page may close while the user types
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.last_.flush(); // the page may never become visible again
     });
@@ -29,13 +29,14 @@ export class Continuing {
 
   /**
    * Starts storing changes to the work with which the page opened.
-   * @param {boolean} offer  offer the last visit's work
+   * @param {'always' | 'same-address' | 'never'} offer  whether to offer the last visit's work: an address that asks for
+   *   something takes precedence, unless the work was done at that address
    */
   async begin(offer) {
-    this.last_.openedWith(storedWork(this.store_.work)); // before the first await: the work may change meanwhile
+    this.last_.openedWith(this.stored_()); // before the first await: the work may change meanwhile
     this.watching_ = true;
-    const work = offer ? await this.last_.recall() : undefined;
-    if (!work) return;
+    const work = offer === 'never' ? undefined : await this.last_.recall();
+    if (!work || (offer === 'same-address' && work.address !== location.search)) return;
     this.notices_.show(kNotice, text('autosave.continueWith', { name: work.fileName }), [
       { label: text('autosave.discard'), run: () => void this.last_.discard() },
       {
@@ -48,7 +49,12 @@ export class Continuing {
 
   /** Stores the work if it has changed. */
   note() {
+    const work = this.watching_ && this.stored_();
+    if (work) this.last_.note(work);
+  }
+
+  stored_() {
     const work = storedWork(this.store_.work);
-    if (this.watching_ && work) this.last_.note(work);
+    return work && { ...work, address: location.search };
   }
 }

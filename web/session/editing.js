@@ -121,7 +121,7 @@ export class Editing {
   }
 
   /** Continues with a stored work. @param {import('../storage/last_work.js').Work} stored */
-  async continueWith({ text: content, values, sampleId, bytes, batch, ...place }) {
+  async continueWith({ text: content, values, sampleId, bytes, batch, address: _, ...place }) {
     this.restore({ text: content ?? this.store_.work.text, values, batch });
     const { centreMm, ...file } = place;
     if (sampleId) await this.model_.openSample(sampleId, place);

@@ -8,6 +8,7 @@ import { looksLikeList } from './batching.js';
  * @property {Pick<import('../ui/model_panel.js').ModelPanel, 'listen'>} panel
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'initialText' | 'leaveBuilder'>} code
  * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {import('./work_store.js').WorkStore} store
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./batching.js').Batching} batching
  * @property {import('./editing.js').Editing} editing
@@ -20,8 +21,9 @@ import { looksLikeList } from './batching.js';
 
 export class Opening {
   /** @param {OpeningOptions} options */
-  constructor({ panel, code, fields, model, batching, editing, exporting, undo, jobs, tools, guard }) {
+  constructor({ panel, code, fields, store, model, batching, editing, exporting, undo, jobs, tools, guard }) {
     this.code_ = code;
+    this.store_ = store;
     this.fields_ = fields;
     this.model_ = model;
     this.batching_ = batching;
@@ -33,6 +35,7 @@ export class Opening {
     this.started = Promise.resolve(false);
     /** True once the user has chosen a file. */
     this.fileChosen = false;
+    /** The text that the page's address gives to its sample. @type {string | undefined} */ this.sampleText = undefined;
     panel.listen({
       onSample: (id) => guard(() => model.openSample(id)),
       onFile: (file) => guard(() => this.openFile(file)),
@@ -48,7 +51,17 @@ export class Opening {
     if (!(await this.started)) return; // the page shows why
     if (looksLikeSettings(file)) await this.useSettings_(file);
     else if (looksLikeList(file)) await this.batching_.openList(file);
-    else await this.model_.openFile(file);
+    else await this.openModel_(file);
+  }
+
+  /** Opens the user's model. A sample's own text does not follow to it. @param {File} file */
+  async openModel_(file) {
+    const isSampleText = this.store_.work.text === this.sampleText;
+    await this.model_.openFile(file);
+    if (!isSampleText || this.model_.source?.sampleId !== undefined) return;
+    this.sampleText = undefined;
+    this.store_.update({ text: this.code_.initialText });
+    await this.editing_.apply('text');
   }
 
   /** @param {File} file */

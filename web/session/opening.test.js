@@ -9,7 +9,7 @@ import { Exporting } from './exporting.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
 import { Opening } from './opening.js';
-import { Pending, fake, settled } from './testing.js';
+import { Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
@@ -25,6 +25,7 @@ beforeEach(() => {
     panel: fake(ModelPanel),
     code: fake(CodePanel, {}, { initialText: 'first' }),
     fields: { defaults: { preset: 'balanced' } },
+    store: storeOf({ text: 'of the sample' }),
     model: fake(ModelSession, { source: {}, openFile: opens('model'), openSample: opens('sample') }),
     batching: fake(Batching, { openList: opens('list') }),
     editing: fake(Editing, { restore: (/** @type {any} */ state) => void (restored = state) }),
@@ -61,6 +62,20 @@ test('An early file waits for the module; without a module it is not opened', as
   opening.started = Promise.resolve(false);
   await opening.openFile(new File([''], 'b.stl'));
   assert.deepEqual(opened, ['model']);
+});
+
+test('A text that came with a sample does not follow to the user’s model, any other text does', async () => {
+  const open = async () => {
+    await opening.openFile(new File([''], 'a.stl'));
+    return parts.store.work.text;
+  };
+  assert.equal(await open(), 'of the sample', 'the address gave the text to no sample');
+  opening.sampleText = 'of the sample';
+  parts.store.update({ text: 'typed' });
+  assert.equal(await open(), 'typed');
+  parts.store.update({ text: 'of the sample' });
+  assert.equal(await open(), 'first');
+  assert.deepEqual(parts.editing.calls, ['apply text']);
 });
 
 test('Starting over restores the first text and the defaults as one change', async () => {

@@ -35,12 +35,13 @@ export class Starting {
   /** @param {URLSearchParams} address */
   async start(address) {
     const { opening, batchCarving, continuing, guard } = this.options_;
+    if (address.has('sample')) opening.sampleText = address.get('text') ?? undefined;
     opening.started = this.startModule_(address);
     if (!(await opening.started)) return;
     if (opening.fileChosen) {
       // the user opened a file before the module was ready
       await batchCarving.offer();
-      await continuing.begin(false);
+      await continuing.begin('never');
       return;
     }
     await guard(() => this.open_(address));
@@ -52,8 +53,8 @@ export class Starting {
     const { asksForSettings, warnings, refusal } = exporting.useAddress(address);
     await model.openSample(address.get('sample') ?? undefined);
     const isOffered = await batchCarving.offer();
-    // An address that asks for something takes precedence over the last visit's work.
-    await continuing.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
+    const asks = asksForSettings || kAsked.some((name) => address.has(name));
+    await continuing.begin(isOffered ? 'never' : asks ? 'same-address' : 'always');
     if (refusal) throw refusal;
     if (address.get('engrave') === '1') await carving.engrave();
     messages.warn(warnings);

@@ -21,6 +21,7 @@
  * @property {number} scaleToMm
  * @property {UpAxis} upAxis
  * @property {string} [text]       left out if it holds a password
+ * @property {string} [address]    query of the page's address, which may ask for a sample, a text or settings
  * @property {Values} values       of the settings
  * @property {Point} [centreMm]
  * @property {BatchInput} [batch]  absent for a single code; left out if it holds a password

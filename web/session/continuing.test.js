@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { after, beforeEach, test } from 'node:test';
+import { LastWork } from '../storage/last_work.js';
+import { Notices } from '../ui/notices.js';
+import { Continuing } from './continuing.js';
+import { Editing } from './editing.js';
+import { fake, storeOf } from './testing.js';
+
+const { document: realDocument, location: realLocation } = globalThis;
+/** @type {any} */ let noted;
+/** @type {any} */ let last;
+/** @type {any} */ let notices;
+/** @type {import('./work_store.js').WorkStore} */ let store;
+/** @type {EventTarget & { visibilityState?: string }} */ let page;
+/** @type {Continuing} */ let continuing;
+
+beforeEach(() => {
+  page = new EventTarget();
+  Object.assign(globalThis, { document: page, location: { search: '?sample=vase' } });
+  noted = [];
+  last = fake(LastWork, {
+    note: (/** @type {any} */ work) => void noted.push(work),
+    recall: async () => ({ fileName: 'vase.stl', address: '?sample=vase', text: 'kept' }),
+  });
+  notices = fake(Notices);
+  store = storeOf({ source: /** @type {any} */ ({ sampleId: 'vase', fileName: 'vase.stl' }), text: 'a' });
+  continuing = new Continuing({ last, notices, store, editing: fake(Editing), guard: async () => {} });
+});
+after(() => void Object.assign(globalThis, { document: realDocument, location: realLocation }));
+
+test('Every typed letter is noted with the address, and kept at once when the page is hidden', async () => {
+  store.update({ text: 'b' });
+  assert.equal(noted.length, 0, 'not before the page has opened its model');
+  await continuing.begin('never');
+  store.update({ text: 'bc' });
+  assert.deepEqual([noted.at(-1).text, noted.at(-1).address], ['bc', '?sample=vase']);
+  page.visibilityState = 'hidden';
+  page.dispatchEvent(new Event('visibilitychange'));
+  assert.equal(last.calls.at(-1), 'flush');
+});
+
+test('The last work is offered, at an address that asks for something only if it was done there', async () => {
+  const offers = () => notices.calls.filter((/** @type {string} */ call) => call.startsWith('show')).length;
+  await continuing.begin('never');
+  assert.equal(offers(), 0);
+  await continuing.begin('always');
+  assert.equal(offers(), 1);
+  await continuing.begin('same-address');
+  assert.equal(offers(), 2);
+  location.search = '?sample=vase&engrave=1';
+  await continuing.begin('same-address');
+  assert.equal(offers(), 2);
+  await continuing.begin('always');
+  assert.equal(offers(), 3);
+});
