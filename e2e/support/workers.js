@@ -35,7 +35,11 @@ export const holdWorkers = () => {
       if (error) this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, error } }));
       else if (page.skipped.includes(message.verb))
         setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id } })));
-      else if (waiting) waiting.push(() => super.postMessage(message, transfer));
+      else if (waiting) {
+        waiting.push(() => super.postMessage(message, transfer));
+        // Otherwise the page would take an idle worker for dead.
+        if (page.workers.includes(this)) this.dispatchEvent(new MessageEvent('message', { data: { heard: message.id } }));
+      }
       else super.postMessage(message, transfer);
     }
   };

@@ -12,6 +12,7 @@ import { kBatchVerbs, kFactVerbs, kHostVerbs, kPageVerbs } from './verbs.js';
 
 const kCancelPatienceMs = 4000; // replace a worker that takes longer to end its step
 const kTickMs = 5000; // interval at which a worker's silence is checked
+const kUnheardMs = 15_000; // an idle worker that does not take up a verb for longer is dead
 const kSilenceMs = 120_000; // a worker that is silent for longer hangs;
 const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a file to read
 
@@ -23,7 +24,7 @@ const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a
 
 /** @typedef {import('./types.js').PlanOptions} PlanOptions */
 
-/** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
+/** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void, isHeard: boolean }} Pending */
 
 /**
  * Runs the verbs: in a worker, or in the page.
@@ -255,10 +256,13 @@ class WorkerBackend {
     /** @type {ReturnType<typeof setInterval> | undefined} */ this.clock_ = undefined;
     this.silenceMs_ = 0; // counted in ticks: while a device sleeps, neither the clock nor the worker runs
     this.allowedMs_ = 0;
+    this.hasLived_ = false; // loading its script may take long
     this.worker_ = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'qrelief' });
     this.worker_.onmessage = ({ data }) => {
       this.silenceMs_ = 0;
+      this.hasLived_ = true;
       if ('event' in data) onEvent(data);
+      else if ('heard' in data) this.hear_(data.heard);
       else this.settle_(data);
     };
     this.worker_.onerror = (event) => {
@@ -278,7 +282,7 @@ class WorkerBackend {
   send(verb, args, transfer) {
     return new Promise((resolve, reject) => {
       const id = this.nextId_++;
-      this.pending_.set(id, { resolve, reject });
+      this.pending_.set(id, { resolve, reject, isHeard: false });
       this.worker_.postMessage({ id, verb, args }, transfer);
       this.expectLife_(kSilenceMs + (args[0] instanceof Uint8Array ? args[0].length / kLoadBytesPerMs : 0));
     });
@@ -291,7 +295,8 @@ class WorkerBackend {
     this.silenceMs_ = 0;
     this.clock_ = setInterval(() => {
       this.silenceMs_ += kTickMs;
-      if (this.silenceMs_ < this.allowedMs_) return;
+      const isTakenUp = !this.hasLived_ || [...this.pending_.values()].some(({ isHeard }) => isHeard);
+      if (this.silenceMs_ < (isTakenUp ? this.allowedMs_ : kUnheardMs)) return;
       this.stopClock_();
       this.onEvent_({ event: 'failure', error: hung(this.silenceMs_) });
     }, kTickMs);
@@ -306,6 +311,12 @@ class WorkerBackend {
     this.stopClock_();
     this.worker_.terminate();
     this.rejectAll_(kReplaced);
+  }
+
+  /** Notes that the worker has taken up a verb. @param {number} id */
+  hear_(id) {
+    const pending = this.pending_.get(id);
+    if (pending) pending.isHeard = true;
   }
 
   /** @param {{ id: number, value?: any, error?: import('./types.js').EngineError }} answer */

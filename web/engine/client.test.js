@@ -13,9 +13,10 @@ const real = {
   HTMLCanvasElement: globalThis.HTMLCanvasElement,
 };
 
-/** Answers `start` and `capabilities` at once; keeps all other requests in `asked`. */
+/** Hears all requests; answers `start` and `capabilities` at once, and keeps the others in `asked`. */
 class FakeWorker {
   /** @type {FakeWorker[]} */ static all = [];
+  hears = true;
   constructor() {
     /** @type {{ id: number, verb: string, args: any[] }[]} */ this.asked = [];
     /** @type {(event: any) => void} */ this.onmessage = () => {};
@@ -26,6 +27,7 @@ class FakeWorker {
   }
   /** @param {{ id: number, verb: string, args: any[] }} request */
   postMessage(request) {
+    if (this.hears) queueMicrotask(() => this.onmessage({ data: { heard: request.id } }));
     const at = { start: undefined, capabilities: { problems: [] } };
     if (request.verb === 'start') this.canvases.push(request.args[0]);
     if (request.verb in at)
@@ -134,11 +136,33 @@ test('A worker that does not end its step is replaced, and its pending verbs are
 
 test('A silent worker is reported once', async () => {
   client.placement().catch(() => {});
+  await settled();
   for (let i = 0; i < 30; i += 1) mock.timers.tick(5000);
   assert.deepEqual(
     events.map(({ event, error }) => [event, error.code, error.values]),
     [['failure', 'engine-hung', { count: { count: 120 } }]],
   );
+});
+
+test('An idle worker that does not hear a verb is reported soon', async () => {
+  worker().hears = false;
+  client.placement().catch(() => {});
+  mock.timers.tick(10_000);
+  assert.equal(events.length, 0);
+  mock.timers.tick(5000);
+  assert.deepEqual(
+    events.map(({ error }) => [error.code, error.values]),
+    [['engine-hung', { count: { count: 15 } }]],
+  );
+});
+
+test('A worker that is busy with a verb may hear the next one late', async () => {
+  client.loadModel(new Uint8Array(1), 'a.stl', 1).catch(() => {});
+  await settled();
+  worker().hears = false;
+  client.placement().catch(() => {});
+  for (let i = 0; i < 20; i += 1) mock.timers.tick(5000);
+  assert.equal(events.length, 0);
 });
 
 test('A broken worker ends every verb with a crash', async () => {
@@ -167,6 +191,7 @@ test('Cancelling while a model is read replaces the worker at once', async () =>
 test('An idle worker and one that reports progress are never replaced for their silence', async () => {
   for (let i = 0; i < 120; i += 1) mock.timers.tick(5000);
   const job = client.engrave({ signal: new AbortController().signal, onProgress: () => {} });
+  await settled();
   for (let i = 0; i < 120; i += 1) {
     mock.timers.tick(5000);
     if (i % 20 === 0)

@@ -12,6 +12,7 @@ let host;
 
 scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   const { id, verb, args } = /** @type {Request} */ (data);
+  scope.postMessage({ heard: id }); // so that the page knows at once that this worker lives
   try {
     if (verb === 'start') {
       host = EngineHost.create(

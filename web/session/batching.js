@@ -3,6 +3,8 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
+import { sentenceOf } from '../i18n/messages.js';
+import { asSentence } from '../i18n/sentences.js';
 import { kSettings } from '../generated/settings.js';
 import { isEmptyInput } from '../ui/batch_panel.js';
 import { Signal } from './signal.js';
@@ -20,10 +22,10 @@ const kMostListBytes = 64 * 1024 * 1024;
 
 /**
  * @typedef {object} BatchingOptions
- * @property {Pick<import('../engine/client.js').EngineClient, 'planBatch' | 'batchRow'>} client
+ * @property {Pick<import('../engine/client.js').EngineClient, 'planBatch' | 'batchRow' | 'symbol'>} client
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'show' | 'takeList' | 'lock'>} panel
  * @property {import('./work_store.js').WorkStore} store
- * @property {Pick<import('../ui/messages.js').Messages, 'showError' | 'clearError'>} messages
+ * @property {Pick<import('../ui/messages.js').Messages, 'say' | 'showError' | 'clearError'>} messages
  * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'settings'>} fields
  * @property {() => boolean} isLocked                  true: a batch of this list is open
  */
@@ -67,6 +69,17 @@ export class Batching {
   async plannedSettings() {
     await this.ready();
     return this.settings();
+  }
+
+  /** Says why there is no code to place, if text and settings make none. */
+  async explainMissingCode() {
+    try {
+      await this.client_.symbol(this.settings());
+    } catch (thrown) {
+      if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      const problem = describeThrown(thrown);
+      this.messages_.say(() => asSentence(sentenceOf(problem)));
+    }
   }
 
   /** @param {string} content */

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { messageWords } from '../i18n/message_words.js';
 import { Batching, looksLikeList, plannedWords } from './batching.js';
 import { FakeMessages, replaced, storeOf } from './testing.js';
 
@@ -50,6 +51,9 @@ beforeEach(() => {
         text: 'first',
         settings: { text: 'first', version: 2, pattern: 'square' },
       }),
+      symbol: async (/** @type {any} */ { text }) => {
+        if (text === '') throw new EngineFailure({ kind: 'BadInput', ...message('text-empty') });
+      },
     }),
     panel,
     store,
@@ -151,4 +155,14 @@ test('Lists are distinguished from models by name', () => {
   for (const name of ['a.csv', 'a.TSV', 'a.jsonl', 'a.ndjson', 'a.txt'])
     assert.equal(looksLikeList({ name, type: '' }), true, name);
   for (const name of ['a.stl', 'a.json', 'csv']) assert.equal(looksLikeList({ name, type: '' }), false, name);
+});
+
+test('Text or settings that make no code are explained in their own words', async () => {
+  await messageWords.come();
+  store.update({ batch: undefined, text: 'fine' });
+  await batching.explainMissingCode();
+  assert.deepEqual(messages.said, []);
+  store.update({ text: '' });
+  await batching.explainMissingCode();
+  assert.deepEqual(messages.said, ['The text is empty.']);
 });

@@ -27,7 +27,7 @@ import { sameWork } from './work.js';
  * @property {import('./printing.js').Printing} printing
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'after'>} fields
- * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided'>} batching
+ * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided' | 'explainMissingCode'>} batching
  * @property {(remedy: import('../engine/types.js').Remedy, label: string) => Promise<unknown>} onRemedy
  * @property {(action: () => Promise<unknown>) => Promise<unknown>} guard  runs an action that nobody awaits
  */
@@ -56,6 +56,7 @@ export class Carving {
     this.life_ = 0;
     /** The work that the plan was asked for. */ this.asked_ = store.work;
     /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
+    /** True from a click on Engrave until the module begins to engrave. */ this.isOwed_ = false;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
     panel.listen({
@@ -78,12 +79,24 @@ export class Carving {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
     this.placing_.insist();
-    await this.run_(
-      () => text('page.preparing'),
-      async (signal) => {
-        if (await this.place_(signal)) await this.carve_(signal, overrides);
-      },
-    );
+    this.isOwed_ = overrides === undefined; // a lost module's inspector is closed
+    try {
+      await this.run_(
+        () => text('page.preparing'),
+        async (signal) => {
+          if (await this.place_(signal)) await this.carve_(signal, overrides);
+          this.isOwed_ = false;
+        },
+      );
+    } catch (thrown) {
+      this.isOwed_ &&= isReplaced(thrown) || isFatal(thrown);
+      throw thrown;
+    }
+  }
+
+  /** Engraves with a new module if the last one was lost before it began to. */
+  async resume() {
+    if (this.isOwed_) await this.engrave();
   }
 
   /**
@@ -108,8 +121,10 @@ export class Carving {
       signal.addEventListener('abort', () => resolve(), { once: true }),
     );
     await Promise.race([this.placing_.place(), aborted]);
+    const isPlaced = this.placing_.placement !== undefined;
     if (signal.aborted) this.messages_.say(() => text('page.cancelled'));
-    return !signal.aborted && this.placing_.placement !== undefined;
+    else if (!isPlaced) await this.batching_.explainMissingCode();
+    return !signal.aborted && isPlaced;
   }
 
   /** Aborts a running carving. */
@@ -301,7 +316,10 @@ export class Carving {
         signal,
         plan,
         withOverrides,
-        onProgress: (progress) => this.jobs_.showProgress(progress),
+        onProgress: (progress) => {
+          this.isOwed_ = false;
+          this.jobs_.showProgress(progress);
+        },
         onPrintable: (job) => this.printing_.beginEarly(job),
       });
       if (!finished) return undefined;

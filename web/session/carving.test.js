@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { EngineClient } from '../engine/client.js';
+import { message } from '../engine/message.js';
 import { ResultPanel } from '../ui/result_panel.js';
 import { WorkPanel } from '../ui/work_panel.js';
 import { Carving } from './carving.js';
@@ -9,7 +10,7 @@ import { Jobs } from './jobs.js';
 import { Placing } from './placing.js';
 import { Printing } from './printing.js';
 import { Signal } from './signal.js';
-import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
+import { FakeMessages, Pending, crashed, fake, noRoom, replaced, settled, storeOf } from './testing.js';
 
 const kText = 'HELLO';
 
@@ -38,6 +39,7 @@ const setValues = (now) => store.update({ values: now });
 /** @type {number} */ let printsSeen;
 /** @type {number} */ let number; // of the module's last carving
 /** @type {any[]} */ let steps; // of the module's plan; then it prints
+/** @type {number} */ let explained; // times that the page said why there is no code
 /** @type {Carving} */ let carving;
 const latest = () => carving.carved;
 const { Worker: realWorker } = globalThis;
@@ -50,6 +52,7 @@ beforeEach(() => {
   shows = [];
   number = 0;
   steps = [];
+  explained = 0;
   client = fake(EngineClient, {
     engrave: async () => {
       number += 1;
@@ -77,7 +80,11 @@ beforeEach(() => {
     model: /** @type {any} */ ({ engravable: true }),
     store,
     fields: { after: (now, { setting, value }) => ({ ...now, [setting]: value }) },
-    batching: { settings: () => /** @type {any} */ ({}), decided: [] },
+    batching: {
+      settings: () => /** @type {any} */ ({}),
+      decided: [],
+      explainMissingCode: async () => void (explained += 1),
+    },
     printing,
     onRemedy: async () => {},
     guard: (action) => action(),
@@ -99,6 +106,30 @@ test('Nothing is carved if the code has no place', async () => {
   await carving.engrave();
   assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('engrave')));
   assert.equal(carving.carved, undefined);
+  assert.equal(explained, 1);
+});
+
+test('An engraving that a lost module did not begin is made with the next one', async () => {
+  const { engrave } = client.answers;
+  client.answers.engrave = async () => {
+    throw replaced();
+  };
+  await assert.rejects(carving.engrave(), { code: 'engine-replaced' });
+  client.answers.engrave = engrave;
+  await carving.resume();
+  assert.equal(latest()?.number, 1);
+  await carving.resume();
+  assert.equal(number, 1, 'it is made once');
+});
+
+test('An engraving during which the module was lost is not made again', async () => {
+  client.answers.engrave = async (/** @type {any} */ { onProgress }) => {
+    onProgress({ stage: message('finding-depth'), fraction: 0.5 });
+    throw crashed();
+  };
+  await assert.rejects(carving.engrave(), { code: 'engine-crashed' });
+  await carving.resume();
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'engrave').length, 1);
 });
 
 test('Cancelling restores the previous carving', async () => {

@@ -57,13 +57,14 @@ export class Editing {
 
   /** Announces a complete edit, and places the code again. @param {string} [field]  edited field */
   async apply(field) {
-    this.messages_.clearError();
+    if (this.model_.engravable) this.messages_.clearError(); // else the page still shows why there is no model
     this.code_.refresh();
     this.store_.applied.tell(field);
     await this.batching_.ready();
     await this.spots_.forget();
     await this.placing_.place();
     this.spots_.again();
+    if (!this.placing_.placement) await this.batching_.explainMissingCode();
   }
 
   /**

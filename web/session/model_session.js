@@ -75,6 +75,7 @@ export class ModelSession {
         found: () => text('page.noSample', { id }),
         help: () => text('page.samplesAre', { names }),
       });
+      if (!this.source) this.messages_.say(() => text('page.chooseModel'));
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);

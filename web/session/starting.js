@@ -98,5 +98,6 @@ export class Starting {
     messages.say(() => text('page.chooseModel'));
     await model.reload();
     if (model.source) await session.begin();
+    await carving.resume();
   }
 }
