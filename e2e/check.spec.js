@@ -103,7 +103,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
 test('A code that does not decode is carved with the next deeper preset, and one undo reverts both', async ({
   page,
 }) => {
-  await page.addInitScript(blindReaders, ['shallow']);
+  await page.addInitScript(blindReaders);
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=deeper');
   await app.expectReady();

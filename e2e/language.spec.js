@@ -83,7 +83,7 @@ test('The page works without browser storage, and the address can choose a langu
   await app.open('?lang=de'); // without other parameters, the page looks for the last visit's work
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
-  await expect(page.getByRole('button', { name: 'Engrave' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Engrave', exact: true })).toBeVisible();
   await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
   await app.sample.selectOption('Saddle');
   await expect(app.facts).toContainText('90.0 × 90.0 × 40.0 mm');

@@ -70,7 +70,7 @@ test('On a phone, fingers place, move and turn the code, and the result is reach
   await test.step('the result is reachable', async () => {
     await app.engrave();
     await expect(app.result).toContainText('Reads as');
-    await expect(page.getByRole('button', { name: 'Download' })).toBeInViewport();
+    await expect(app.downloadButton).toBeInViewport();
     expect((await app.download()).bytes.length).toBeGreaterThan(84);
   });
 

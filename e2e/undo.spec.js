@@ -99,6 +99,69 @@ test('Undoing a carving shows the uncarved model, and redoing it restores the re
   expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
 });
 
+test('After any change, the file is offered as the previous result only, until the code is engraved again', async ({
+  page,
+}) => {
+  const app = new Engraver(page);
+  const { undo } = buttons(page);
+  await app.open('?sample=saddle&text=one&process=none');
+  await app.expectReady();
+  await app.openSettings();
+  await app.engrave();
+  const { name, bytes } = await app.download();
+  /** @type {string[]} */ const saved = [];
+  page.on('download', (download) => saved.push(download.suggestedFilename()));
+
+  /** @type {Record<string, () => Promise<unknown>>} */
+  const changes = {
+    text: () => app.text.fill('two'),
+    label: () => app.setting('Label').fill('2'),
+    size: () => app.setting('At most (mm)').fill('20'),
+    place: async () => {
+      const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
+      await app.canvas.click({ position: { x: box.width / 2 + 40, y: box.height / 2 } });
+    },
+    mark: () => app.setting('Made by').selectOption('Second colour, painted'),
+    depth: () => app.setting('How deep').selectOption('shallow'),
+    process: () => app.setting('Process').selectOption('resin-0.05'),
+    orientation: () => app.setting('Up axis').selectOption('y'),
+    parts: () => page.getByRole('radio', { name: 'A code for every part' }).check(),
+  };
+  for (const [what, change] of Object.entries(changes)) {
+    await test.step(what, async () => {
+      await change();
+      await expect(app.downloadButton).toBeHidden();
+      await expect(app.engraveAgainButton).toBeVisible();
+      await app.canvas.focus();
+      await page.keyboard.press('d');
+      saved.length = 0;
+      const previous = await app.download('Download the previous result');
+      expect(previous.name).toBe(name);
+      expect(Buffer.from(previous.bytes).equals(Buffer.from(bytes))).toBe(true);
+      expect(saved, 'the key D saves nothing').toEqual([name]);
+      await expect(undo).toBeEnabled();
+      await undo.click();
+      await expect(app.downloadButton).toBeVisible();
+      await expect(app.engraveAgainButton).toBeHidden();
+    });
+  }
+
+  await test.step('engraved again', async () => {
+    await app.text.fill('three');
+    await app.engraveAgainButton.click();
+    await app.expectResult();
+    expect((await app.download()).name).toContain('-three-');
+  });
+
+  await test.step('with another model, there is no file', async () => {
+    await app.sample.selectOption('Star');
+    await expect(app.facts).toContainText('Star');
+    await expect(app.result).toBeHidden();
+    await app.expectReady();
+    await expect(page.locator('#check-state')).toHaveText('Not engraved yet');
+  });
+});
+
 test('Undo restores the previous model with unit and centre; Start over restores the opening state', async ({
   page,
 }) => {

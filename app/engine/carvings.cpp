@@ -290,20 +290,29 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 }
 
 /// Makes the body that fills the pockets, unless it is there. @returns false if no solid body can fill them
-bool Carvings::fillPockets(const LoadedModel& model) {
-  EngraveResult& result = *current_.result;
+bool Carvings::fillPockets(const LoadedModel& model, Carving& carving) {
+  EngraveResult& result = *carving.result;
   if (result.inlay) return true;
-  return addInlay(*model.engravable, current_.request.depth.surface, result) && result.inlaySolidity.solid();
+  return addInlay(*model.engravable, carving.request.depth.surface, result) && result.inlaySolidity.solid();
 }
 
-std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer) {
-  if (!current_.result) return {};
-  const EngraveResult& result = *current_.result;
-  const bool isPainted = current_.request.marking.mark == Mark::Paint;
-  const bool withInlay = current_.request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
-  if (withInlay && !fillPockets(model)) return {};
+/// Returns the finished carving of that number; null: it is gone.
+Carvings::Carving* Carvings::carving(int number) {
+  if (current_.result && current_.number == number) return &current_;
+  return earlier_ && earlier_->number == number ? &*earlier_ : nullptr;
+}
+
+std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format, Slicer slicer,
+                                             int number) {
+  Carving* const wanted = carving(number);
+  if (!wanted) return {};
+  const EngraveResult& result = *wanted->result;
+  if (format == "stl") return result.stl;
+  const bool isPainted = wanted->request.marking.mark == Mark::Paint;
+  const bool withInlay = wanted->request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
+  if (withInlay && !fillPockets(model, *wanted)) return {};
   const ModelFormat written = format == "3mf-inlay" ? ModelFormat::ThreeMf : formatOfName("." + format);
-  if (!holdsColoursOf(current_.request, written)) return {};
+  if (!holdsColoursOf(wanted->request, written)) return {};
   if (written == ModelFormat::ThreeMf) {
     const auto file = writeCarved3mf(model.engravable->prepared, result, model.partNames, withInlay,
                                      {.title = model.fileName, .slicer = slicer});
@@ -314,11 +323,12 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
-std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name) {
-  if (!current_.result || !holdsColoursOf(current_.request, formatOfName(name))) return {};
-  if (current_.request.marking.hasInlay() && !fillPockets(model)) return {};
+std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name, int number) {
+  Carving* const wanted = carving(number);
+  if (!wanted || !holdsColoursOf(wanted->request, formatOfName(name))) return {};
+  if (wanted->request.marking.hasInlay() && !fillPockets(model, *wanted)) return {};
   auto encoded =
-      encodeCarved(model.engravable->prepared, *current_.result, name, model.partNames, {.title = model.fileName});
+      encodeCarved(model.engravable->prepared, *wanted->result, name, model.partNames, {.title = model.fileName});
   return encoded ? std::move(encoded->files) : std::vector<NamedFile>();
 }
 

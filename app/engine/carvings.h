@@ -94,10 +94,10 @@ class Carvings {
   ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }
   /// Draws the next trial in every reading variant. Empty if it cannot be drawn.
   std::vector<GreyImage> viewTrialPictures(const Ground& ground);
-  /// See Engine::exportModel. Not for "stl": that is printable()->stl.
-  std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format, Slicer slicer);
-  /// See Engine::exportFiles.
-  std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name);
+  /// See Engine::exportModel. @param number  of the last carving or the previous one
+  std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format, Slicer slicer, int number);
+  /// See Engine::exportFiles. @param number  of the last carving or the previous one
+  std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name, int number);
 
   // For the inspector; all of it about the last engraving that was started.
   /// Measures the passes of every engraving that starts from now on.
@@ -133,7 +133,8 @@ class Carvings {
                                               const PlacementSearch* placed,
                                               std::shared_ptr<PlacementMeasurement> measured);
   Status compilePrograms();
-  bool fillPockets(const LoadedModel& model);
+  Carving* carving(int number);
+  static bool fillPockets(const LoadedModel& model, Carving& carving);
   void forgetCurrent();
   Verdict verdict() const;
   Result<EngraveRequest> printedAs(const std::string& changed) const;

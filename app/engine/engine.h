@@ -152,12 +152,16 @@ class Engine {
   /// that fills the pockets, or painted), reads it back and compares. Empty before an engraving is done ("stl": before
   /// it is printable), for any other format or slicer, if the file would differ from the model, if it cannot hold a
   /// code in colour, and if no solid body can fill the pockets.
-  /// @param slicer  program that will open a 3MF file, a name of kSlicerNames
-  std::vector<std::uint8_t> exportModel(const std::string& format, const std::string& slicer = "any");
+  /// @param slicer   program that will open a 3MF file, a name of kSlicerNames
+  /// @param carving  number of the last carving or the previous one, also while the next one is made; 0: the current
+  /// one
+  std::vector<std::uint8_t> exportModel(const std::string& format, const std::string& slicer = "any", int carving = 0);
   /// Writes the carved model as the files that `qrelief batch` writes for that name: a code in two colours as STL has a
   /// second file with the body of the second colour, and as OBJ one with its materials (io/write_files.h). None where
-  /// exportModel() has no bytes. @param name  of the first file; its extension tells the format
-  std::vector<NamedFile> exportFiles(const std::string& name);
+  /// exportModel() has no bytes.
+  /// @param name     of the first file; its extension tells the format
+  /// @param carving  as for exportModel()
+  std::vector<NamedFile> exportFiles(const std::string& name, int carving = 0);
 
   /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0

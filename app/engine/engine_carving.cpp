@@ -118,14 +118,17 @@ std::string Engine::describeRow(double totalMs) const {
                  {"details", Json::parse(row.details)}});
 }
 
-std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const std::string& slicer) {
-  if (format == "stl") return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const std::string& slicer, int carving) {
+  if (format == "stl" && carving == 0)
+    return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
+  const int number = carving > 0 ? carving : carvings_.number();
   const auto program = slicerByName(slicer);
-  return carvings_.result() && program ? carvings_.exported(*model_, format, *program) : std::vector<std::uint8_t>();
+  return model_ && program ? carvings_.exported(*model_, format, *program, number) : std::vector<std::uint8_t>();
 }
 
-std::vector<NamedFile> Engine::exportFiles(const std::string& name) {
-  return carvings_.result() ? carvings_.exportedFiles(*model_, name) : std::vector<NamedFile>();
+std::vector<NamedFile> Engine::exportFiles(const std::string& name, int carving) {
+  const int number = carving > 0 ? carving : carvings_.number();
+  return model_ ? carvings_.exportedFiles(*model_, name, number) : std::vector<NamedFile>();
 }
 
 std::string Engine::addToPlate(int place, const std::string& id, int copies) {

@@ -45,7 +45,8 @@ std::string Engine::startEngrave(const std::string& options,
                        .mayChange = !overridden,
                        .offersMarks = parsed->value("offers", false),
                        .fixed = parsed->value("fixed", std::vector<std::string>())}});
-  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
+  const Result<Symbol> symbol = isNext ? encodeSymbol(request.code.text, request.code.symbol) : wanted_.symbol();
+  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, symbol);
   const auto started = carvings_.start(ground(), std::move(request), placed);
   return started ? answer(*started) : answer(started.error());
 }

@@ -89,14 +89,24 @@ export const kOfTheCarving = {
     const [download] = await Promise.all([page.waitForEvent('download'), press('save-report')]);
     expect(download.suggestedFilename()).toMatch(/\.json$/);
   },
-  cancel: async ({ app, at, page, press }) => {
+  'download-previous': async ({ app, at, page, press }) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), press('download')]);
     await at('text').fill('carved anew');
-    await freeze(page); // otherwise the work may end before it is cancelled
-    await press('engrave');
-    await press('cancel');
-    await expect(app.cancelButton).toBeHidden();
-    await expect(app.status).toHaveText('Cancelled. The model is unchanged.');
-    await thaw(page);
     await app.expectReady();
+    const [previous] = await Promise.all([page.waitForEvent('download'), press('download-previous')]);
+    expect(previous.suggestedFilename()).toBe(download.suggestedFilename());
   },
+  'engrave-again': (hands) => cancelAfter('engrave-again', hands),
+  cancel: (hands) => cancelAfter('engrave', hands),
 };
+
+/** Presses a button that engraves, and cancels it. @param {string} id @param {import('./hands.js').Hands} hands */
+async function cancelAfter(id, { app, page, press }) {
+  await freeze(page); // otherwise the work may end before it is cancelled
+  await press(id);
+  await press('cancel');
+  await expect(app.cancelButton).toBeHidden();
+  await expect(app.status).toHaveText('Cancelled. The model is unchanged.');
+  await thaw(page);
+  await app.expectReady();
+}

@@ -14,7 +14,10 @@ export class Engraver {
     this.text = page.getByRole('textbox', { name: 'Text or link' });
     this.sample = page.getByRole('combobox', { name: 'Sample model' });
     this.file = page.getByLabel('Model file');
-    this.engraveButton = page.getByRole('button', { name: 'Engrave' });
+    this.engraveButton = page.getByRole('button', { name: /^Engrave(?! again)/ });
+    this.engraveAgainButton = page.getByRole('button', { name: 'Engrave again' });
+    this.downloadButton = page.getByRole('button', { name: 'Download', exact: true });
+    this.previousButton = page.getByRole('button', { name: 'Download the previous result' });
     this.cancelButton = page.getByRole('button', { name: 'Cancel' });
     this.progress = page.getByRole('progressbar');
     this.status = page.getByRole('status');
@@ -90,7 +93,7 @@ export class Engraver {
   async download(button = 'Download') {
     const [download] = await Promise.all([
       this.page.waitForEvent('download'),
-      this.page.getByRole('button', { name: button }).click(),
+      this.page.getByRole('button', { name: button, exact: true }).click(),
     ]);
     return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
   }

@@ -38,9 +38,9 @@ export const holdWorkers = () => {
       else if (waiting) {
         waiting.push(() => super.postMessage(message, transfer));
         // Otherwise the page would take an idle worker for dead.
-        if (page.workers.includes(this)) this.dispatchEvent(new MessageEvent('message', { data: { heard: message.id } }));
-      }
-      else super.postMessage(message, transfer);
+        if (page.workers.includes(this))
+          this.dispatchEvent(new MessageEvent('message', { data: { heard: message.id } }));
+      } else super.postMessage(message, transfer);
     }
   };
 };
@@ -95,12 +95,10 @@ export const askWorker = (page, verb) =>
     verb,
   );
 
-/**
- * Makes the decoders find no text in codes carved with these presets (`page.addInitScript(blindReaders, presets)`).
- * @param {string[]} presets
- */
-export const blindReaders = (presets) => {
+/** Makes the decoders find no text until the page makes a second attempt (`page.addInitScript(blindReaders)`). */
+export const blindReaders = () => {
   const Original = window.Worker;
+  let isBlind = true;
   window.Worker = class extends Original {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
     constructor(url, options) {
@@ -110,8 +108,8 @@ export const blindReaders = (presets) => {
 
     /** @param {any} message @param {any} transfer */
     postMessage(message, transfer) {
-      const { value } = /** @type {HTMLSelectElement} */ (document.getElementById('preset'));
-      if (!this.isReader || !presets.includes(value)) super.postMessage(message, transfer);
+      if (message.verb === 'engrave' && message.args[0].next) isBlind = false;
+      if (!this.isReader || !isBlind) super.postMessage(message, transfer);
       else setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, texts: [''] } })));
     }
   };

@@ -150,6 +150,40 @@ TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneD
   EXPECT_EQ(step["carving"], engine_->carving());
 }
 
+TEST_F(EngineCarvingsTest, ExportsTheKeptCarvingWhileThePlanMakesAnother) {
+  const int first = carve("kept");
+  engine_->setReadings(R"([""])", "a reader");
+  const auto stl = engine_->exportModel("stl"), ply = engine_->exportModel("ply");
+  ASSERT_FALSE(ply.empty());
+  ASSERT_EQ(Json::parse(engine_->startJob("engrave", R"({"next": true})"))["ok"], true);
+  EXPECT_EQ(engine_->exportModel("stl", "any", first), stl);
+  EXPECT_EQ(engine_->exportModel("ply", "any", first), ply);
+  EXPECT_EQ(engine_->exportFiles("a.stl", first).at(0).bytes, stl);
+  EXPECT_TRUE(engine_->exportModel("ply").empty()) << "there is no current one";
+  while (Json::parse(engine_->advanceJob("engrave"))["done"] != true) {
+  }
+  EXPECT_NE(engine_->exportModel("stl"), stl);
+  EXPECT_EQ(engine_->exportModel("stl", "any", first), stl);
+  EXPECT_TRUE(engine_->exportModel("stl", "any", first + 100).empty());
+}
+
+TEST_F(EngineCarvingsTest, AnAttemptWithASmallerSymbolNeedsNoOtherSettings) {
+  engine_->configure(R"({"text": "https://example.org/0123456789012345678901234567890123456789", "size": 30})");
+  const Json placed = Json::parse(engine_->placement());  // the plan's carvings may use this placement
+  carveBy(R"({"print": false})");
+  Json step;
+  do {
+    engine_->setReadings(R"([""])", "a reader");
+    step = Json::parse(engine_->nextStep());
+    ASSERT_EQ(step["step"], "carve") << step;
+    carveBy(R"({"next": true})");
+  } while (step["changes"].back()["setting"] != "text");
+  const Json report = Json::parse(engine_->report());
+  const int modules = report["symbol"]["modules"];
+  EXPECT_LT(modules, placed["placement"]["modules"].get<int>());
+  EXPECT_NEAR(report["size"]["moduleMm"].get<double>() * modules, report["size"]["symbolMm"].get<double>(), 1e-9);
+}
+
 TEST_F(EngineCarvingsTest, ForgetsOlderCarvings) {
   const int first = carve("a");
   const int second = carve("b");

@@ -213,7 +213,7 @@ export class EngineHost {
    */
   printJob(changed = {}) {
     const order = this.engine_.printOrder(changed);
-    return order && { order, stl: this.engine_.exportModel('stl', 'any') };
+    return order && { order, stl: this.engine_.exportModel('stl', 'any', 0) };
   }
 
   /**
@@ -254,17 +254,19 @@ export class EngineHost {
    * Returns the carved model as a file, see Engine::exportModel().
    * @param {string} format
    * @param {import('./types.js').Slicer} [slicer]
+   * @param {number} [carving]  number of the last carving or the previous one; 0: the current one
    */
-  exportModel(format, slicer = 'any') {
-    return written(this.engine_.exportModel(format, slicer), format);
+  exportModel(format, slicer = 'any', carving = 0) {
+    return written(this.engine_.exportModel(format, slicer, carving), format);
   }
 
   /**
    * Returns the carved model as files, the named one first, see Engine::exportFiles().
    * @param {string} name
+   * @param {number} [carving]  see exportModel()
    */
-  exportFiles(name) {
-    const files = this.engine_.exportFiles(name);
+  exportFiles(name, carving = 0) {
+    const files = this.engine_.exportFiles(name, carving);
     written(files[0]?.bytes ?? new Uint8Array(), name.slice(name.lastIndexOf('.') + 1));
     return files;
   }

@@ -132,9 +132,9 @@ export const kInnerVerbs = {
   otherPrints: { part: 'others' },
   /** @type {Verb<(changed: PrintChange, texts: string[], facingDeg: number) => Aspect>} */
   judgePrint: { part: 'prints' },
-  /** @type {Verb<(format: string, slicer: import('./types.js').Slicer) => Uint8Array<ArrayBuffer>>} */
+  /** @type {Verb<(format: string, slicer: import('./types.js').Slicer, carving: number) => Uint8Array<ArrayBuffer>>} */
   exportModel: {},
-  /** @type {Verb<(name: string) => import('./types.js').NamedFile[]>} */
+  /** @type {Verb<(name: string, carving: number) => import('./types.js').NamedFile[]>} */
   exportFiles: {},
   /** @type {Verb<(title: string) => Uint8Array<ArrayBuffer>>} */
   exportPlate: {},

@@ -3,11 +3,9 @@
 import { isReplaced } from '../engine/client.js';
 import { isFatal } from '../engine/engine_error.js';
 import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
-import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
-import { messageWords } from '../i18n/message_words.js';
-import { worded } from '../i18n/messages.js';
-import { saveFile } from '../dom/save_file.js';
+import { attemptWords, engravedWords } from './attempt_words.js';
+import { saveModel, saveReport } from './save_carving.js';
 import { Signal } from './signal.js';
 import { sameWork } from './work.js';
 
@@ -15,6 +13,7 @@ import { sameWork } from './work.js';
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, work: Work }} Carved
  *   `number`: of the carving in its module; `life`: number of that module; `work`: the work it was carved from */
 /** @typedef {{ work: Work, number: number }} Attempt */
+/** @typedef {import('../i18n/live.js').Words} Words */
 
 /**
  * @typedef {object} CarvingOptions
@@ -55,19 +54,20 @@ export class Carving {
     this.shown = false;
     this.life_ = 0;
     /** The work that the plan was asked for. */ this.asked_ = store.work;
+    /** Says what the attempt under way changes. @type {Words | undefined} */ this.attempt_ = undefined;
     /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
     /** True from a click on Engrave until the module begins to engrave. */ this.isOwed_ = false;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
     panel.listen({
-      onDownload: (format) => guard(() => this.download(format)),
-      onSaveReport: () => guard(() => this.saveReport()),
+      onDownload: (file) => guard(async () => this.carved && saveModel(client, this.carved, file)),
+      onSaveReport: () => guard(async () => this.carved && saveReport(this.carved)),
       onPrint: (isOn) => this.print(isOn),
       onTryPrints: () => guard(() => this.tryPrints()),
       onTryViews: (...options) => this.tryViewsGuarded_(...options),
       onRemedy: (remedy, label) => guard(() => onRemedy(remedy, label)),
     });
-    store.applied.on(() => this.compare());
+    store.changed.on(() => this.compare());
     placing.moved.on(() => void guard(() => this.show(false))); // the carving is at another place now
   }
 
@@ -189,7 +189,8 @@ export class Carving {
   }
 
   /**
-   * Engraves with the chosen settings, and with the changes that the module's plan asks for.
+   * Engraves with the chosen settings, and with the changes that the module's plan asks for. The controls show the
+   * changes of the attempt that is kept.
    * @param {AbortSignal} signal
    * @param {string} [overrides]
    */
@@ -201,39 +202,37 @@ export class Carving {
     this.started.tell();
     const asked = this.store_.work;
     this.asked_ = asked;
-    let work = asked;
-    /** @type {Attempt | undefined} */ let first;
-    /** @type {Map<number, Work>} */ const works = new Map(); // of each carving, by its number
+    /** @type {Attempt[]} */ const attempts = []; // those that could be carved
     this.failure_ = undefined;
+    this.attempt_ = undefined;
     prepareReader();
     this.printing_.expect();
-    for (;;) {
-      const plan = first || this.failure_ ? { next: true } : { fixed: this.batching_.decided, offers: true };
+    /** @type {import('../engine/client.js').PlanOptions} */
+    let plan = { fixed: this.batching_.decided, offers: true };
+    for (let work = asked; ;) {
       const reading = await this.carveOnce_(signal, plan, overrides !== undefined);
       if (!reading) {
         this.printing_.stop();
         this.messages_.say(() => text('page.cancelled'));
         // Not awaited: it starts when the module's step has ended.
+        const [first] = attempts;
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
-      if (reading.number) works.set(reading.number, work);
+      if (reading.number) attempts.push({ work, number: reading.number });
       const step = await this.nextStep_();
-      const isEdited = !sameWork(work, this.store_.work);
+      const isEdited = !sameWork(asked, this.store_.work);
       if (step.step !== 'carve' || isEdited) {
-        if (works.size === 0 && this.failure_) {
-          if (work !== asked && !isEdited) await this.return_(asked);
-          throw this.failure_;
-        }
-        const keptWork = step.carving === reading.number ? undefined : works.get(step.carving);
-        const previous = keptWork && { work: keptWork, number: step.carving };
-        const isKept = !isEdited && previous && (await this.keep_(previous, started, true));
-        if (!isKept) await this.finish_(performance.now() - started, work, !isEdited);
-        this.messages_.say(() => this.wordsFor_(isKept ? previous.work : work, asked, overrides));
+        const kept = attempts.find(({ number }) => number === step.carving) ?? attempts.at(-1);
+        if (!kept) throw this.failure_;
+        if (kept.number !== reading.number) this.printing_.stop(); // it prints the last attempt
+        await this.keep_(kept, started, !isEdited);
+        this.messages_.say(() => this.wordsFor_(kept.work, asked, overrides));
         return;
       }
-      if (reading.number) first ??= { work, number: step.carving };
-      work = await this.change_(step.changes);
+      work = this.after_(step.changes);
+      this.attempt_ = attemptWords(work, asked, attempts.length > 0 ? 'unread' : 'failed');
+      plan = { next: true };
     }
   }
 
@@ -247,47 +246,27 @@ export class Carving {
   }
 
   /**
-   * Changes settings as the module's plan asks for.
-   * @param {import('../engine/types.js').SettingChange[]} changes  from the asked work
-   * @returns {Promise<Work>}  the work with them
+   * Returns the asked work with the changes of an attempt.
+   * @param {import('../engine/types.js').SettingChange[]} changes
+   * @returns {Work}
    */
-  async change_(changes) {
+  after_(changes) {
     const isOfText = (/** @type {import('../engine/types.js').SettingChange} */ { setting }) => setting === 'text';
     const content = changes.find(isOfText)?.value ?? this.asked_.text;
     const values = changes
       .filter((change) => !isOfText(change))
       .reduce((before, change) => this.fields_.after(before, change), this.asked_.values);
-    this.store_.update({ text: content, values });
-    const { work } = this.store_;
-    await this.client_.configure(this.batching_.settings());
-    return work;
-  }
-
-  /** Returns to the settings of an earlier carving. @param {Work} work */
-  async return_({ text: content, values }) {
-    this.store_.update({ text: content, values });
-    await this.client_.configure(this.batching_.settings());
+    return { ...this.asked_, text: content, values };
   }
 
   /** @param {Work} work @param {Work} asked @param {string} [overrides] */
   wordsFor_(work, asked, overrides) {
     if (overrides) return text('inspector.engraved', { overrides });
-    if (work === asked) return text('page.engraved');
-    return this.wordsForChange_(work, asked);
-  }
-
-  /** @param {Work} work @param {Work} asked */
-  wordsForChange_(work, asked) {
-    if (work.values.mark !== asked.values.mark) return text('page.engravedInColour');
-    if (work.text !== asked.text) return text('page.engravedCapitals');
-    if (work.values.size !== asked.values.size || work.values.maxSizeMm !== asked.values.maxSizeMm)
-      return text('page.engravedLarger');
-    if (work.values.ecc !== asked.values.ecc) return text('page.engravedSmallerSymbol');
-    return text(work.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
+    return work === asked ? text('page.engraved') : engravedWords(work, asked);
   }
 
   /**
-   * Returns to the first attempt when a deeper carving is cancelled or does not decode either.
+   * Makes an attempt the result, and starts its print.
    * @param {Attempt} attempt
    * @param {number} started
    * @param {boolean} [goesOn]  the plan goes on after its print
@@ -295,11 +274,23 @@ export class Carving {
    */
   async keep_({ work, number }, started, goesOn = false) {
     const elapsedMs = performance.now() - started;
-    this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
-    await this.return_(work);
-    await this.finish_(elapsedMs, work, goesOn);
+    await this.adopt_(work, this.asked_);
+    this.carved = { report: await this.client_.report(), elapsedMs, number, work, life: this.life_ };
+    await this.present_();
+    this.print(true, goesOn);
     return true;
+  }
+
+  /**
+   * Takes the settings of the attempt that is kept, unless the user has changed something meanwhile.
+   * @param {Work} work
+   * @param {Work} before  the work whose settings the controls show
+   */
+  async adopt_(work, before) {
+    if (work === before || !sameWork(before, this.store_.work)) return;
+    this.store_.update({ text: work.text, values: work.values });
+    await this.client_.configure(this.batching_.settings());
   }
 
   /**
@@ -318,7 +309,7 @@ export class Carving {
         withOverrides,
         onProgress: (progress) => {
           this.isOwed_ = false;
-          this.jobs_.showProgress(progress);
+          this.jobs_.showProgress(progress, this.attempt_);
         },
         onPrintable: (job) => this.printing_.beginEarly(job),
       });
@@ -336,23 +327,11 @@ export class Carving {
     return { ...reading, number: await this.client_.carving() };
   }
 
-  /**
-   * Takes over the module's carving and starts its print.
-   * @param {number} elapsedMs
-   * @param {Work} work
-   * @param {boolean} [mayDeepen]  carve deeper if the print barely decodes
-   */
-  async finish_(elapsedMs, work, mayDeepen = false) {
-    const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
-    this.carved = { report, elapsedMs, number, life: this.life_, work };
-    await this.present_();
-    this.print(true, mayDeepen);
-  }
-
   /** Shows a new carving. */
   async present_() {
     await this.show(true);
     if (this.carved) this.panel_.show(this.carved);
+    this.compare();
     this.panel_.reveal();
     this.finished.tell();
   }
@@ -381,79 +360,80 @@ export class Carving {
   }
 
   /**
-   * Goes on with the plan after the print of `first`: carves deeper if the print barely decodes, and returns to `first`
-   * if no deeper print decodes well.
+   * Goes on with the plan after the print of `first`: carves deeper if the print barely decodes, for example.
    * @param {Carved} first
    */
   async deepen_(first) {
     await this.running_?.catch(() => {}); // the job that made it is about to end
     if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
-    let step = await this.client_.nextStep();
+    const step = await this.client_.nextStep();
     if (step.step !== 'carve') return;
-    const started = performance.now() - first.elapsedMs;
     await this.run_(
-      () => text('page.carvingForPrint'),
-      async (signal) => {
-        await this.drop();
-        let work = first.work;
-        /** @type {Map<number, { work: Work, print: NonNullable<Awaited<ReturnType<Carving['printNow_']>>> }>} */
-        const printed = new Map(); // by the carving's number
-        for (
-          let isDone = true;
-          isDone && step.step !== 'deliver';
-          step = isDone ? await this.client_.nextStep() : step
-        ) {
-          if (step.step === 'carve') {
-            work = await this.change_(step.changes);
-            this.printing_.expect();
-            isDone = (await this.carveDeeper_(signal, first)) !== undefined;
-          } else {
-            const print = await this.printNow_(step.carving, signal);
-            if (print) printed.set(step.carving, { work, print });
-            isDone = print !== undefined;
-          }
-        }
-        const delivered = step.step === 'deliver' ? printed.get(step.carving) : undefined;
-        if (delivered && (await this.client_.useCarving(step.carving))) {
-          const { result, printed: print } = delivered.print;
-          const elapsedMs = performance.now() - started;
-          if (delivered.work !== work) await this.return_(delivered.work);
-          this.carved = {
-            report: result.report,
-            elapsedMs,
-            number: step.carving,
-            life: this.life_,
-            work: delivered.work,
-            printed: print,
-          };
-          await this.present_();
-          this.printed.tell();
-          const isDeeper = delivered.work.values.preset !== first.work.values.preset;
-          this.messages_.say(() =>
-            isDeeper ? text('page.engravedForPrint') : this.wordsForChange_(delivered.work, first.work),
-          );
-          return;
-        }
-        this.printing_.stop();
-        await this.return_(first.work);
-        this.restoring_ = this.restore(first).catch(() => false);
-        this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
-      },
+      () => text('page.preparing'),
+      (signal) =>
+        this.improve_(first, step, signal).finally(() => {
+          this.attempt_ = undefined;
+          this.panel_.setAttempt(undefined);
+        }),
     );
   }
 
   /**
-   * Carves the plan's next carving. If the module is lost, the controls return to those of `first`.
-   * @param {AbortSignal} signal
+   * Makes the plan's attempts until one is delivered, the user cancels or changes something. Until then the best result
+   * so far stays available.
    * @param {Carved} first
+   * @param {import('../engine/types.js').EngraveStep} step  the next one
+   * @param {AbortSignal} signal
    */
-  async carveDeeper_(signal, first) {
-    try {
-      return await this.carveOnce_(signal, { next: true });
-    } catch (thrown) {
-      this.store_.update({ text: first.work.text, values: first.work.values });
-      throw thrown;
+  async improve_(first, step, signal) {
+    const started = performance.now() - first.elapsedMs;
+    const reason = first.report.verification.verdict.prints.level === 'bad' ? 'print-unread' : 'print-barely';
+    /** @type {Map<number, Carved>} */ const made = new Map(); // those with a print, by number
+    let { work } = first;
+    this.changed.tell(false, false);
+    await this.client_.show({ carved: false });
+    for (let isMade = true; isMade && this.isCurrent && step.step !== 'deliver';) {
+      if (step.step === 'carve') {
+        work = this.after_(step.changes);
+        this.attempt_ = attemptWords(work, first.work, reason);
+        this.panel_.setAttempt(this.attempt_);
+        this.printing_.expect();
+        isMade = (await this.carveOnce_(signal, { next: true })) !== undefined;
+      } else {
+        const { carving: number } = step;
+        const print = await this.printNow_(number, signal);
+        if (print) {
+          const { result, printed } = print;
+          const elapsedMs = performance.now() - started;
+          made.set(number, { report: result.report, elapsedMs, number, work, printed, life: this.life_ });
+        }
+        isMade = print !== undefined;
+      }
+      if (!isMade) break;
+      step = await this.client_.nextStep();
+      await this.prefer_(made.get(step.carving));
     }
+    const { carved } = this;
+    if (carved && carved !== first && step.step === 'deliver' && (await this.client_.useCarving(carved.number))) {
+      await this.present_();
+      this.printed.tell();
+      this.messages_.say(() => engravedWords(carved.work, first.work, true));
+      return;
+    }
+    this.printing_.stop();
+    this.restoring_ = this.restore(carved).catch(() => false);
+    const end = signal.aborted ? 'page.cancelledDeeper' : this.isCurrent ? 'page.engravedFirst' : 'page.outdated';
+    this.messages_.say(() => text(end));
+  }
+
+  /** Makes a better attempt the result while others are made. @param {Carved | undefined} better */
+  async prefer_(better) {
+    const { carved } = this;
+    if (!better || !carved || better === carved) return;
+    await this.adopt_(better.work, carved.work);
+    this.carved = better;
+    this.panel_.show(better);
+    this.compare();
   }
 
   /**
@@ -466,7 +446,8 @@ export class Carving {
   async printNow_(number, signal) {
     const stop = () => this.printing_.stop();
     signal.addEventListener('abort', stop, { once: true });
-    this.messages_.say(() => text('page.printing'));
+    const { attempt_: attempt } = this;
+    this.messages_.say(() => [...(attempt ? [attempt()] : []), text('page.printing')].join('. '));
     /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let print;
     await this.printing_.begin(number, (printed, result) => void (result && (print = { result, printed })));
     signal.removeEventListener('abort', stop);
@@ -503,35 +484,5 @@ export class Carving {
       if (progress.done) return progress.views;
       ({ tried, all } = progress);
     }
-  }
-
-  /** @param {import('../ui/download_choice.js').Download} file */
-  async download({ format, slicer }) {
-    const [extension, addition] = format.split('-');
-    const bytes = await this.client_.exportModel(format, slicer);
-    const report = await this.client_.report();
-    const name = this.nameOf_(report, extension, report.mark === 'paint' ? report.mark : addition);
-    saveFile(new Blob([bytes], { type: `model/${extension}` }), name);
-  }
-
-  async saveReport() {
-    const [report] = await Promise.all([this.client_.report(), messageWords.come()]);
-    const json = JSON.stringify(worded(report), null, 2);
-    saveFile(new Blob([json], { type: 'application/json' }), this.nameOf_(report, 'json', 'report'));
-  }
-
-  /**
-   * @param {import('../engine/types.js').Report} report  of the saved carving
-   * @param {string} extension
-   * @param {string} [addition]
-   */
-  nameOf_({ text: content, size }, extension, addition) {
-    return fileNameOf({
-      modelFile: this.model_.source?.fileName ?? '',
-      text: content,
-      symbolMm: size.symbolMm,
-      addition,
-      extension,
-    });
   }
 }

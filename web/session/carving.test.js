@@ -28,6 +28,8 @@ class FakeReader {
 /** @type {any} */ let client;
 /** @type {any} */ let placing;
 /** @type {any} */ let panel;
+/** @type {any} */ let pressed; // what the panel's buttons do
+/** @type {(string | undefined)[]} */ let attempts; // announced next to the result
 /** @type {FakeMessages} */ let messages;
 /** @type {import('./work_store.js').WorkStore} */ let store;
 const values = () => store.work.values;
@@ -66,7 +68,11 @@ beforeEach(() => {
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
   placing = fake(Placing, { place: async () => {} }, { placement: { symbolMm: 20 }, moved: new Signal() });
-  panel = fake(ResultPanel);
+  attempts = [];
+  panel = fake(ResultPanel, {
+    listen: (/** @type {any} */ listener) => void (pressed = listener),
+    setAttempt: (/** @type {(() => string) | undefined} */ words) => void attempts.push(words?.()),
+  });
   printing = fake(Printing);
   printsSeen = 0;
   messages = new FakeMessages();
@@ -148,18 +154,20 @@ test('A second carving does not start beside the first', async () => {
   const first = carving.engrave();
   await settled();
   await carving.engrave();
+  number += 1;
   pending.resolve(true);
   await first;
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
 });
 
 test('A failed carving leaves nothing, and the next one can start', async () => {
+  const { engrave } = client.answers;
   client.answers.engrave = async () => {
     throw noRoom();
   };
   await assert.rejects(carving.engrave(), { code: 'no-centre' });
   assert.equal(carving.carved, undefined);
-  client.answers.engrave = async () => true;
+  client.answers.engrave = engrave;
   await carving.engrave();
   assert.equal(latest()?.report.text, kText);
 });
@@ -167,8 +175,9 @@ test('A failed carving leaves nothing, and the next one can start', async () => 
 test('A code that cannot be carved as requested is carved as the plan says', async () => {
   setValues({ size: 'free' });
   const { engrave } = client.answers;
-  client.answers.engrave = async () => {
-    if (values().size === 'free') throw noRoom();
+  client.answers.engrave = async (/** @type {any} */ { plan }) => {
+    assert.equal(values().size, 'free', 'the controls show what was asked for until an attempt is kept');
+    if (!plan.next) throw noRoom();
     return engrave();
   };
   steps = [carve('size', 'best'), print(1)];
@@ -188,11 +197,22 @@ test('If nothing that the plan tries can be carved, the first reason is shown', 
   assert.equal(values().size, 'free', 'the controls are those of the request again');
 });
 
-test('After a change of settings the carving is marked as outdated', async () => {
+test('Every change marks the carving as outdated at once, and undoing it removes the mark', async () => {
   await carving.engrave();
-  setValues({ preset: 'shallow' });
-  store.applied.tell('preset');
-  assert.equal(panel.calls.at(-1), 'setOutdated true');
+  const before = store.work;
+  /** @type {Partial<import('./work.js').Work>[]} */ const changes = [
+    { text: 'HELLO!' },
+    { values: { preset: 'shallow' } },
+    { centreMm: [1, 2, 3] },
+    { source: /** @type {any} */ ({ bytes: new Uint8Array(1), scaleToMm: 1, upAxis: 'z' }) },
+    { batch: /** @type {any} */ ({ from: 'count' }) },
+  ];
+  for (const change of changes) {
+    store.update(change);
+    assert.equal(panel.calls.at(-1), 'setOutdated true', Object.keys(change)[0]);
+    store.update({ batch: undefined, ...before });
+    assert.equal(panel.calls.at(-1), 'setOutdated false', Object.keys(change)[0]);
+  }
 });
 
 test('A carving is lost with its module', async () => {
@@ -209,6 +229,23 @@ const print = (attempt) => ({ step: 'print', carving: attempt });
 const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
 /** @param {string} setting @param {string} value */
 const carve = (setting, value) => ({ step: 'carve', carving: 1, changes: [{ setting, value }] });
+
+/**
+ * Holds back the carvings after the first; cancelling ends them.
+ * @param {Pending} held
+ * @returns {Promise<void>}  resolves when the second has begun
+ */
+function untilCancelled(held) {
+  const { engrave } = client.answers;
+  return new Promise((resolve) => {
+    client.answers.engrave = (/** @type {any} */ { plan, signal }) => {
+      if (!plan.next) return engrave();
+      signal.addEventListener('abort', () => held.resolve(false));
+      resolve();
+      return held.promise;
+    };
+  });
+}
 
 test('A code that does not decode is carved with the next deeper preset', async () => {
   setValues({ preset: 'balanced' });
@@ -253,13 +290,9 @@ test('Cancelling a deeper carving keeps the requested one with its readings', as
   const deeper = new Pending();
   steps = [carve('preset', 'balanced')];
   const { engrave } = client.answers;
-  client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
-    if (values().preset === 'shallow') return engrave();
-    signal.addEventListener('abort', () => deeper.resolve(false));
-    return deeper.promise;
-  };
+  const begun = untilCancelled(deeper);
   const run = carving.engrave();
-  while (values().preset === 'shallow') await settled();
+  await begun;
   jobs.cancel();
   await run;
   await settled();
@@ -292,7 +325,8 @@ test('The print starts with the result and is added to it', async () => {
 const printsAre = (...results) => {
   printing.answers.begin = async (/** @type {number} */ number, /** @type {any} */ tell) => {
     const result = results.shift();
-    tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number } });
+    const verification = { verdict: { prints: { level: result?.passed ? 'good' : 'barely' } } };
+    tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number, size: {}, verification } });
   };
 };
 const kDeeper = [print(1), carve('preset', 'robust')];
@@ -305,8 +339,9 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
   await settled();
   assert.equal(values().preset, 'robust');
   assert.deepEqual([latest()?.number, latest()?.work.values.preset, latest()?.printed?.state], [2, 'robust', 'made']);
-  assert.deepEqual(latest()?.report, { text: kText, number: 2 });
+  assert.equal(/** @type {any} */ (latest())?.report.number, 2);
   assert.deepEqual(shows.at(-1), [true, true]);
+  assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads', undefined]);
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
 });
 
@@ -329,12 +364,13 @@ test('If no deeper preset helps the print, the code stays as requested', async (
     steps = [...kDeeper, ...(second ? [print(2)] : []), deliver(1)];
     const { engrave } = client.answers;
     if (!second)
-      client.answers.engrave = () => {
-        if (values().preset === 'robust') throw noRoom();
+      client.answers.engrave = (/** @type {any} */ { plan }) => {
+        if (plan.next) throw noRoom();
         return engrave();
       };
     await carving.engrave();
     await settled();
+    assert.match(messages.said.at(-1) ?? '', /did not read better as printed, so this is the first one\.$/);
     assert.equal(values().preset, 'balanced');
     assert.equal(latest()?.work.values.preset, 'balanced');
     assert.equal(latest()?.printed?.state, 'made');
@@ -346,22 +382,58 @@ test('Cancelling a deeper carving for the print restores the first result', asyn
   setValues({ preset: 'balanced' });
   printsAre({ passed: false });
   steps = [...kDeeper];
-  const { engrave } = client.answers;
-  const deeper = new Pending();
-  client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
-    if (values().preset === 'balanced') return engrave();
-    signal.addEventListener('abort', () => deeper.resolve(false));
-    return deeper.promise;
-  };
+  const begun = untilCancelled(new Pending());
   await carving.engrave();
-  while (values().preset === 'balanced') await settled();
-  await settled();
+  await begun;
   jobs.cancel();
   await jobs.untilIdle();
   await settled();
   assert.deepEqual([values().preset, latest()?.work.values.preset, latest()?.number], ['balanced', 'balanced', 1]);
   assert.equal(messages.said.at(-1), 'Cancelled. The code keeps the depth you chose.');
   assert.deepEqual(shows.at(-1), [true, true]);
+});
+
+test('While a deeper carving is made, the first result and its settings stay, and its file can be saved', async (t) => {
+  setValues({ preset: 'balanced' });
+  store.update({ source: /** @type {any} */ ({ fileName: 'cup.stl' }) });
+  printsAre({ passed: false }, { passed: true });
+  steps = [...kDeeper, print(2), deliver(2)];
+  const deeper = new Pending();
+  const begun = untilCancelled(deeper);
+  await carving.engrave();
+  const hidden = panel.calls.filter((/** @type {string} */ call) => call === 'hide').length;
+  await begun;
+  assert.deepEqual([values().preset, latest()?.number], ['balanced', 1]);
+  assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads']);
+  assert.equal(panel.calls.filter((/** @type {string} */ call) => call === 'hide').length, hidden);
+  const link = { download: '', click: () => {} };
+  Object.assign(globalThis, { document: { createElement: () => link } });
+  t.mock.timers.enable({ apis: ['setTimeout'] }); // otherwise the saved file would be kept for a minute
+  await pressed.onDownload({ format: 'stl', slicer: 'any' });
+  Reflect.deleteProperty(globalThis, 'document');
+  assert.ok(client.calls.includes('exportModel stl any 1'));
+  assert.match(link.download, /^cup-/);
+  number += 1;
+  deeper.resolve(true);
+  await jobs.untilIdle();
+  assert.deepEqual([values().preset, latest()?.number], ['robust', 2]);
+});
+
+test('A change by the user ends the attempts for the print, and stays', async () => {
+  setValues({ preset: 'balanced' });
+  printsAre({ passed: false });
+  steps = [...kDeeper, print(2), deliver(2)];
+  const deeper = new Pending();
+  const begun = untilCancelled(deeper);
+  await carving.engrave();
+  await begun;
+  setValues({ preset: 'shallow' });
+  number += 1;
+  deeper.resolve(true);
+  await jobs.untilIdle();
+  await settled();
+  assert.deepEqual([values().preset, latest()?.number], ['shallow', 1]);
+  assert.match(messages.said.at(-1) ?? '', /^Made before your last change/);
 });
 
 test('A code is not carved again for its print after a change by the user', async () => {

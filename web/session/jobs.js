@@ -81,11 +81,14 @@ export class Jobs {
     this.background_?.abort();
   }
 
-  /** @param {import('../engine/types.js').EngraveProgress} progress */
-  showProgress({ stage, fraction }) {
+  /**
+   * @param {import('../engine/types.js').EngraveProgress} progress
+   * @param {Words} [purpose]  what the job is for, if the user has not asked for it
+   */
+  showProgress({ stage, fraction }, purpose) {
     const words = () => sentenceOf(stage) || text('page.preparing');
     this.panel_.update(fraction, words());
-    this.messages_.say(() => text('page.working', { stage: words() }));
+    this.messages_.say(() => text('page.working', { stage: [...(purpose ? [purpose()] : []), words()].join('. ') }));
   }
 
   /** Aborts on the user's request and says so. */

@@ -40,10 +40,12 @@ export class ResultPanel {
     this.grades_ = new GradesPanel(async (...report) => this.listener_?.onTryViews(...report));
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
+    /** @type {import('../i18n/live.js').Words | undefined} */ this.attempt_ = undefined;
     this.choice_ = new DownloadChoice();
-    byId('download', HTMLButtonElement).addEventListener('click', () =>
-      this.listener_?.onDownload(this.choice_.chosen),
-    );
+    this.download_ = byId('download', HTMLButtonElement);
+    this.downloadPrevious_ = byId('download-previous', HTMLButtonElement);
+    for (const button of [this.download_, this.downloadPrevious_])
+      button.addEventListener('click', () => this.listener_?.onDownload(this.choice_.chosen));
     byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
     onLanguage(() => this.render_());
     this.render_();
@@ -85,6 +87,13 @@ export class ResultPanel {
     this.render_();
   }
 
+  /** @param {import('../i18n/live.js').Words} [attempt]  at a better result, which is under way; none: the result is final */
+  setAttempt(attempt) {
+    if (attempt === this.attempt_) return;
+    this.attempt_ = attempt;
+    this.render_();
+  }
+
   hide() {
     this.result_ = undefined;
     this.outdated_ = false;
@@ -102,6 +111,8 @@ export class ResultPanel {
 
   render_() {
     this.region_.hidden = !this.result_;
+    byId('again', HTMLElement).hidden = this.downloadPrevious_.hidden = !this.outdated_;
+    this.download_.hidden = this.outdated_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
     showMarkCost(this.outdated_ ? undefined : this.result_?.report);
     if (!this.result_) {
@@ -112,11 +123,14 @@ export class ResultPanel {
     const { size, symbol } = report;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
+    else if (this.attempt_) showStep('check', 'warn', this.attempt_);
     else if (isUnderWay(printed) && isGoodButForPrinting(verdict))
       showStep('check', 'done', () => text('check.stepPrinting'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
-    showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
+    showFindings(this.notes_, this.findings_());
+    // While an attempt is made, the module answers no questions about this result.
+    this.verdict_.inert = byId('grades', HTMLElement).inert = this.attempt_ !== undefined;
     this.verdict_.replaceChildren(
       ...verdictLines(report, printed, {
         onRemedy: (remedy, label) => this.listener_?.onRemedy(remedy, label),
@@ -134,6 +148,15 @@ export class ResultPanel {
       ...row(text('page.time'), formatSeconds(elapsedMs)),
       ...row(text('page.code'), text('page.codeValue', symbol)),
     );
+  }
+
+  /** @returns {import('./messages.js').Shown[]} */
+  findings_() {
+    const attempt = this.attempt_;
+    return [
+      ...(this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []),
+      ...(attempt ? [{ severity: 'note', found: attempt(), help: text('page.soFar') }] : []),
+    ];
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons Engrave and Cancel, and the progress bar.
+// The buttons Engrave, Engrave again and Cancel, and the progress bar.
 import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 
@@ -9,6 +9,7 @@ export class WorkPanel {
   constructor() {
     /** @type {WorkListener | undefined} */ this.listener_ = undefined;
     this.engrave_ = byId('engrave', HTMLButtonElement);
+    this.again_ = byId('engrave-again', HTMLButtonElement); // next to an outdated result
     this.cancel_ = byId('cancel', HTMLButtonElement);
     this.progress_ = byId('progress', HTMLProgressElement);
     byId('panel', HTMLFormElement).addEventListener('submit', (event) => {
@@ -35,13 +36,13 @@ export class WorkPanel {
 
   /** @param {boolean} allowed */
   allowEngrave(allowed) {
-    this.engrave_.disabled = !allowed;
+    this.engrave_.disabled = this.again_.disabled = !allowed;
   }
 
   /** @param {string} stage  without a fraction, since the duration is unknown */
   begin(stage) {
-    this.focusReturns_ = document.activeElement === this.engrave_;
-    this.engrave_.disabled = true;
+    this.focusReturns_ = [this.engrave_, this.again_].some((button) => button === document.activeElement);
+    this.allowEngrave(false);
     this.cancel_.hidden = false;
     this.progress_.hidden = false;
     this.progress_.removeAttribute('value');

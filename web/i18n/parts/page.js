@@ -71,6 +71,7 @@ export const page = {
     carve: 'Engrave',
     carveState: '{way}, {nozzle} mm nozzle',
     engrave: 'Engrave',
+    engraveAgain: 'Engrave again',
     cancel: 'Cancel',
 
     check: 'Check and download',
@@ -84,6 +85,7 @@ export const page = {
     slicer: 'For',
     anySlicer: 'Any slicer',
     download: 'Download',
+    downloadPrevious: 'Download the previous result',
     saveReport: 'Save report',
 
     language: 'Language',
@@ -116,7 +118,18 @@ export const page = {
     engravedForDesign:
       'Engraved for the design only: when engraved for design and print, the code did not read reliably.',
     engravedDeeper: 'Engraved deeper than you chose: at that depth the code did not read reliably.',
-    carvingForPrint: 'The print would barely read. Engraving deeper',
+    tryDeeper: 'Engraving deeper',
+    tryLarger: 'Engraving larger',
+    tryCapitals: 'Engraving with the link’s beginning in capitals',
+    trySmallerSymbol: 'Engraving with less error correction',
+    tryColour: 'Trying a second colour',
+    tryDesign: 'Engraving for the design only',
+    sinceFailed: '{attempt}, since the code cannot be engraved as chosen',
+    sinceUnread: '{attempt}, since the code does not read reliably',
+    sincePrintBarely: '{attempt}, since the print barely reads',
+    sincePrintUnread: '{attempt}, since the print does not read',
+    soFar: 'Below is the result so far. You can download it.',
+    engravedFirst: 'Engraved. Other attempts did not read better as printed, so this is the first one.',
     engravedInColour: 'Made in a second colour: here a shadow would not read well as printed.',
     engravedLarger: 'Engraved larger than by default, and turned for it: the default code would not read as printed.',
     engravedCapitals:
@@ -223,6 +236,7 @@ export const page = {
     carve: 'Gravur',
     carveState: '{way}, Düse {nozzle} mm',
     engrave: 'Gravieren',
+    engraveAgain: 'Neu gravieren',
     cancel: 'Abbrechen',
 
     check: 'Prüfen und herunterladen',
@@ -236,6 +250,7 @@ export const page = {
     slicer: 'Für',
     anySlicer: 'Jeden Slicer',
     download: 'Herunterladen',
+    downloadPrevious: 'Voriges Ergebnis herunterladen',
     saveReport: 'Bericht speichern',
 
     language: 'Sprache',
@@ -268,7 +283,18 @@ export const page = {
     engravedForDesign:
       'Nur für den Entwurf graviert: Für Entwurf und Druck zugleich graviert, war der Code nicht verlässlich lesbar.',
     engravedDeeper: 'Tiefer graviert als gewählt: In der gewählten Tiefe war der Code nicht verlässlich lesbar.',
-    carvingForPrint: 'Der Druck wäre kaum lesbar. Tiefer gravieren',
+    tryDeeper: 'Tiefer gravieren',
+    tryLarger: 'Größer gravieren',
+    tryCapitals: 'Mit dem Anfang des Links in Großbuchstaben gravieren',
+    trySmallerSymbol: 'Mit weniger Fehlerkorrektur gravieren',
+    tryColour: 'Eine zweite Farbe versuchen',
+    tryDesign: 'Nur für den Entwurf gravieren',
+    sinceFailed: '{attempt}, denn wie gewählt lässt sich der Code nicht gravieren',
+    sinceUnread: '{attempt}, denn der Code ist nicht verlässlich lesbar',
+    sincePrintBarely: '{attempt}, denn der Druck ist kaum lesbar',
+    sincePrintUnread: '{attempt}, denn der Druck ist nicht lesbar',
+    soFar: 'Unten steht das Ergebnis bis jetzt. Es lässt sich herunterladen.',
+    engravedFirst: 'Graviert. Andere Versuche waren gedruckt nicht besser lesbar, daher ist dies der erste.',
     engravedInColour: 'In einer zweiten Farbe: Ein Schatten wäre hier im Druck nicht gut lesbar.',
     engravedLarger: 'Größer als üblich graviert und dafür gedreht: Der übliche Code wäre gedruckt nicht lesbar.',
     engravedCapitals:

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Saves a carved model and its report, named after the model and the text that it was carved from.
+import { saveFile } from '../dom/save_file.js';
+import { fileNameOf } from '../export/file_names.js';
+import { messageWords } from '../i18n/message_words.js';
+import { worded } from '../i18n/messages.js';
+
+/** @typedef {import('./carving.js').Carved} Carved */
+
+/** @param {Carved} carved @param {string} extension @param {string} [addition] */
+const nameOf = ({ report, work }, extension, addition) =>
+  fileNameOf({
+    modelFile: work.source?.fileName ?? '',
+    text: report.text,
+    symbolMm: report.size.symbolMm,
+    addition,
+    extension,
+  });
+
+/**
+ * @param {Pick<import('../engine/client.js').EngineClient, 'exportModel'>} client
+ * @param {Carved} carved
+ * @param {import('../ui/download_choice.js').Download} file
+ */
+export async function saveModel(client, carved, { format, slicer }) {
+  const [extension, addition] = format.split('-');
+  const { mark } = carved.report;
+  const bytes = await client.exportModel(format, slicer, carved.number);
+  const name = nameOf(carved, extension, mark === 'paint' ? mark : addition);
+  saveFile(new Blob([bytes], { type: `model/${extension}` }), name);
+}
+
+/** @param {Carved} carved */
+export async function saveReport(carved) {
+  await messageWords.come();
+  const json = JSON.stringify(worded(carved.report), null, 2);
+  saveFile(new Blob([json], { type: 'application/json' }), nameOf(carved, 'json', 'report'));
+}
