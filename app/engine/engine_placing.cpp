@@ -49,7 +49,7 @@ std::string Engine::describePlacement() const {
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
                    {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
                    {"rotationDeg", placement.rotationDeg},
-                   {"colourLayers", layersOfCode(placement, wanted_.settings().print)},
+                   {"colourLayers", layersOfCode(placement, symbol.size, colouredCodeOf(settings()))},
                    {"version", symbol.version},
                    {"modules", symbol.size}}}});
 }

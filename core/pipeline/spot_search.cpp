@@ -19,7 +19,6 @@
 #include "pipeline/default_patterns.h"
 #include "pipeline/mark_depth.h"
 #include "pipeline/placement.h"
-#include "pipeline/second_colour.h"
 #include "pipeline/spot_concerns.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
@@ -102,7 +101,7 @@ struct SpotSearchJob::State {
                                                   [](const Spot& spot) { return spot.prints && !spot.facesDown; }));
   }
   /// Returns the number of spots to find: more than requested if their layers are to be compared.
-  std::size_t wantedSpots() const { return request.count * (request.colourPrinter ? kMoreForColour : 1); }
+  std::size_t wantedSpots() const { return request.count * (request.coloured ? kMoreForColour : 1); }
   bool hasEnough() const {
     const bool isEnough = result.spots.size() >= wantedSpots();
     return goodSpots() >= wantedSpots() || (isEnough && (goodSpots() > 0 || candidate >= likely));
@@ -250,7 +249,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.body = model->prepared.mesh.body(placement.seed);
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
-  if (request.colourPrinter) offered.colourLayers = layersOfCode(placement, *request.colourPrinter);
+  if (request.coloured) offered.colourLayers = layersOfCode(placement, request.modules, *request.coloured);
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
@@ -393,7 +392,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
   if (request.marking.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
   if (request.print.process) search.buildUp = request.print.buildUp;
-  if (request.marking.isInColour()) search.colourPrinter = request.print;
+  if (request.marking.isInColour()) search.coloured = colouredCodeOf(request);
   search.nozzleMm = request.print.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);
   return search;

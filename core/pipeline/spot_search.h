@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "pipeline/engravable_model.h"
+#include "pipeline/second_colour.h"
 #include "printing/build_direction.h"
 #include "projection/spot_candidates.h"
 #include "settings/engrave_request.h"
@@ -30,9 +31,9 @@ struct SpotSearchRequest {
   std::optional<BuildDirection> buildUp = {};
   double nozzleMm = 0.4;
   double leastPrintableMm = 0;  ///< edge of the smallest symbol that the nozzle can print; 0: no limit
-  /// Printer of a code in a second colour: spots where the code lies in fewer layers come first, since each such layer
-  /// costs about one filament change. None: layers do not matter.
-  std::optional<PrinterRequest> colourPrinter = {};
+  /// A code in a second colour: spots where it lies in fewer layers come first, since each such layer costs about one
+  /// filament change. None: layers do not matter.
+  std::optional<ColouredCode> coloured = {};
   int views = 240;  ///< number of views for the size map, ≥ 200
   /// File units → mm. A centre is rounded as the user will read it, to about a micrometre, before it is tested.
   double scaleToMm = 1;
@@ -61,7 +62,7 @@ struct Spot {
   double guaranteedMm = 0;        ///< largest size at every rotation
   double aimToleranceDeg = 0;     ///< of the symbol, see projection/flatness.h
   SquareQuality quality;          ///< of the symbol, with its quiet zone if that must fit
-  int colourLayers = 0;           ///< layers that the symbol's square passes through; 0 without colourPrinter
+  int colourLayers = 0;           ///< layersOfCode(); 0 without SpotSearchRequest::coloured
   std::vector<Message> concerns;  ///< reasons why a code may not print or decode there; empty if none
 };
 

@@ -55,8 +55,8 @@ TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   parameters.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
   const auto model = upload(shapes::box({30, 60, 60}));
   const auto one = findSpots(model, parameters);
-  parameters.colourPrinter = PrinterRequest{};
-  parameters.colourPrinter->buildUp = *parameters.buildUp;
+  parameters.coloured = ColouredCode{};
+  parameters.coloured->print.buildUp = *parameters.buildUp;
   const auto two = findSpots(model, parameters);
   ASSERT_TRUE(one.has_value() && two.has_value());
   EXPECT_LT(std::abs(one->spots.front().direction.z), 0.1);
@@ -64,7 +64,7 @@ TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   EXPECT_GT(two->spots.front().direction.z, 0.9);
   EXPECT_EQ(two->spots.front().colourLayers, 2);
   const Spot& onASide = two->spots.back();
-  EXPECT_NEAR(onASide.colourLayers, onASide.symbolMm / 0.2 + 2, 2);
+  EXPECT_NEAR(onASide.colourLayers, onASide.symbolMm / 0.2, 2);
 }
 
 TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {

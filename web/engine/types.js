@@ -48,9 +48,8 @@
  *   concerns: Message[], version: number, modules: number, rotationDeg: number,
  *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean, colourLayers: number }} Placement
  *   `direction`: viewing direction of a suggested spot, null otherwise; `aimToleranceDeg`: largest angle off the
- *   viewing direction, to any side, at which the code can decode; `colourLayers`: layers that the code lies in, 0 if the
- *   printer is not known; `rotationDeg`: angle from up to the symbol's top,
- *   anticlockwise; `largestMm`: largest symbol that fits at this rotation, walls ignored; `concerns`: reasons why the
+ *   viewing direction, to any side, at which the code can decode; `colourLayers`: layers that the code lies in with its
+ *   label and frame, 0 if the printer is not known; `rotationDeg`: angle from up to the symbol's top, anticlockwise; `largestMm`: largest symbol that fits at this rotation, walls ignored; `concerns`: reasons why the
  *   code may not print or decode there
  */
 
