@@ -42,6 +42,7 @@ export class ResultPanel {
     this.outdated_ = false;
     /** @type {import('../i18n/live.js').Words | undefined} */ this.attempt_ = undefined;
     this.choice_ = new DownloadChoice();
+    this.again_ = byId('engrave-again', HTMLButtonElement);
     this.download_ = byId('download', HTMLButtonElement);
     this.downloadPrevious_ = byId('download-previous', HTMLButtonElement);
     for (const button of [this.download_, this.downloadPrevious_])
@@ -111,7 +112,7 @@ export class ResultPanel {
 
   render_() {
     this.region_.hidden = !this.result_;
-    byId('again', HTMLElement).hidden = this.downloadPrevious_.hidden = !this.outdated_;
+    this.again_.hidden = this.downloadPrevious_.hidden = !this.outdated_;
     this.download_.hidden = this.outdated_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
     showMarkCost(this.outdated_ ? undefined : this.result_?.report);

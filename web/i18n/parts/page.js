@@ -129,7 +129,7 @@ export const page = {
     sincePrintBarely: '{attempt}, since the print barely reads',
     sincePrintUnread: '{attempt}, since the print does not read',
     soFar: 'Below is the result so far. You can download it.',
-    engravedFirst: 'Engraved. Other attempts did not read better as printed, so this is the first one.',
+    engravedFirst: 'Engraved. Nothing that QRelief may change by itself reads better as printed.',
     engravedInColour: 'Made in a second colour: here a shadow would not read well as printed.',
     engravedLarger: 'Engraved larger than by default, and turned for it: the default code would not read as printed.',
     engravedCapitals:
@@ -294,7 +294,7 @@ export const page = {
     sincePrintBarely: '{attempt}, denn der Druck ist kaum lesbar',
     sincePrintUnread: '{attempt}, denn der Druck ist nicht lesbar',
     soFar: 'Unten steht das Ergebnis bis jetzt. Es lässt sich herunterladen.',
-    engravedFirst: 'Graviert. Andere Versuche waren gedruckt nicht besser lesbar, daher ist dies der erste.',
+    engravedFirst: 'Graviert. Nichts, was QRelief selbst ändern darf, ist gedruckt besser lesbar.',
     engravedInColour: 'In einer zweiten Farbe: Ein Schatten wäre hier im Druck nicht gut lesbar.',
     engravedLarger: 'Größer als üblich graviert und dafür gedreht: Der übliche Code wäre gedruckt nicht lesbar.',
     engravedCapitals:
