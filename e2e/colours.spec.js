@@ -7,7 +7,7 @@ import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { isDark, shareOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
-import { bodiesOf, coloursOf, extrudersOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
+import { bodiesOf, coloursOf, extrudersOf, filesOf, modelsOf, paintedIn, unzip } from './support/three_mf.js';
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
 const kCost =
@@ -116,6 +116,19 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
   expect(inlay.colour).not.toBe(body.colour);
   const extruders = { [bodyId]: '1', [inlayId]: '2' };
   expect(extrudersOf(files)).toEqual({ bambu: extruders, prusa: extruders });
+
+  await test.step('As STL, model and inlay are two files in a ZIP', async () => {
+    await app.setting('Format').selectOption('STL');
+    await expect(app.result).toContainText('A ZIP with two STL files');
+    const zip = await app.download();
+    expect(zip.name).toMatch(/^plate-qr-A-\d+mm-inlay\.zip$/);
+    const stl = filesOf(zip.bytes);
+    const stem = zip.name.replace('-inlay.zip', '');
+    expect([...stl.keys()]).toEqual([`${stem}.stl`, `${stem}-2.stl`]);
+    const solids = [...stl.values()].map((content) => readStl(new Uint8Array(content)));
+    for (const mesh of solids) expect(checkSolid(mesh)).toMatchObject(kSolid);
+    expect((volume(solids[0]) + volume(solids[1])) / volume(plate)).toBeCloseTo(1, 6);
+  });
 
   await test.step('The view shows the inlay in its colour', async () => {
     await page.getByRole('button', { name: 'Phone view' }).click();

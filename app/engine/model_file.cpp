@@ -6,6 +6,7 @@
 
 #include "base/clock.h"
 #include "io/read_model.h"
+#include "io/three_mf_source.h"
 #include "message_codes/engine.h"
 
 namespace qrelief {
@@ -43,6 +44,15 @@ Json bodiesOf(const PreparedModel& prepared) {
   return bodies;
 }
 
+/// Lists what a carved model keeps only in its own 3MF file (pipeline/carved_file.h).
+Json only3mf(const PreparedModel& prepared) {
+  Json contents = Json::array();
+  if (!prepared.source || prepared.scaleToMm != prepared.source->unitMm) return contents;
+  if (prepared.source->isPainted) contents.push_back("paint");
+  if (prepared.source->plates > 1) contents.push_back("plates");
+  return contents;
+}
+
 }  // namespace
 
 Json describeModel(const std::string& format, double scaleToMm, const std::vector<Message>& warnings,
@@ -55,7 +65,8 @@ Json describeModel(const std::string& format, double scaleToMm, const std::vecto
           {"shells", prepared.shells},
           {"bodies", bodiesOf(prepared)},
           {"engravable", prepared.engravable().has_value()},
-          {"findings", jsonOf(warnings, prepared.findings)}};
+          {"findings", jsonOf(warnings, prepared.findings)},
+          {"only3mf", only3mf(prepared)}};
 }
 
 }  // namespace qrelief

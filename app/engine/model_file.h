@@ -25,7 +25,8 @@ struct ModelFile {
 /// @returns BadUsage for any other scale that is not above zero
 Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
-/// Returns {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name, triangles}], engravable, findings}.
+/// Returns {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name, triangles}], engravable, findings,
+/// only3mf}. `only3mf`: the contents of the model's own 3MF file that only 3MF keeps: "paint", "plates".
 Json describeModel(const std::string& format, double scaleToMm, const std::vector<Message>& warnings,
                    const PreparedModel& prepared);
 

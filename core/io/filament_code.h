@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,11 @@ namespace qrelief {
 /// Attributes that hold the paint of a facet. PrusaSlicer compares the whole name, prefix included.
 inline constexpr std::string_view kPrusaPaint = "slic3rpe:mmu_segmentation", kBambuPaint = "paint_color";
 inline constexpr std::string_view kPrusaSpace = "http://schemas.slic3r.org/3mf/2017/06";
+/// Attributes that paint a facet, whole or in pieces, by PrusaSlicer and by Bambu Studio and OrcaSlicer: colours,
+/// supports, seams and fuzzy skin.
+inline constexpr std::array<std::string_view, 8> kFacetPaints = {
+    kPrusaPaint, "slic3rpe:custom_supports", "slic3rpe:custom_seam", "slic3rpe:fuzzy_skin",
+    kBambuPaint, "paint_supports",           "paint_seam",           "paint_fuzzy_skin"};
 
 /// Writes the paint of a facet that has one filament all over: "4", "8", "0C", "1C" and so on. The text is a tree of
 /// hexadecimal digits, the root last [PrusaSlicer, TriangleSelector::serialize and

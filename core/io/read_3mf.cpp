@@ -218,8 +218,8 @@ class Builder {
     for (const ThreeMfInstance& item : model.items) addItem(item, model.unitMm);
     Result<PolygonSoup> soup = finish(model);
     if (soup)
-      soup->source = std::make_shared<const ThreeMfSource>(
-          ThreeMfSource{{bytes.begin(), bytes.end()}, start, model.unitMm, std::move(runs_)});
+      soup->source = std::make_shared<const ThreeMfSource>(ThreeMfSource{
+          {bytes.begin(), bytes.end()}, start, model.unitMm, std::move(runs_), isPainted_, volumes_.plates});
     return soup;
   }
 
@@ -369,6 +369,7 @@ class Builder {
   void addMesh(const ThreeMfObject& object, const ThreeMfRun& run) {
     const std::size_t triangles = object.triangles.size();
     if (triangles == 0) return;
+    isPainted_ |= object.isPainted;
     const auto known = volumes_.ranges.find(run.object);
     if (known == volumes_.ranges.end() || !divideMesh(known->second, triangles))
       return addTriangles(object, run, 0, triangles, partTraits(run));
@@ -455,6 +456,7 @@ class Builder {
   std::string oddType_;                                  // of the first closed mesh that is not called a model
   ThreeMfVolumes volumes_;
   std::vector<ThreeMfRun> runs_;
+  bool isPainted_ = false;
   PolygonSoup soup_;
 };
 

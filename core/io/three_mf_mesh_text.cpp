@@ -2,7 +2,6 @@
 #include "io/three_mf_mesh_text.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -14,10 +13,6 @@ namespace qrelief {
 namespace {
 
 constexpr std::uint32_t kNowhere = 0xffffffffu;
-/// Attributes that paint a facet, whole or in pieces, by PrusaSlicer and by Bambu Studio and OrcaSlicer.
-constexpr std::array<std::string_view, 8> kPaint = {
-    kPrusaPaint, "slic3rpe:custom_supports", "slic3rpe:custom_seam", "slic3rpe:fuzzy_skin",
-    kBambuPaint, "paint_supports",           "paint_seam",           "paint_fuzzy_skin"};
 
 std::uint32_t cornerFrom(std::string_view text) {
   const auto number = parseInteger(withoutBlanks(text));
@@ -42,7 +37,7 @@ std::string attributesOf(const MeshText::TriangleText& triangle, KeptAttributes:
   std::string attributes;
   const std::string text = "<t" + triangle.attributes + "/>";
   for (const XmlTag::Attribute& a : XmlTags(text).next()->attributes()) {
-    const bool isPaint = std::find(kPaint.begin(), kPaint.end(), a.name) != kPaint.end();
+    const bool isPaint = std::find(kFacetPaints.begin(), kFacetPaints.end(), a.name) != kFacetPaints.end();
     if (!isPaint || filamentOfCode(a.value)) attributes += fmt::format(" {}", text.substr(a.begin, a.end - a.begin));
   }
   return attributes;

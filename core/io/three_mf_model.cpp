@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/filament_code.h"
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
@@ -51,6 +52,15 @@ bool isBox(const ThreeMfObject& object) {
   return !object.positions.empty() && std::all_of(object.positions.begin(), object.positions.end(), [&](Vec3 p) {
     return (p.x == box.min.x || p.x == box.max.x) && (p.y == box.min.y || p.y == box.max.y) &&
            (p.z == box.min.z || p.z == box.max.z);
+  });
+}
+
+/// Returns true if the element of a triangle says how the facet is painted.
+bool isPainted(const XmlElement& element) {
+  constexpr std::size_t kCorners = 3;
+  if (element.attributeCount() <= kCorners) return false;
+  return std::any_of(kFacetPaints.begin(), kFacetPaints.end(), [&](std::string_view name) {
+    return element.hasAttributeNamed(name.substr(name.find(':') + 1));  // npos + 1 = 0: there is no prefix
   });
 }
 
@@ -276,6 +286,7 @@ class ModelHandler : public XmlHandler {
       triangle[k] = static_cast<std::uint32_t>(*index);
     }
     object_->triangles.push_back(triangle);
+    if (!object_->isPainted) object_->isPainted = isPainted(element);
     return {};
   }
 

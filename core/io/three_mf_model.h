@@ -38,6 +38,7 @@ struct ThreeMfObject {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;  ///< all indices valid
   std::vector<ThreeMfInstance> components;
+  bool isPainted = false;   ///< some facets are painted (kFacetPaints)
   std::string curaMesh;     ///< the setting that makes it a helper mesh of Cura: "support_mesh"; else empty
   bool hasSlices = false;   ///< there is a stack of slices, too
   bool isInSlices = false;  ///< the shape is that stack; the mesh is a rough stand-in

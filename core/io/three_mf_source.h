@@ -28,6 +28,8 @@ struct ThreeMfSource {
   std::string start;                ///< name of the start part
   double unitMm = 1;                ///< of the start part
   std::vector<ThreeMfRun> runs;     ///< ascending, without gaps
+  bool isPainted = false;           ///< some facets of the runs are painted
+  std::size_t plates = 0;           ///< ThreeMfVolumes::plates
 };
 
 }  // namespace qrelief

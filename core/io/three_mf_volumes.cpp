@@ -49,6 +49,8 @@ class VolumeHandler : public XmlHandler {
       takeRange(element);
     else if (element.name == "metadata")
       takeMetadata(element);
+    else if (element.name == "plate")
+      ++volumes_.plates;
     return count_ <= kMaxVolumes ? Status()
                                  : badInput(message<"3mf-too-many-entries">(with::count<"limit">(kMaxVolumes)));
   }

@@ -41,6 +41,7 @@ struct ThreeMfVolumes {
   std::map<std::uint32_t, std::vector<VolumeRange>> ranges;     ///< by object; of PrusaSlicer
   std::set<std::pair<std::uint32_t, std::uint32_t>> notModels;  ///< build object and part; of Bambu Studio, OrcaSlicer
   std::map<std::pair<std::uint32_t, std::uint32_t>, VolumeTraits> parts;  ///< by build object and part; of the same two
+  std::size_t plates = 0;  ///< on which the same two arrange the objects; 0: none are named
 };
 
 /// Reads kinds, names and filaments of volumes from the model settings of PrusaSlicer, and of Bambu Studio and

@@ -97,6 +97,21 @@ std::optional<std::string_view> XmlElement::attribute(std::string_view uri, std:
   return std::nullopt;
 }
 
+std::size_t XmlElement::attributeCount() const {
+  std::size_t count = 0;
+  for (const char* const* a = attributes_; *a; a += 2) ++count;
+  return count;
+}
+
+bool XmlElement::hasAttributeNamed(std::string_view wanted) const {
+  for (const char* const* a = attributes_; *a; a += 2) {
+    std::string_view own = *a;
+    own.remove_prefix(own.rfind(kBetweenSpaceAndName) + 1);  // npos + 1 = 0: there is no prefix
+    if (own == wanted) return true;
+  }
+  return false;
+}
+
 Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) {
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
       XML_ParserCreateNS(nullptr, kBetweenSpaceAndName), XML_ParserFree);

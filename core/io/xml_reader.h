@@ -22,6 +22,10 @@ class XmlElement {
   std::optional<std::string_view> attribute(std::string_view wanted) const;
   /// Returns an attribute of a namespace.
   std::optional<std::string_view> attribute(std::string_view uri, std::string_view wanted) const;
+  /// Returns the number of attributes.
+  std::size_t attributeCount() const;
+  /// Returns true if an attribute has this name without its prefix.
+  bool hasAttributeNamed(std::string_view wanted) const;
 
  private:
   const char* const* attributes_;

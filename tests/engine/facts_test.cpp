@@ -9,6 +9,7 @@
 #include "settings/engrave_request.h"
 #include "settings/setting_json.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -32,6 +33,19 @@ TEST(Facts, DescribeAModelInMillimetres) {
   EXPECT_EQ(model["engravable"], true);
   EXPECT_EQ(model["findings"], Json::array());
   EXPECT_FALSE(model.contains("centre"));
+}
+
+TEST(Facts, NameWhatOnly3mfKeeps) {
+  std::string box = zip_file::boxObject(1, 10, 20, 30);
+  box.insert(box.find("<triangle ") + 10, "paint_color=\"8\" ");
+  const auto bytes = zip_file::threeMf(zip_file::modelPart(box, "<item objectid=\"1\"/>"),
+                                       {{"Metadata/model_settings.config", "<config><plate/><plate/></config>"}});
+  const auto only3mf = [&](double scaleToMm) {
+    return Json::parse(Facts().model(bytes, "a.3mf", scaleToMm))["model"]["only3mf"];
+  };
+  EXPECT_EQ(only3mf(0), Json({"paint", "plates"}));
+  EXPECT_EQ(only3mf(25.4), Json::array()) << "the file is written anew";
+  EXPECT_EQ(modelOf(writeStl(shapes::box({1, 2, 3})), 1)["model"]["only3mf"], Json::array());
 }
 
 TEST(Facts, RefuseAFileThatIsCutOffAndAScaleThatIsNone) {

@@ -53,6 +53,27 @@ PolygonSoup placedBox(const std::string& item) {
   return soup ? *soup : PolygonSoup();
 }
 
+TEST(ThreeMfReader, TellsPaintedFacetsAndPlates) {
+  const auto sourceOf = [](const std::string& attribute, int plates) {
+    std::string object = boxObject(1, 1, 2, 3);
+    object.insert(object.find("<triangle ") + 10, attribute);
+    std::string settings = "<config><object id=\"1\"/>";
+    for (int k = 0; k < plates; ++k) settings += "<plate/>";
+    const char* const kSpace = "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\"";
+    const auto soup = read3mf(threeMf(modelPart(object, "<item objectid=\"1\"/>", kSpace),
+                                      {{"Metadata/model_settings.config", settings + "</config>"}}),
+                              {});
+    EXPECT_TRUE(soup) << soup.error().message;
+    return *soup->source;
+  };
+  EXPECT_FALSE(sourceOf("", 0).isPainted);
+  EXPECT_FALSE(sourceOf("pid=\"5\" p1=\"0\" ", 0).isPainted);
+  EXPECT_TRUE(sourceOf("paint_color=\"8\" ", 0).isPainted);
+  EXPECT_TRUE(sourceOf("slic3rpe:mmu_segmentation=\"8\" ", 0).isPainted);
+  EXPECT_EQ(sourceOf("", 0).plates, 0u);
+  EXPECT_EQ(sourceOf("", 2).plates, 2u);
+}
+
 TEST(ThreeMfReader, ReadsAnObject) {
   const PolygonSoup soup = placedBox("<item objectid=\"1\"/>");
   EXPECT_EQ(soup.format, "3MF");

@@ -8,8 +8,9 @@
 /**
  * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
  *   sizeMm: [number, number, number], shells: number, bodies: { name: string, triangles: number }[], engravable: boolean, findings: Finding[],
- *   centre: [number, number, number] | null }} ModelInfo
- *   `centre`: proposed centre of the code: a surface point in the middle of the view
+ *   only3mf: ('paint' | 'plates')[], centre: [number, number, number] | null }} ModelInfo
+ *   `only3mf`: contents of the model's 3MF file that no other format keeps; `centre`: proposed centre of the code: a
+ *   surface point in the middle of the view
  */
 
 /** @typedef {{ x: number, y: number, width: number, height: number }} Area  of the canvas, CSS pixels */

@@ -31,6 +31,8 @@ import { sameWork } from './work.js';
  * @property {(action: () => Promise<unknown>) => Promise<unknown>} guard  runs an action that nobody awaits
  */
 
+/** @type {import('../engine/types.js').ModelInfo['only3mf']} */ const kNothing = [];
+
 export class Carving {
   /** @param {CarvingOptions} options */
   constructor({ client, jobs, model, placing, messages, panel, printing, store, fields, batching, onRemedy, guard }) {
@@ -166,6 +168,11 @@ export class Carving {
     return true;
   }
 
+  /** What all carvings of the loaded model have in common. */
+  get ground_() {
+    return { life: this.life_, only3mf: this.model_.info?.only3mf ?? kNothing };
+  }
+
   get isPrinting() {
     return this.carved?.printed?.state === 'under-way';
   }
@@ -276,7 +283,7 @@ export class Carving {
     const elapsedMs = performance.now() - started;
     if (!(await this.client_.useCarving(number))) return false;
     await this.adopt_(work, this.asked_);
-    this.carved = { report: await this.client_.report(), elapsedMs, number, work, life: this.life_ };
+    this.carved = { report: await this.client_.report(), elapsedMs, number, work, ...this.ground_ };
     await this.present_();
     this.print(true, goesOn);
     return true;
@@ -405,7 +412,7 @@ export class Carving {
         if (print) {
           const { result, printed } = print;
           const elapsedMs = performance.now() - started;
-          made.set(number, { report: result.report, elapsedMs, number, work, printed, life: this.life_ });
+          made.set(number, { report: result.report, elapsedMs, number, work, printed, ...this.ground_ });
         }
         isMade = print !== undefined;
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Saves a carved model and its report, named after the model and the text that it was carved from.
+import { downloadZip } from 'client-zip';
 import { saveFile } from '../dom/save_file.js';
 import { fileNameOf } from '../export/file_names.js';
 import { messageWords } from '../i18n/message_words.js';
@@ -18,13 +19,20 @@ const nameOf = ({ report, work }, extension, addition) =>
   });
 
 /**
- * @param {Pick<import('../engine/client.js').EngineClient, 'exportModel'>} client
+ * Saves the model in the chosen format. An inlaid code as STL is a ZIP with the files that the command writes.
+ * @param {Pick<import('../engine/client.js').EngineClient, 'exportModel' | 'exportFiles'>} client
  * @param {Carved} carved
  * @param {import('../ui/download_choice.js').Download} file
  */
 export async function saveModel(client, carved, { format, slicer }) {
   const [extension, addition] = format.split('-');
   const { mark } = carved.report;
+  if (mark === 'inlay' && format === 'stl') {
+    const files = await client.exportFiles(nameOf(carved, extension), carved.number);
+    const zip = downloadZip(files.map(({ name, bytes }) => ({ name, input: bytes })));
+    saveFile(await zip.blob(), nameOf(carved, 'zip', mark));
+    return;
+  }
   const bytes = await client.exportModel(format, slicer, carved.number);
   const name = nameOf(carved, extension, mark === 'paint' ? mark : addition);
   saveFile(new Blob([bytes], { type: `model/${extension}` }), name);

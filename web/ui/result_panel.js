@@ -16,8 +16,9 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
 /**
- * @typedef {{ report: Report, elapsedMs: number, printed?: import('../engine/types.js').Printed }} Result  `elapsedMs`:
- *   from the click to the end; `printed`: undefined until something is known about the print
+ * @typedef {{ report: Report, only3mf: import('../engine/types.js').ModelInfo['only3mf'], elapsedMs: number,
+ *   printed?: import('../engine/types.js').Printed }} Result  `only3mf`: of its model; `elapsedMs`: from the click to the
+ *   end; `printed`: undefined until something is known about the print
  */
 
 /**
@@ -62,7 +63,7 @@ export class ResultPanel {
     this.result_ = result;
     this.outdated_ = false;
     this.grades_.show(result.report);
-    this.choice_.offerFor(result.report.mark);
+    this.choice_.offerFor(result.report.mark, result.only3mf);
     this.render_();
   }
 
