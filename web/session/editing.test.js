@@ -175,3 +175,15 @@ test('The code panel shows the placement', () => {
   placing.placed.tell(undefined);
   assert.deepEqual(code.shown, [{ symbolMm: 20 }, undefined]);
 });
+
+test('An edit removes an error only if there is a model, and says why there is no code', async () => {
+  const problem = { found: () => 'There is no sample “foo”', help: () => '' };
+  messages.showError(problem);
+  await editing.apply('text');
+  assert.equal(messages.problem, problem);
+  model.answers.engravable = true;
+  placing.placement = undefined;
+  await editing.apply('text');
+  assert.equal(messages.problem, undefined);
+  assert.ok(batching.calls.includes('explainMissingCode'));
+});

@@ -103,6 +103,7 @@ test('An unknown sample is named with the known ones, and nothing is read', asyn
   await model.openSample('teapot');
   assert.match(messages.problem.found(), /There is no sample “teapot”/);
   assert.match(messages.problem.help(), /bunny, vase/);
+  assert.equal(messages.said.at(-1), 'Choose a model.');
   assert.deepEqual(events, []);
   assert.equal(model.source, undefined);
 });
