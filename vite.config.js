@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { gallery } from './study/gallery/build_plugin.js';
@@ -7,6 +7,7 @@ import { study } from './study/page/build_plugin.js';
 import { offline } from './web/offline/build_plugin.js';
 import { oneLanguage } from './web/i18n/cut_language.js';
 import { fillTexts } from './web/i18n/fill.js';
+import { linkProject } from './web/i18n/project_links.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
@@ -56,7 +57,11 @@ function contentSecurityPolicy() {
 
 /** @returns {import('vite').Plugin} */
 function texts() {
-  return { name: 'qrelief-texts', transformIndexHtml: { order: 'pre', handler: fillTexts } };
+  const project = JSON.parse(readFileSync(`${root}package.json`, 'utf8'));
+  return {
+    name: 'qrelief-texts',
+    transformIndexHtml: { order: 'pre', handler: (html) => fillTexts(linkProject(html, project)) },
+  };
 }
 
 export default defineConfig({

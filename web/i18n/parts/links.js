@@ -8,6 +8,8 @@ export const links = {
     toGuide: 'How to print it',
     toStudy: 'Measurements',
     toGallery: 'Gallery',
+    source: 'Source code',
+    issues: 'Report a problem',
   },
   de: {
     toApp: 'Zur App',
@@ -15,5 +17,7 @@ export const links = {
     toGuide: 'So wird es gedruckt',
     toStudy: 'Messungen',
     toGallery: 'Galerie',
+    source: 'Quelltext',
+    issues: 'Problem melden',
   },
 };
