@@ -75,7 +75,7 @@ export default defineConfig({
     requireModule(),
     texts(),
     oneLanguage(),
-    study({ tables: `${root}study/results`, before: `${root}study/results/before` }),
+    study({ tables: `${root}study/results` }),
     gallery({ pictures: `${root}build/gallery` }),
     contentSecurityPolicy(),
     offline({ site: process.env.QRELIEF_SITE }),

@@ -6,7 +6,8 @@ import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';
 import { kFigures } from './figures.js';
-import { figureMarkup, linkMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
+import { kFindings } from './findings.js';
+import { figureMarkup, findingMarkup, linkMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
 import { cases, models, said } from './say.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
@@ -42,31 +43,31 @@ function verdictOn({ holds, of }, why) {
   return [said(holds === 0 ? 'claimFails' : 'claimInPart'), ...(why ? [said(why)] : [])];
 }
 
-/**
- * Returns the paper's statements, and how often each held before and holds now.
- * @param {Record<string, Row[]>} rowsBefore  by table
- * @param {Record<string, Row[]>} rowsNow     by table
- */
-function statementsMarkup(rowsBefore, rowsNow) {
+/** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
+function statementsMarkup(rowsOf) {
   const lines = kStatements.map(({ claim, section, table, over, judge, why }) => {
-    const count = (/** @type {Record<string, Row[]>} */ rowsOf) => {
-      const counted = judge(rowsOf[table] ?? []);
-      if (counted.of === 0) return said('claimNotMeasured');
-      return over === 'models' ? models(counted) : cases(counted);
-    };
+    const counted = judge(rowsOf[table] ?? []);
+    const count = over === 'models' ? models(counted) : cases(counted);
     const link = { words: said(/** @type {any} */ (`section-${section}`)), section };
     return [
       { words: [said(claim)] },
-      { words: [count(rowsBefore)] },
-      { words: [count(rowsNow)] },
-      { words: verdictOn(judge(rowsNow[table] ?? []), why), link },
+      { words: [counted.of === 0 ? said('claimNotMeasured') : count] },
+      { words: verdictOn(counted, why), link },
     ];
   });
-  return `${textMarkup([said('claimsShown')])}
-<div class="statements">${tableMarkup(
-    [said('claimPaper'), said('claimBefore'), said('claimNow'), said('claimVerdict')],
+  return `<div class="statements">${tableMarkup(
+    [said('claimPaper'), said('claimCount'), said('claimVerdict')],
     lines,
   )}</div>`;
+}
+
+/** Returns the findings whose tables are there. @param {Record<string, Row[]>} rowsOf  by table */
+function findingsMarkup(rowsOf) {
+  const found = kFindings.flatMap(({ section, find }) => {
+    const finding = find(rowsOf);
+    return finding ? [findingMarkup(finding, section)] : [];
+  });
+  return found.length > 0 ? found.join('\n') : missingMarkup();
 }
 
 /** @param {Row[]} rows */
@@ -83,12 +84,11 @@ ${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 
 /**
  * Returns the page's content for these tables.
- * @param {Record<string, Table>} tables    by name
- * @param {Record<string, Table>} [before]  the same before the depth limit went
+ * @param {Record<string, Table>} tables  by name
  * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of
- *   the tables `statements` and `decoderRates`
+ *   `findings`, and of the tables `statements` and `decoderRates`
  */
-export async function makeStudy(tables, before = {}) {
+export async function makeStudy(tables) {
   /** @type {Map<string, string>} */ const files = new Map();
   /** @type {Map<string, string>} */ const markup = new Map();
   const rowsOf = measuredRows(tables);
@@ -120,7 +120,8 @@ export async function makeStudy(tables, before = {}) {
       figureMarkup({ figure, drawn, found: values, table: { path, cases, failed: cases - rows.length } }),
     );
   }
-  markup.set('statements', statementsMarkup(measuredRows(before), rowsOf));
+  markup.set('findings', findingsMarkup(rowsOf));
+  markup.set('statements', statementsMarkup(rowsOf));
   markup.set('decoderRates', decoderRatesMarkup(rowsOf.carved_qr_rates ?? []));
   if (tables.carved_qr_rates) files.set(kRatesFile, tables.carved_qr_rates.csv);
   return { files, markup };
@@ -140,12 +141,12 @@ export const fillFigures = (html, markup) =>
   });
 
 /**
- * @param {{ tables: string, before: string }} options  folders of the tables
+ * @param {{ tables: string }} options  folder of the tables
  * @returns {import('vite').Plugin}
  */
-export function study({ tables, before }) {
+export function study({ tables }) {
   /** @type {ReturnType<typeof makeStudy> | undefined} */ let pages;
-  const make = () => (pages ??= makeStudy(readTables(tables), readTables(before)));
+  const make = () => (pages ??= makeStudy(readTables(tables)));
   return {
     name: 'qrelief-study',
     transformIndexHtml: {

@@ -50,33 +50,30 @@ test('no label of the kept tables’ figures is cut off', async () => {
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
   const { files, markup } = await makeStudy({ symbol_flips: tableOf(kHead + kFailed) });
   assert.equal(files.size, 0);
-  const { statements, decoderRates, ...figures } = Object.fromEntries(markup);
+  const { findings, statements, decoderRates, ...figures } = Object.fromEntries(markup);
   assert.deepEqual(
     Object.keys(figures),
     kFigures.map(({ name }) => name),
   );
   for (const content of Object.values(figures)) assert.match(content, /has not been measured yet/);
-  assert.match(decoderRates, /has not been measured yet/);
-  assert.equal(statements.match(/<td>not measured<\/td><td>not measured<\/td>/g)?.length, kStatements.length);
+  for (const content of [findings, decoderRates]) assert.match(content, /has not been measured yet/);
+  assert.equal(statements.match(/<td>not measured<\/td>/g)?.length, kStatements.length);
   assert.doesNotMatch(statements, /Holds\.|Does not hold/);
 });
 
-test('a statement is judged before and now; where a table is missing, that column says so', async () => {
-  const lamps = (/** @type {number[]} */ depths) =>
-    tableOf(`model,modules,lamps,depth_mm,failed\n${depths.map((mm, at) => `plate,none,${at},${mm},\n`).join('')}`);
-  const lineOf = async (/** @type {any} */ now, /** @type {any} */ before) => {
-    const { markup } = await makeStudy(now, before);
+test('a statement is judged by the table; where it does not hold, the reason follows', async () => {
+  const lineOf = async (/** @type {number[]} */ depths) => {
+    const lamps = tableOf(
+      `model,modules,lamps,depth_mm,failed\n${depths.map((mm, at) => `plate,none,${at},${mm},\n`).join('')}`,
+    );
+    const { markup } = await makeStudy({ lamp_depths: lamps });
     return /Lamps make codes with whole modules shallower\.<\/th>(.*)<\/tr>/.exec(markup.get('statements') ?? '')?.[1];
   };
-  const [falls, rises] = [{ lamp_depths: lamps([0.9, 0.8, 0.7]) }, { lamp_depths: lamps([0.7, 0.8, 0.9]) }];
   const link = '<a href="#lamps">Lamps</a>';
+  assert.equal(await lineOf([0.9, 0.8, 0.7]), `<td>on all 1 models</td><td>Holds. ${link}</td>`);
   assert.equal(
-    await lineOf(falls, rises),
-    `<td>on none of the 1 models</td><td>on all 1 models</td><td>Holds. ${link}</td>`,
-  );
-  assert.equal(
-    await lineOf(rises, {}),
-    `<td>not measured</td><td>on none of the 1 models</td>` +
+    await lineOf([0.7, 0.8, 0.9]),
+    `<td>on none of the 1 models</td>` +
       `<td>Does not hold. The paper does not give the strength of its lamps. ${link}</td>`,
   );
 });
@@ -97,11 +94,19 @@ test('how often a statement holds is said in words', () => {
   );
 });
 
+test('the contents lead to every heading, and each of them has a name', () => {
+  const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
+  const contents = /<nav class="contents"[^]*?<\/nav>/.exec(page)?.[0] ?? '';
+  const linked = [...contents.matchAll(/href="#(\w+)"/g)].map(([, id]) => id);
+  const headings = [...page.matchAll(/<h[23] id="(\w+)"/g)].map(([, id]) => id).filter((id) => id !== 'contents');
+  assert.deepEqual(linked, headings);
+});
+
 test('every figure stands on the page once, and one that is not there fails the build', () => {
   const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
   assert.deepEqual(
     [...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(),
-    [...kFigures.map(({ name }) => name), 'statements', 'decoderRates'].sort(),
+    [...kFigures.map(({ name }) => name), 'findings', 'statements', 'decoderRates'].sort(),
   );
   assert.throws(() => fillFigures('<div data-figure="nothing"></div>', new Map()), /no figure "nothing"/);
 });

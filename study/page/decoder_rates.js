@@ -23,21 +23,33 @@ const kColumns = [
 /** @param {Row[]} rows @param {string} column */
 const sum = (rows, column) => rows.reduce((total, row) => total + row[column], 0);
 
+/** @param {Row[]} rows */
+const shareOf = (rows) => (100 * sum(rows, 'read')) / sum(rows, 'pictures');
+
+/**
+ * Returns each decoder's share of all its pictures.
+ * @param {Row[]} rows  of the table carved_qr_rates
+ * @returns {{ decoder: string, share: number }[]}  from the best to the worst; in %
+ */
+export const decoderShares = (rows) =>
+  distinct(rows, 'decoder')
+    .map((decoder) => ({ decoder, share: shareOf(rows.filter((row) => row.decoder === decoder)) }))
+    .sort((a, b) => b.share - a.share);
+
 /**
  * @param {Row[]} rows  of the table carved_qr_rates
  * @returns {{ head: Said[], body: Said[][], pictures: number, wrong: number }}  decoders from the best to the worst; in %
  */
 export function decoderRates(rows) {
-  const share = (/** @type {Row[]} */ some) => (100 * sum(some, 'read')) / sum(some, 'pictures');
   const ofDecoder = (/** @type {string} */ decoder) => rows.filter((row) => row.decoder === decoder);
-  const decoders = distinct(rows, 'decoder').sort((a, b) => share(ofDecoder(b)) - share(ofDecoder(a)));
+  const decoders = decoderShares(rows).map(({ decoder }) => decoder);
   return {
     head: [said('ratesDecoder'), ...kColumns.map(({ word }) => said(word))],
     body: decoders.map((decoder) => [
       said('asIs', { value: decoder }),
       ...kColumns.map(({ has }) => {
         const some = ofDecoder(decoder).filter(has);
-        return some.length === 0 ? said('ratesNone') : said('percent', { value: Math.round(share(some)) });
+        return some.length === 0 ? said('ratesNone') : said('percent', { value: Math.round(shareOf(some)) });
       }),
     ]),
     pictures: decoders.length > 0 ? sum(ofDecoder(decoders[0]), 'pictures') : 0,

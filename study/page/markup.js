@@ -57,6 +57,29 @@ ${inEach('figure', (language) => `<div class="chart">${picture(entry, language)}
 }
 
 /**
+ * Returns a finding: its number beside its bars, and a link to the figure behind it.
+ * @param {import('./findings.js').Finding} finding
+ * @param {string} section  id of the figure's section
+ */
+export function findingMarkup(
+  { title, number, says, bars, whole = Math.max(...bars.map(({ value }) => value)) },
+  section,
+) {
+  const rows = (/** @type {Language} */ language) =>
+    bars.map(({ label, value, said: words, isOurs }) => {
+      const width = Math.round((1000 * value) / whole) / 10;
+      const bar = `<svg class="bar-line${isOurs ? ' ours' : ''}" aria-hidden="true"><rect width="${width}%" height="100%" rx="2" /></svg>`;
+      return `<tr><th scope="row">${paragraph(language, [label])}</th><td>${bar}</td><td>${paragraph(language, [words])}</td></tr>`;
+    });
+  return inEach('section', (language) => {
+    const heading = paragraph(language, [said(title)]);
+    return `<h3>${heading}</h3>
+<p><strong class="number">${paragraph(language, [number])}</strong> ${paragraph(language, says)} <a href="#${section}">${paragraph(language, [said('findingMore')])}</a></p>
+<table class="bars" aria-label="${heading}"><tbody>${rows(language).join('\n')}</tbody></table>`;
+  });
+}
+
+/**
  * Words, and a link to a section of the page after them.
  * @typedef {{ words: Said[], link?: { words: Said, section: string } }} Cell
  */

@@ -9,6 +9,7 @@ import { contrastSweep } from './figures/contrast_sweep.js';
 import { decoderRates } from './figures/decoder_rates.js';
 import { defaultChoice } from './figures/default_choice.js';
 import { equalDepth } from './figures/equal_depth.js';
+import { findings } from './figures/findings.js';
 import { frontier } from './figures/frontier.js';
 import { gallery } from './figures/gallery.js';
 import { guaranteedSize } from './figures/guaranteed_size.js';
@@ -30,6 +31,7 @@ export const figures = {
     ...names.en,
     ...axes.en,
     ...common.en,
+    ...findings.en,
     ...leastModule.en,
     ...guaranteedSize.en,
     ...patternDepths.en,
@@ -55,6 +57,7 @@ export const figures = {
     ...names.de,
     ...axes.de,
     ...common.de,
+    ...findings.de,
     ...leastModule.de,
     ...guaranteedSize.de,
     ...patternDepths.de,

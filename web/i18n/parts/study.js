@@ -7,9 +7,16 @@ export const study = {
     description:
       'The engraving depth that QR codes need to decode, by module pattern, method, light and print: the figures of a study, compared with the published study, with its tables.',
     heading: 'Measurements',
-    lead: 'Earlier papers judged engraved QR codes by prints and photographs that nobody else has. Here every method engraves the same models and is judged under the same light by the same decoders. The build makes all figures and numbers on this page from the tables.',
+    lead: 'How small, how deep and in which light? We engraved the same models by every published method and simulated prints and pictures of them. Five findings help you print; the figures and tables behind them follow.',
+
+    contents: 'Contents',
+    findings: 'Findings',
+    figures: 'Figures and tables',
+    figuresWhat: 'Below each figure is its table, to download. Everything is simulated, as “Procedure” says.',
 
     how: 'Procedure',
+    howWhy:
+      'Earlier papers judged engraved QR codes by prints and photographs that nobody else has. Here every method engraves the same models and is judged under the same light by the same decoders. The build makes all figures and numbers on this page from the tables.',
     howModels:
       'The models are the sample models of the app, a plate and a cylinder. Unless a figure says otherwise, the code has version 3, modules of 1 mm and white material, under an even sky.',
     howReads:
@@ -53,9 +60,17 @@ export const study = {
     description:
       'Wie tief QR-Codes graviert sein müssen, um gelesen zu werden, nach Modulmuster, Verfahren, Licht und Druck: die Abbildungen einer Studie, verglichen mit der veröffentlichten, samt Tabellen.',
     heading: 'Messungen',
-    lead: 'Frühere Arbeiten beurteilten gravierte QR-Codes nach Drucken und Fotos, die sonst niemand hat. Hier graviert jedes Verfahren dieselben Modelle und wird unter demselben Licht mit denselben Decodern beurteilt. Alle Abbildungen und Zahlen entstehen beim Bauen dieser Seite aus den Tabellen.',
+    lead: 'Wie klein, wie tief, in welchem Licht? Wir haben dieselben Modelle nach jedem veröffentlichten Verfahren graviert und Drucke und Fotos davon simuliert. Fünf Ergebnisse helfen beim Drucken; danach folgen die Abbildungen und Tabellen dazu.',
+
+    contents: 'Inhalt',
+    findings: 'Ergebnisse',
+    figures: 'Abbildungen und Tabellen',
+    figuresWhat:
+      'Unter jeder Abbildung steht ihre Tabelle zum Herunterladen. Alles ist simuliert, wie unter „Vorgehen“ beschrieben.',
 
     how: 'Vorgehen',
+    howWhy:
+      'Frühere Arbeiten beurteilten gravierte QR-Codes nach Drucken und Fotos, die sonst niemand hat. Hier graviert jedes Verfahren dieselben Modelle und wird unter demselben Licht mit denselben Decodern beurteilt. Alle Abbildungen und Zahlen entstehen beim Bauen dieser Seite aus den Tabellen.',
     howModels:
       'Die Modelle sind die Beispielmodelle der App, eine Platte und ein Zylinder. Wo eine Abbildung nichts anderes sagt, hat der Code Version 3 und Module von 1 mm, in weißem Material unter gleichmäßigem Himmel.',
     howReads:

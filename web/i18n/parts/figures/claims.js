@@ -4,11 +4,8 @@
 export const claims = {
   en: {
     claimPaper: 'The paper says',
-    claimBefore: 'Before',
-    claimNow: 'Now',
+    claimCount: 'Here it holds',
     claimVerdict: 'Holds, or why not',
-    claimsShown:
-      '“Now” is judged on the tables of this page, “Before” on their versions of 24 November 2026 (commit 96364e2, folder “study/results/before”). At that time the program engraved no deeper than 1.2 modules with the paper’s method; this limit was ours, not the paper’s. The computation of light has changed since then, too.',
     claimNotMeasured: 'not measured',
     claimHolds: 'Holds.',
     claimInPart: 'Holds in part.',
@@ -47,11 +44,8 @@ export const claims = {
   },
   de: {
     claimPaper: 'Der Artikel sagt',
-    claimBefore: 'Vorher',
-    claimNow: 'Jetzt',
+    claimCount: 'Hier gilt das',
     claimVerdict: 'Gilt, oder warum nicht',
-    claimsShown:
-      '„Jetzt“ beruht auf den Tabellen dieser Seite, „Vorher“ auf ihren Fassungen vom 24. November 2026 (Commit 96364e2, Ordner „study/results/before“). Damals gravierte das Programm mit dem Verfahren des Artikels höchstens 1,2 Module tief; diese Grenze kam von uns, nicht aus dem Artikel. Auch die Berechnung des Lichts hat sich seitdem geändert.',
     claimNotMeasured: 'nicht gemessen',
     claimHolds: 'Gilt.',
     claimInPart: 'Gilt teilweise.',
