@@ -76,7 +76,7 @@ export default defineConfig({
     texts(),
     oneLanguage(),
     study({ tables: `${root}study/results` }),
-    gallery({ pictures: `${root}build/gallery` }),
+    gallery(),
     contentSecurityPolicy(),
     offline({ site: process.env.QRELIEF_SITE }),
   ],

@@ -2,11 +2,14 @@
 import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
+import { poll } from './support/poll.js';
 
 test('The app carves a code of the gallery with its settings', async ({ page }) => {
   await page.goto('./gallery.html');
   await expect(page.getByRole('heading', { name: 'Stanford bunny' })).toBeVisible();
-  expect(await page.locator('.in-en .exhibit').count()).toBeGreaterThanOrEqual(2 * 9 + 25);
+  expect(await page.locator('.in-en .exhibit').count()).toBe(9 * 2 + 2 * 25);
+  const first = page.locator('.in-en .exhibit img').first();
+  await poll(() => first.evaluate((image) => /** @type {HTMLImageElement} */ (image).naturalWidth)).toBeGreaterThan(0);
   expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(
     0,
   );

@@ -18,6 +18,7 @@ const kTypes = {
   '.svg': 'image/svg+xml',
   '.png': 'image/png',
   '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
   '.webmanifest': 'application/manifest+json',
   '.stl': 'model/stl',
   '.txt': 'text/plain',

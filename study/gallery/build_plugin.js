@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: puts the pictures by script/gallery, with their captions, into gallery.html.
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+// Part of the build: puts the kept pictures (script/gallery), with their captions, into gallery.html.
+import { readFileSync } from 'node:fs';
 import { escaped } from '../../web/i18n/fill.js';
 import { samples as sampleNames } from '../../web/i18n/parts/samples.js';
-import { inEach, textMarkup } from '../page/markup.js';
+import { inEach } from '../page/markup.js';
 import { mm, name, said, sentence } from '../page/say.js';
+import { kFinders, kPatterns, kPicturesFolder, readGallery } from './exhibits.js';
 
 /** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
-/**
- * One code, as written by make_gallery.cpp.
- * @typedef {object} Exhibit
- * @property {'default' | 'lamp' | 'pattern'} kind
- * @property {Record<string, string>} settings  that differ from the defaults, as in the page's address
- * @property {string} designed   PNG file
- * @property {string} printed    PNG file
- * @property {number} depthMm    mean
- * @property {number} moduleMm
- * @property {number} reads         tries that decode, of the design
- * @property {number} printedReads  of the print
- * @property {number} tries
- */
-/** @typedef {{ sample: string, exhibits: Exhibit[] }} Room */
+/** @typedef {import('./exhibits.js').Exhibit} Exhibit */
+/** @typedef {import('./exhibits.js').Room} Room */
 
 const kFolder = 'gallery';
-const kPatterns = ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'];
-const kFinders = ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sharp'];
-
-/** @param {string} folder @returns {Room[]}  in the order of the page's samples */
-export function readGallery(folder) {
-  const order = Object.keys(sampleNames.en);
-  const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
-  return files
-    .map((file) => JSON.parse(readFileSync(`${folder}/${file}`, 'utf8')))
-    .sort((a, b) => order.indexOf(a.sample) - order.indexOf(b.sample));
-}
 
 /** Returns the address of the app with this code, to carve at once. @param {string} sample @param {Exhibit} exhibit */
 const addressOf = (sample, { settings }) => `./?${new URLSearchParams({ sample, ...settings, engrave: '1' })}`;
@@ -95,7 +73,6 @@ function roomMarkup(language, { sample, exhibits }) {
  * @returns {string}
  */
 export function galleryMarkup(rooms) {
-  if (rooms.length === 0) return textMarkup([said('galleryMissing')]);
   const links = (/** @type {Language} */ language) => {
     const items = rooms.map(({ sample }) => `<li><a href="#${sample}">${titleOf(language, sample)}</a></li>`);
     return `<ul class="sample-links">${items.join('')}</ul>`;
@@ -106,32 +83,27 @@ export function galleryMarkup(rooms) {
   return [inEach('div', links), ...sections].join('\n');
 }
 
-/**
- * @param {{ pictures: string }} options  folder filled by script/gallery; without it the page says so
- * @returns {import('vite').Plugin}
- */
-export function gallery({ pictures }) {
-  const bytesOf = (/** @type {string} */ file) => readFileSync(`${pictures}/${file}`);
+/** @returns {import('vite').Plugin} */
+export function gallery() {
+  const bytesOf = (/** @type {string} */ file) => readFileSync(`${kPicturesFolder}/${file}`);
+  const files = () =>
+    readGallery().flatMap(({ exhibits }) => exhibits.flatMap(({ designed, printed }) => [designed, printed]));
   return {
     name: 'qrelief-gallery',
     transformIndexHtml: {
       order: 'post', // otherwise Vite would look for the pictures itself
       handler: (html, { path }) =>
-        path.endsWith('gallery.html')
-          ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery(pictures)))
-          : html,
+        path.endsWith('gallery.html') ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery())) : html,
     },
     generateBundle() {
-      for (const { designed, printed } of readGallery(pictures).flatMap(({ exhibits }) => exhibits)) {
-        for (const file of [designed, printed])
-          this.emitFile({ type: 'asset', fileName: `${kFolder}/${file}`, source: bytesOf(file) });
-      }
+      for (const file of files())
+        this.emitFile({ type: 'asset', fileName: `${kFolder}/${file}`, source: bytesOf(file) });
     },
     configureServer(server) {
       server.middlewares.use(`/${kFolder}`, (request, response, next) => {
-        const file = /^\/([\w-]+\.png)$/.exec(request.url ?? '')?.[1];
-        if (file === undefined || !existsSync(`${pictures}/${file}`)) next();
-        else response.setHeader('Content-Type', 'image/png').end(bytesOf(file));
+        const file = files().find((name) => request.url === `/${name}`);
+        if (file === undefined) next();
+        else response.setHeader('Content-Type', 'image/webp').end(bytesOf(file));
       });
     },
   };

@@ -9,7 +9,6 @@ export const gallery = {
     galleryDesigned: 'As designed',
     galleryPrinted: 'As printed',
     galleryFacts: '{depth} mm deep; {reads} of {tries} tries decode the design, {printed} the print',
-    galleryMissing: 'This build has no pictures: script/gallery makes them.',
   },
   de: {
     galleryDefault: 'Mit der Voreinstellung',
@@ -18,6 +17,5 @@ export const gallery = {
     galleryDesigned: 'Im Entwurf',
     galleryPrinted: 'Im Druck',
     galleryFacts: '{depth} mm tief; {reads} von {tries} Versuchen lesen den Entwurf, {printed} den Druck',
-    galleryMissing: 'Dieser Seite fehlen die Bilder: script/gallery macht sie.',
   },
 };
