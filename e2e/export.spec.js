@@ -79,7 +79,7 @@ test('The symbol as SVG and PNG decodes, and its file names the content', async 
   });
 });
 
-test('A dropped settings file restores the settings', async ({ page }) => {
+test('A dropped settings file and a shared link restore the settings', async ({ page, context }) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
@@ -95,6 +95,10 @@ test('A dropped settings file restores the settings', async ({ page }) => {
   const centre = await app.centre();
   const file = await app.download('Save settings');
   expect(file.name).toBe('bumpy-sphere-qr-example.org-22mm-settings.json');
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.getByRole('button', { name: 'Share link' }).click();
+  await expect(app.status).toHaveText('Link copied.');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
 
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -109,6 +113,18 @@ test('A dropped settings file restores the settings', async ({ page }) => {
   await expect(app.setting('Modules')).toHaveValue('diamond');
   await expect(app.setting('Minimum wall (mm)')).toHaveValue('1.25');
   expect((await app.download('Save settings')).bytes).toEqual(file.bytes);
+
+  await test.step('A shared link opens the page with the same sample, spot, text and settings', async () => {
+    await page.goto(link);
+    await app.expectReady();
+    await expect(app.text).toHaveValue(kText);
+    await expect(app.sample).toHaveValue('bumpy-sphere');
+    await expect(app.placement).toContainText('21.5 mm wide');
+    (await app.centre()).forEach((mm, axis) => expect(mm).toBeCloseTo(centre[axis], 1));
+    await app.openSettings();
+    await expect(app.setting('Modules')).toHaveValue('diamond');
+    await expect(app.setting('Minimum wall (mm)')).toHaveValue('1.25');
+  });
 
   await test.step('The file field accepts settings too and keeps the user’s model', async () => {
     await app.file.setInputFiles(saddleFile);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads settings from the page's address, by name: `?sample=bunny&pattern=square&light=90,33`.
+// Settings and model in the page's address, by name: `?sample=bunny&at=6.3,-36.2,41.1&pattern=square&light=90,33`.
 import { EngineFailure } from '../engine/engine_error.js';
-import { lampsFrom } from '../engine/lamps.js';
+import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
 import { withoutRemoved } from './removed_settings.js';
 import { checkSetting, fileKeys } from './settings_file.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
+/** @typedef {import('../engine/types.js').Settings} Settings */
+/** @typedef {import('./settings_file.js').ModelChoice} ModelChoice */
+/** @typedef {[number, number, number]} Point */
+
+const kSpotDigits = 2; // a hundredth of a millimetre
 
 /** @param {import('../engine/message.js').Message} why @returns {never} */
 function refuse(why) {
@@ -28,7 +33,7 @@ function valueOf(key, text) {
  * Reads and checks the settings in an address.
  * @param {URLSearchParams} address
  * @param {readonly SettingKey[]} controls  settings that have a control; others are ignored
- * @returns {{ settings: Partial<import('../engine/types.js').Settings>, warnings: import('../engine/message.js').Message[] }}
+ * @returns {{ settings: Partial<Settings>, warnings: import('../engine/message.js').Message[] }}
  *   `warnings`: removed settings, which are ignored
  * @throws {EngineFailure} if a value cannot be used
  */
@@ -43,4 +48,36 @@ export function settingsFromAddress(address, controls) {
     }),
   );
   return { settings, warnings };
+}
+
+/**
+ * Returns the spot on the sample that an address asks for, in mm.
+ * @param {URLSearchParams} address
+ * @returns {Point | undefined}  undefined: none, or not three numbers
+ */
+export function spotFromAddress(address) {
+  const numbers = (address.get('at') ?? '').split(',').map((part) => (part.trim() === '' ? NaN : Number(part)));
+  return numbers.length === 3 && numbers.every(Number.isFinite) ? /** @type {Point} */ (numbers) : undefined;
+}
+
+/** @param {unknown} value  of a setting */
+const textOf = (value) => (areLamps(value) ? lampsText(value) : String(value));
+
+/**
+ * Returns the parameters that set the page up: the text, the sample with its spot, and the settings that differ from the
+ * defaults. Other models cannot be in an address.
+ * @param {{ settings: Settings, defaults: Settings, model?: ModelChoice }} work
+ * @returns {URLSearchParams}
+ */
+export function addressFor({ settings, defaults, model }) {
+  const changed = /** @type {[string, unknown][]} */ (Object.entries(settings)).filter(
+    ([key, value]) => key !== 'text' && textOf(value) !== textOf(/** @type {any} */ (defaults)[key]),
+  );
+  const { sample, centreMm } = model ?? {};
+  return new URLSearchParams([
+    ...(sample ? [['sample', sample]] : []),
+    ...(sample && centreMm ? [['at', centreMm.map((mm) => Number(mm.toFixed(kSpotDigits))).join(',')]] : []),
+    ['text', settings.text],
+    ...changed.map(([key, value]) => [key, textOf(value)]),
+  ]);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saves the symbol, a picture of the view and the settings; loads settings.
+// Saves the symbol, a picture of the view and the settings; shares the link that sets the page up; loads settings.
 import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../dom/save_file.js';
 import { fileNameOf, symbolFileName } from '../export/file_names.js';
-import { settingsFromAddress } from '../export/address_settings.js';
+import { addressFor, settingsFromAddress } from '../export/address_settings.js';
 import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js';
+import { shareLink } from '../export/share_link.js';
 import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 import { holdsSecret } from '../payloads/secrets.js';
 
@@ -44,6 +45,7 @@ export class Exporting {
     panel.listen({
       onPicture: () => guard(() => this.savePicture()),
       onSettings: () => guard(async () => this.saveSettings()),
+      onShare: () => guard(() => this.shareLink()),
       onSymbol: (format) => guard(() => this.saveSymbol(format)),
     });
     placing.placed.on(() => panel.setSecret(holdsSecret(store.work.text)));
@@ -70,6 +72,18 @@ export class Exporting {
   saveSettings() {
     const file = writeSettingsFile({ settings: this.settingsToSave_, model: this.modelChoice_() });
     saveFile(new Blob([file], { type: 'application/json' }), this.nameOf_('settings', 'json'));
+  }
+
+  /** Shares the link that sets the page up like this one; the user's own model is not in it. */
+  async shareLink() {
+    const link = new URL(location.pathname, location.href);
+    const model = this.modelChoice_();
+    const defaults = this.fields_.settings(this.fields_.defaults, '');
+    link.search = String(addressFor({ settings: this.settingsToSave_, defaults, model }));
+    const way = await shareLink(link.href, { navigator, history });
+    if (way === 'cancelled') return;
+    const isWhole = model?.sample !== undefined;
+    this.messages_.say(() => `${text(`exports.${way}`)}${isWhole ? '' : ` ${text('exports.linkWithoutModel')}`}`);
   }
 
   /** Settings of the work, with the text of the single code. */

@@ -2,10 +2,11 @@
 // Starts the page, and restores the work in a new module.
 import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { spotFromAddress } from '../export/address_settings.js';
 import { text } from '../i18n/catalogue.js';
 import { fetchJson } from './fetch_file.js';
 
-const kAsked = ['sample', 'text', 'engrave']; // address parameters
+const kAsked = ['sample', 'at', 'text', 'engrave']; // address parameters
 
 /**
  * @typedef {object} StartingOptions
@@ -51,7 +52,8 @@ export class Starting {
   async open_(address) {
     const { exporting, model, batchCarving, continuing, carving, messages } = this.options_;
     const { asksForSettings, warnings, refusal } = exporting.useAddress(address);
-    await model.openSample(address.get('sample') ?? undefined);
+    const centreMm = spotFromAddress(address);
+    await model.openSample(address.get('sample') ?? undefined, centreMm ? { centreMm } : {});
     const isOffered = await batchCarving.offer();
     const asks = asksForSettings || kAsked.some((name) => address.has(name));
     await continuing.begin(isOffered ? 'never' : asks ? 'same-address' : 'always');

@@ -5,7 +5,10 @@ import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
 
-/** @typedef {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} ExportListener */
+/**
+ * @typedef {{ onPicture: () => void, onSettings: () => void, onShare: () => void,
+ *   onSymbol: (format: 'svg' | 'png') => void }} ExportListener
+ */
 
 export class ExportPanel {
   constructor() {
@@ -16,12 +19,14 @@ export class ExportPanel {
     this.secret_.id = 'take-secret';
     this.secret_.hidden = true;
     this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', () => this.listener_?.onSettings());
+    this.share_ = makeButton('exports.share', 'exports.shareTitle', () => this.listener_?.onShare());
     this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', () => this.listener_?.onPicture());
     mount.append(
       make(
         'div',
         { className: 'take-buttons' },
         this.settings_,
+        this.share_,
         this.picture_,
         makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => this.listener_?.onSymbol('svg')),
         makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => this.listener_?.onSymbol('png')),
@@ -36,11 +41,13 @@ export class ExportPanel {
     this.listener_ = listener;
   }
 
-  /** @param {boolean} secret  the text holds a password, so a settings file would contain it */
+  /** @param {boolean} secret  the text holds a password, so a settings file and a link would contain it */
   setSecret(secret) {
     this.secret_.hidden = !secret;
-    if (secret) this.settings_.setAttribute('aria-describedby', this.secret_.id);
-    else this.settings_.removeAttribute('aria-describedby');
+    for (const button of [this.settings_, this.share_]) {
+      if (secret) button.setAttribute('aria-describedby', this.secret_.id);
+      else button.removeAttribute('aria-describedby');
+    }
   }
 }
 
