@@ -39,3 +39,58 @@ test('Headings, landmarks, the skip link and a live region lead through the five
     await expect(page.getByRole('form', { name: 'Steps' }).locator(':focus')).toHaveCount(1);
   });
 });
+
+test('Focus is never hidden under the Engrave bar, and states show in forced colours', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=plate&text=A');
+  await app.expectReady();
+  await app.openSettings();
+
+  await test.step('each control that has the focus can be seen', async () => {
+    const covered = await page.evaluate(() => {
+      const bar = document.querySelector('.actions');
+      const controls = document.querySelectorAll(
+        ':is(#panel) :is(input, select, textarea, button, summary, a[href]):not(:disabled)',
+      );
+      /** @type {string[]} */ const hidden = [];
+      let seen = 0;
+      for (const control of /** @type {NodeListOf<HTMLElement>} */ (controls)) {
+        if (!control.checkVisibility({ visibilityProperty: true }) || bar?.contains(control)) continue;
+        control.focus();
+        if (document.activeElement !== control) continue;
+        seen += 1;
+        const { bottom, height } = control.getBoundingClientRect();
+        const top = bar?.getBoundingClientRect().top ?? 0;
+        const isBelow = control.getBoundingClientRect().top >= (bar?.getBoundingClientRect().bottom ?? 0);
+        if (!isBelow && bottom > top + 1 && height < top) hidden.push(control.id || control.outerHTML.slice(0, 80));
+      }
+      return { hidden, seen };
+    });
+    expect(covered.seen).toBeGreaterThan(30);
+    expect(covered.hidden).toEqual([]);
+  });
+
+  await test.step('in forced colours the chosen one of two differs from the other', async () => {
+    await page.emulateMedia({ forcedColors: 'active' });
+    const colours = await page.evaluate(() =>
+      ['.segments input:checked + span', '.segments input:not(:checked) + span'].map((selector) => {
+        const choice = document.querySelector(selector);
+        return choice && getComputedStyle(choice).backgroundColor;
+      }),
+    );
+    expect(colours[0]).toBeTruthy();
+    expect(colours[0]).not.toBe(colours[1]);
+    await page.emulateMedia({ forcedColors: 'none' });
+  });
+
+  await test.step('at 400 % zoom, 320 by 256 pixels, everything can be reached by scrolling the page one way', async () => {
+    await page.setViewportSize({ width: 320, height: 256 });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(
+      0,
+    );
+    await app.text.focus();
+    await expect(app.text).toBeInViewport({ ratio: 0.9 });
+    await app.engraveButton.focus();
+    await expect(app.engraveButton).toBeInViewport({ ratio: 1 });
+  });
+});
