@@ -65,6 +65,34 @@ test('Findings and errors are in the chosen language, and one click rescales a t
   await app.expectReady();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(app.facts).toHaveText(/metres\.stl, 0\.09/);
+
+  await test.step('a model that stands on its y axis is turned by one click', async () => {
+    const onItsSide = writeStl(
+      {
+        positions: [
+          [-20, 0, -20],
+          [20, 0, -20],
+          [20, 0, 20],
+          [-20, 0, 20],
+          [0, 50, 0],
+        ],
+        triangles: [
+          [0, 1, 2],
+          [0, 2, 3],
+          [0, 4, 1],
+          [1, 4, 2],
+          [2, 4, 3],
+          [3, 4, 0],
+        ],
+      },
+      'y up',
+    );
+    await app.file.setInputFiles({ name: 'side.stl', mimeType: 'model/stl', buffer: Buffer.from(onItsSide) });
+    await expect(findings).toContainText('The model has a flat base at its lowest y, but none at its lowest z.');
+    await findings.getByRole('button', { name: 'Turn: y is up' }).click();
+    await expect(page.getByLabel('Up axis')).toHaveValue('y');
+    await expect(findings).not.toContainText('flat base');
+  });
 });
 
 test('The page works without browser storage, and the address can choose a language', async ({ page }) => {

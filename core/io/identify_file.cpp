@@ -17,7 +17,7 @@ using namespace std::string_view_literals;
 constexpr std::size_t kBytesLookedAt = 4096;
 constexpr int kLinesLookedAt = 50;
 
-enum class Kind { Model, Picture, Document, Archive };
+enum class Kind { Model, Cad, Picture, Document, Archive };
 
 /// Bytes at a fixed place that only files of one format have.
 struct Signature {
@@ -32,14 +32,14 @@ constexpr std::array<Signature, 25> kSignatures = {{
     {"\xFF\xD8\xFF"sv, "JPEG", Kind::Picture},
     {"GIF8", "GIF", Kind::Picture},
     {"WEBP", "WebP", Kind::Picture, 8},
-    {"ISO-10303-21", "STEP", Kind::Model},
+    {"ISO-10303-21", "STEP", Kind::Cad},
     {"BLENDER", "Blender", Kind::Model},
     {"Kaydara FBX", "FBX", Kind::Model},
     {"#VRML", "VRML", Kind::Model},
     {"#X3D", "X3D", Kind::Model},
-    {"AC10", "DWG", Kind::Model},
-    {"3D Geometry File Format", "Rhino", Kind::Model},
-    {"**ABCDEFGHIJKLMNOPQRSTUVWXYZ", "Parasolid", Kind::Model},
+    {"AC10", "DWG", Kind::Cad},
+    {"3D Geometry File Format", "Rhino", Kind::Cad},
+    {"**ABCDEFGHIJKLMNOPQRSTUVWXYZ", "Parasolid", Kind::Cad},
     {"PXR-USDC", "USD", Kind::Model},
     {"#usda", "USD", Kind::Model},
     {"xof 0", "DirectX", Kind::Model},
@@ -58,6 +58,8 @@ Message messageOf(std::string_view format, Kind kind) {
   switch (kind) {
     case Kind::Model:
       return message<"format-unreadable">(with::term<"format">(format));
+    case Kind::Cad:
+      return message<"format-of-cad">(with::term<"format">(format));
     case Kind::Picture:
       return message<"file-is-picture">(with::term<"format">(format));
     case Kind::Document:
@@ -130,7 +132,7 @@ std::optional<Message> identifyFile(std::span<const std::uint8_t> bytes) {
     return isGltf ? messageOf("glTF", Kind::Model) : message<"file-is-json">();
   }
   if (text.starts_with("version https://git-lfs")) return message<"file-is-lfs-pointer">();
-  if (looksLikeIges(whole)) return messageOf("IGES", Kind::Model);
+  if (looksLikeIges(whole)) return messageOf("IGES", Kind::Cad);
   if (looksLikeDxf(text)) return messageOf("DXF", Kind::Model);
   if (looksLikeGcode(text)) return message<"file-is-gcode">();
   return std::nullopt;

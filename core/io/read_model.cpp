@@ -62,13 +62,14 @@ std::vector<const ZipEntry*> filesIn(const ZipArchive& archive) {
 /// Files that are archives, too, by a file that they hold.
 struct ArchiveFormat {
   std::string_view file, format;
+  bool isCad;
 };
-constexpr std::array<ArchiveFormat, 6> kArchiveFormats = {{{"xl/workbook.xml", "Excel"},
-                                                           {"word/document.xml", "Word"},
-                                                           {"ppt/presentation.xml", "PowerPoint"},
-                                                           {"META-INF/manifest.xml", "OpenDocument"},
-                                                           {"Document.xml", "FreeCAD"},
-                                                           {"Manifest.dat", "Fusion"}}};
+constexpr std::array<ArchiveFormat, 6> kArchiveFormats = {{{"xl/workbook.xml", "Excel", false},
+                                                           {"word/document.xml", "Word", false},
+                                                           {"ppt/presentation.xml", "PowerPoint", false},
+                                                           {"META-INF/manifest.xml", "OpenDocument", false},
+                                                           {"Document.xml", "FreeCAD", true},
+                                                           {"Manifest.dat", "Fusion", true}}};
 
 /// Reads a 3MF. A slicer writes its G-code into one that has no model any more.
 Result<PolygonSoup> readPackage(const ZipArchive& archive, std::span<const std::uint8_t> bytes,
@@ -85,8 +86,10 @@ Result<PolygonSoup> readPackage(const ZipArchive& archive, std::span<const std::
 Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const Result<ZipArchive> archive = ZipArchive::open(bytes);
   if (!archive) return tl::unexpected(archive.error());
-  for (const auto& [file, format] : kArchiveFormats)
-    if (archive->find(file)) return badInput(message<"file-is-document">(with::term<"format">(format)));
+  for (const auto& [file, format, isCad] : kArchiveFormats)
+    if (archive->find(file))
+      return badInput(isCad ? message<"format-of-cad">(with::term<"format">(format))
+                            : message<"file-is-document">(with::term<"format">(format)));
   const std::vector<const ZipEntry*> files = filesIn(*archive);
   if (archive->find("_rels/.rels") || archive->find("3D/3dmodel.model")) return readPackage(*archive, bytes, limits);
   std::vector<const ZipEntry*> models = files;

@@ -7,6 +7,7 @@
 
 #include "mesh/report_findings.h"
 #include "mesh/soup_mesh.h"
+#include "mesh/upright.h"
 #include "message_codes/model.h"
 
 namespace qrelief {
@@ -90,6 +91,7 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
     findings.warn(
         message<"huge">(with::extentMm<"size">(size), with::cause<"advice">(smallerUnitAdvice(model.unitSuggestions))));
   }
+  if (standsOnY(model.mesh)) findings.warn(message<"stands-on-y">());
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
   const double step = floatStepMm(farthest);

@@ -177,8 +177,8 @@ TEST(ReadModel, SaysWhatAFileIsThatIsNoModel) {
       {"\xFF\xD8\xFF\xE0\0\x10JFIF"s, "a picture (JPEG)"},
       {"RIFF\x10\0\0\0WEBPVP8 "s, "a picture (WebP)"},
       {"<?xml version=\"1.0\"?>\n<svg width=\"1\"/>", "a picture (SVG)"},
-      {"ISO-10303-21;\nHEADER;\n", "cannot read STEP files"},
-      {iges, "cannot read IGES files"},
+      {"ISO-10303-21;\nHEADER;\n", "STEP files describe exact surfaces"},
+      {iges, "IGES files describe exact surfaces"},
       {"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "cannot read DXF files"},
       {"BLENDER-v293", "cannot read Blender files"},
       {"Kaydara FBX Binary  \0"s, "cannot read FBX files"},
@@ -239,7 +239,8 @@ TEST(ReadModel, NamesTheFilesOfAZipWithoutOneModel) {
               HasSubstr("6 files: \"1, 2, 3, 4, 5, ...\""));
   EXPECT_THAT(errorOf(zipOf({}, stl), "x.zip"), HasSubstr("holds no file"));
   EXPECT_THAT(errorOf(zipOf({"_rels/.rels", "xl/workbook.xml"}, stl), "x.xlsx"), HasSubstr("Excel"));
-  EXPECT_THAT(errorOf(zipOf({"Document.xml"}, stl), "x.FCStd"), HasSubstr("FreeCAD"));
+  EXPECT_THAT(errorOf(zipOf({"Document.xml"}, stl), "x.FCStd"), HasSubstr("FreeCAD files describe exact surfaces"));
+  EXPECT_THAT(errorOf(zipOf({"Manifest.dat"}, stl), "x.f3d"), HasSubstr("Fusion files describe exact surfaces"));
 }
 
 TEST(ReadModel, DoesNotUnpackAZipWithinAZip) {

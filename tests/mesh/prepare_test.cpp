@@ -437,6 +437,14 @@ TEST(PrepareModel, WarnsAboutAHugeModel) {
             "If it should be smaller, --units um makes it 80 × 20 × 20 mm; use --scale for any other scale");
 }
 
+TEST(PrepareModel, WarnsAboutAModelThatStandsOnItsYAxis) {
+  Mesh pyramid;
+  pyramid.positions = {{-20, 0, -20}, {20, 0, -20}, {20, 0, 20}, {-20, 0, 20}, {0, 50, 0}};
+  pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}};
+  expectFinding(prepared(pyramid), "stands-on-y", Severity::Warning, 1);
+  EXPECT_FALSE(find(prepared(shapes::box({20, 20, 50})), "stands-on-y"));
+}
+
 TEST(PrepareModel, WarnsIfFloatsAreTooCoarse) {
   expectFinding(prepared(shapes::translated(shapes::box({128, 128, 128}), {65536, 0, 0})), "far-away",
                 Severity::Warning, 1);

@@ -14,7 +14,10 @@ import { showStep } from './steps.js';
 /** @typedef {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number, upAxis: UpAxis }} ShownSource */
 
 /** @type {Record<string, number>} */
-const kUnitsMm = { m: 1000, cm: 10, in: 25.4 };
+const kUnitsMm = { m: 1000, in: 25.4, cm: 10, mm: 1, um: 0.001 };
+
+/** The finding about a model that lies on its side. */
+const kOnItsSide = 'stands-on-y';
 
 /** A file of hundreds of letters would fill the panel. */
 const kMostBodiesListed = 30;
@@ -45,6 +48,7 @@ export class ModelPanel {
     this.unit_.addEventListener('change', () => this.listener_?.onScale(this.scaleToMm));
     this.upAxis_.addEventListener('change', () => {
       this.showHeight_();
+      this.showTexts_();
       this.listener_?.onUpAxis(this.upAxis);
     });
     this.height_.addEventListener('change', () => this.takeHeight_());
@@ -146,21 +150,32 @@ export class ModelPanel {
     this.showBodies_(model.bodies);
     showFindings(
       byId('findings', HTMLElement),
-      model.findings.map((finding) => ({
-        severity: finding.severity,
-        found: sentenceOf(finding),
-        help: hintOf(finding),
-        remedies: suggestedUnits(finding)
-          .filter(({ unit }) => unit in kUnitsMm)
-          .map(({ unit, sizeMm }) => ({
-            label: text('page.readInUnit', {
-              unit: choiceLabel('units', unit),
-              size: writtenValue({ extentMm: sizeMm }),
-            }),
-            run: () => this.listener_?.onScale(kUnitsMm[unit]),
-          })),
-      })),
+      model.findings
+        .filter(({ code }) => code !== kOnItsSide || this.upAxis !== 'y')
+        .map((finding) => ({
+          severity: finding.severity,
+          found: sentenceOf(finding),
+          help: hintOf(finding),
+          remedies: this.remediesFor_(finding),
+        })),
     );
+  }
+
+  /** @param {import('../engine/types.js').Finding} finding @returns {import('./messages.js').Remedy[]} */
+  remediesFor_(finding) {
+    if (finding.code === kOnItsSide) return [{ label: text('page.turnYUp'), run: () => this.turnUp_('y') }];
+    return suggestedUnits(finding)
+      .filter(({ unit }) => unit in kUnitsMm)
+      .map(({ unit, sizeMm }) => ({
+        label: text('page.readInUnit', { unit: choiceLabel('units', unit), size: writtenValue({ extentMm: sizeMm }) }),
+        run: () => this.listener_?.onScale(kUnitsMm[unit]),
+      }));
+  }
+
+  /** @param {UpAxis} axis */
+  turnUp_(axis) {
+    this.upAxis_.value = axis;
+    this.upAxis_.dispatchEvent(new Event('change', { bubbles: true }));
   }
 
   /**
@@ -210,7 +225,7 @@ export class ModelPanel {
 }
 
 /**
- * Returns the units in which a model that is too small would have a usual size.
+ * Returns the units in which a model that is too small or too large would have a usual size.
  * @param {import('../engine/types.js').Finding} finding
  * @returns {{ unit: string, sizeMm: number[] }[]}
  */
