@@ -24,8 +24,19 @@ Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
   return own;
 }
 
-Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, std::size_t count) {
-  return count > 0 ? Result<BatchList>(countedBatchList(count)) : readBatchList(bytes);
+Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, const Json& asked) {
+  if (const auto count = asked["count"].get<std::size_t>(); count > 0) return countedBatchList(count);
+  BatchListOptions options;
+  if (asked.contains("hasNames")) options.hasNames = asked["hasNames"].get<bool>();
+  return readBatchList(bytes, options);
+}
+
+/// Returns the columns of a list, each with its first cell, for a person who chooses one of them.
+Json columnsOf(const BatchList& list) {
+  Json columns = Json::array();
+  for (std::size_t i = 0; i < list.columns().size(); ++i)
+    columns.push_back({{"name", list.columns()[i]}, {"first", list.cell(0, i)}});
+  return columns;
 }
 
 }  // namespace
@@ -40,9 +51,11 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
   request->code.text = asked["text"].get<std::string>();
   all_ = *request;
   perPlate_ = asked["perPlate"].get<std::size_t>();
-  auto list = listOf(bytes, asked["count"].get<std::size_t>());
+  auto list = listOf(bytes, asked);
   if (!list) return answer(list.error());
-  BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
+  BatchRequest wanted{.all = std::move(*request), .name = asked["name"].get<std::string>()};
+  if (asked.contains("id")) wanted.idColumn = asked["id"].get<std::string>();
+  BatchPlan plan = BatchPlan::make(std::move(*list), wanted);
   Json problems = Json::array();
   for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
   if (!plan.models().empty())
@@ -53,6 +66,7 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
                {"rows", problems.empty() ? plan.size() : 0},
                {"mayBeMore", problems.size() == BatchPlan::kMostProblems},
                {"unused", plan.unusedColumns()},
+               {"columns", columnsOf(plan.list())},
                {"warnings", std::move(warnings)}};
   if (problems.empty()) {
     const int version = *plan.row(0).request.code.symbol.version;

@@ -16,13 +16,13 @@ namespace qrelief {
 /// startJob() carve the rows, and TrackedBatch knows which. Answers have the form that Engine describes.
 class PlannedBatch {
  public:
-  /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], warnings:
-  /// [message], version, modules}. With a problem there are no rows; `version` and `modules` belong to the first row.
-  /// An error if the list cannot be read.
+  /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], columns: [{name,
+  /// first}], warnings: [message], version, modules}; `first`: the first cell. With a problem there are no rows;
+  /// `version` and `modules` belong to the first row. An error if the list cannot be read.
   /// @param list   the list's file; ignored if there is a count
   /// @param order  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
   ///               where the list's columns give the values; the number of rows without a list; and the number of rows
-  ///               per plate, or 0
+  ///               per plate, or 0. It may have "id", the column of the ids, and "hasNames", see BatchListOptions
   std::string planBatch(const std::vector<std::uint8_t>& list, const std::string& order);
 
   /// Returns {row: {number, line, id, text, file, settings}}. For a row on a plate, `file` is the plate's. `settings`

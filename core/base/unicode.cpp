@@ -2,6 +2,7 @@
 #include "base/unicode.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <vector>
 
@@ -193,6 +194,23 @@ std::optional<std::string> utf8FromUtf16(std::span<const std::uint8_t> bytes, bo
       if (low < 0xDC00 || low >= 0xE000) return std::nullopt;
       code = 0x10000 + ((code - 0xD800) << 10 | (low - 0xDC00));
     }
+    appendUtf8(text, code);
+  }
+  return text;
+}
+
+std::optional<std::string> utf8FromWindows1252(std::string_view bytes) {
+  // 0x80 to 0x9F; the other bytes are as in Latin-1. 0: no character.
+  constexpr std::array<char32_t, 32> kC1 = {0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                            0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017D, 0,
+                                            0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                            0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
+  std::string text;
+  text.reserve(bytes.size());
+  for (const char byte : bytes) {
+    char32_t code = static_cast<unsigned char>(byte);
+    if (code >= 0x80 && code < 0xA0) code = kC1[code - 0x80];
+    if (code == 0 && byte != '\0') return std::nullopt;
     appendUtf8(text, code);
   }
   return text;

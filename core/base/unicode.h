@@ -20,6 +20,9 @@ std::string caseFolded(std::string_view utf8);
 /// Returns UTF-16 as UTF-8, without a byte order mark; none for an odd number of bytes or half a surrogate pair.
 std::optional<std::string> utf8FromUtf16(std::span<const std::uint8_t> bytes, bool isBigEndian);
 
+/// Returns Windows-1252 as UTF-8; none if a byte has no character there.
+std::optional<std::string> utf8FromWindows1252(std::string_view bytes);
+
 /// Appends the character in UTF-8.
 void appendUtf8(std::string& text, char32_t code);
 

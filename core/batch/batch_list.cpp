@@ -36,7 +36,9 @@ Status checkLine(std::string_view line, std::uint32_t number) {
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
     return badInput(message<"list-holds-nul">(with::count<"line">(number), with::count<"byte">(nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
-    return badInput(message<"list-no-utf8">(with::count<"line">(number), with::count<"byte">(broken + 1)));
+    return badInput(message<"list-no-utf8">(
+        with::count<"line">(number), with::count<"byte">(broken + 1),
+        with::term<"value">(fmt::format("0x{:02X}", static_cast<unsigned char>(line[broken])))));
   return {};
 }
 
@@ -100,9 +102,48 @@ char separatorOf(std::string_view line) {
   return kSeparators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
+/// Returns true for a text that begins like a link: a scheme, then "://".
+bool isLink(std::string_view text) {
+  const std::size_t end = text.find("://");
+  const auto isOfScheme = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
+           c == '.';
+  };
+  return end != text.npos && end > 0 &&
+         std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), isOfScheme);
+}
+
+/// Returns a CSV text that is not valid UTF-8 as UTF-8; none if it is no Windows-1252 either, or if some of it is UTF-8
+/// beyond ASCII: then it is damaged UTF-8.
+std::optional<std::string> fromWindows1252(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8SequenceLength(text.substr(i));
+    if (length > 1) return std::nullopt;
+    ++i;
+  }
+  return text.find('\0') == text.npos ? utf8FromWindows1252(text) : std::nullopt;
+}
+
+/// Says that a list was read as Windows-1252, and shows the first line where that matters. @param text  as UTF-8
+Message readAsWindows1252(std::string_view text) {
+  constexpr std::size_t kMostShown = 60;  // characters
+  for (std::uint32_t number = 1; !text.empty(); ++number) {
+    const std::string_view whole = firstLine(text), line = withoutEnd(whole);
+    text.remove_prefix(whole.size());
+    if (std::all_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) continue;
+    std::string shown;
+    for (const char32_t c : charactersOf(line).substr(0, kMostShown)) appendUtf8(shown, c);
+    return message<"list-windows-1252">(with::count<"line">(number), with::quoted<"text">(shown));
+  }
+  assert(false);  // a text in ASCII is valid UTF-8
+  return message<"list-empty">();
+}
+
 class CsvReader {
  public:
-  CsvReader() { csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI); }
+  explicit CsvReader(std::optional<bool> hasNames) : hasNames_(hasNames) {
+    csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI);
+  }
   ~CsvReader() { csv_free(&parser_); }
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
@@ -159,10 +200,31 @@ class CsvReader {
   }
 
   void take() {
-    if (named_.empty())
-      takeNames();
-    else
-      takeCells();
+    if (named_.empty()) {
+      const auto link = std::find_if(cells_.begin(), cells_.end(), isLink);
+      if (hasNames_.value_or(link == cells_.end())) return takeNames();
+      nameColumns(static_cast<std::size_t>(link - cells_.begin()));
+    }
+    takeCells();
+  }
+
+  /// Names the columns of a table whose first row is a row like the others.
+  /// @param texts  the column of the texts; if there is no such column, the only column is taken
+  void nameColumns(std::size_t texts) {
+    while (cells_.back().empty()) cells_.pop_back();
+    columnCount_ = cells_.size();
+    if (columnCount_ == 1) texts = 0;
+    std::vector<std::string> names;
+    std::string all;
+    for (std::size_t i = 0; i < columnCount_; ++i) {
+      names.push_back(i == texts ? "text" : "column" + std::to_string(i + 1));
+      named_.push_back(i);
+      all += (all.empty() ? "" : ", ") + names.back();
+    }
+    if (const Status good = checkColumns(names); !good) problem_ = good.error().message;
+    list_ = BatchList(std::move(names));
+    if (!hasNames_)
+      list_.warn(message<"list-without-names">(with::quoted<"first">(cells_[texts]), with::quoted<"columns">(all)));
   }
 
   /// Takes the columns' names. Spreadsheets write columns that are empty but were touched; these have no name.
@@ -198,6 +260,7 @@ class CsvReader {
                                           with::count<"columns">(columnCount_));
   }
 
+  std::optional<bool> hasNames_;
   csv_parser parser_{};
   BatchList list_;
   std::vector<std::size_t> named_;  // places of the columns with names
@@ -206,6 +269,14 @@ class CsvReader {
   std::uint32_t rowLine_ = 1;
   std::optional<Message> problem_;
 };
+
+Result<BatchList> readCsv(std::string_view text, std::optional<bool> hasNames) {
+  std::optional<std::string> decoded;
+  if (firstNoUtf8(text) != text.npos) decoded = fromWindows1252(text);
+  auto list = CsvReader(hasNames).read(decoded ? *decoded : text);
+  if (list && decoded) list->warn(readAsWindows1252(*decoded));
+  return list;
+}
 
 /// Converts a value to the form in which a person types a setting; none if it has no such form.
 std::optional<std::string> cellOf(const Json& value) {
@@ -357,7 +428,7 @@ std::string_view BatchList::cell(std::size_t row, std::size_t column) const {
   return std::string_view(cells_).substr(begin, ends_[index] - begin);
 }
 
-Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes) {
+Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes, const BatchListOptions& options) {
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::optional<std::string> narrow;
   if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty()) {
@@ -369,7 +440,7 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char start = first == text.npos ? '\0' : text[first];
-  auto list = start == '{' ? readJsonLines(text) : start == '[' ? readJsonArray(text) : CsvReader().read(text);
+  auto list = start == '{' ? readJsonLines(text) : start == '[' ? readJsonArray(text) : readCsv(text, options.hasNames);
   if (list && list->size() == 0) return badInput(message<"list-no-rows">());
   return list;
 }

@@ -31,6 +31,13 @@ const Setting* settingOfColumn(std::string_view column) {
   return nullptr;
 }
 
+/// Returns the name of the column whose texts become the codes: `text`, or else `url` or `link`.
+std::string_view textColumn(const BatchList& list) {
+  constexpr std::array<std::string_view, 3> kNames = {kText, "url", "link"};
+  const auto known = std::find_if(kNames.begin(), kNames.end(), [&](std::string_view name) { return list.find(name); });
+  return known == kNames.end() ? kText : *known;
+}
+
 /// Returns true for names that Windows reserves for devices, whatever their extension.
 bool isDeviceName(std::string_view name) {
   std::string stem = caseFolded(name.substr(0, name.find('.')));
@@ -66,7 +73,10 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   plan.list_ = std::move(list);
   plan.all_ = request.all;
   plan.firstNumber_ = request.firstNumber;
-  const std::string text = request.all.code.text.empty() ? "{text}" : request.all.code.text;
+  plan.idColumn_ = plan.list_.find(request.idColumn);
+  plan.warnings_ = plan.list_.warnings();
+  const std::string text =
+      request.all.code.text.empty() ? "{" + std::string(textColumn(plan.list_)) + "}" : request.all.code.text;
   const bool hasFile = plan.list_.find(kFile).has_value();
   const bool mayBeInColour = request.all.marking.isInColour() || request.all.marking.isOpen;
   const char* const usual = hasFile ? "{file}" : mayBeInColour ? "{id}.3mf" : "{id}.stl";
@@ -100,7 +110,7 @@ Status BatchPlan::prepare() {
     const Setting* setting = settingOfColumn(columns[i]);
     if (setting && setting->key == kText) setting = nullptr;
     if (setting) settings_.push_back({i, setting});
-    const bool isId = list_.find(kId) == i;
+    const bool isId = idColumn_ == i;
     if (isNamed || isId) filled_.push_back(i);
     if (isNamed || setting || isId || list_.find(kModel) == i) continue;
     if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
@@ -159,10 +169,6 @@ Status BatchPlan::checkNames(const TextTemplate& pattern) const {
     if (list_.columns().empty()) return badInput(message<"template-without-list">(with::quoted<"name">(name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    const auto isLink = [](const std::string& column) { return column.find("://") != column.npos; };
-    const auto link = std::find_if(list_.columns().begin(), list_.columns().end(), isLink);
-    if (name == kText && link != list_.columns().end())
-      return badInput(message<"list-without-names">(with::quoted<"first">(*link)));
     if (name == kText) return badInput(message<"list-without-text">(with::quoted<"columns">(columns)));
     return badInput(message<"list-without-column">(with::quoted<"name">(name), with::quoted<"columns">(columns)));
   }
@@ -170,7 +176,8 @@ Status BatchPlan::checkNames(const TextTemplate& pattern) const {
 }
 
 std::string BatchPlan::valueOf(std::size_t index, std::string_view name) const {
-  if (const auto column = list_.find(name)) return std::string(list_.cell(index, *column));
+  const auto column = name == kId && idColumn_ ? idColumn_ : list_.find(name);
+  if (column) return std::string(list_.cell(index, *column));
   assert(name == kNumber || name == kId);
   return std::to_string(firstNumber_ + index);
 }

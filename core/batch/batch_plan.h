@@ -15,20 +15,22 @@ namespace qrelief {
 
 /// The settings and templates that all rows of a batch share.
 struct BatchRequest {
-  /// Settings of all rows. Its text is a template; empty: the list has a column `text`. Its label is a template, too.
+  /// Settings of all rows. Its text is a template; empty: the list has a column `text`, `url` or `link`. Its label is a
+  /// template, too.
   /// If it leaves the version open, the smallest version that holds every row's text is used, so that all codes have
   /// the same size.
   EngraveRequest all;
   std::string name;             ///< template for file names; empty: the list's column `file`, else "{id}.stl", or
                                 ///< "{id}.3mf" in colour
   std::size_t firstNumber = 1;  ///< number of the first row
+  std::string idColumn = "id";  ///< column of the ids; if the list has none of that name, an id is the row's number
 };
 
 /// A code of a batch.
 struct BatchRow {
   std::size_t number = 1;  ///< its place in the list, counted from BatchRequest::firstNumber
   std::uint32_t line = 1;  ///< line of the list in which the row begins
-  std::string id;          ///< the column `id`, or else the number
+  std::string id;          ///< of BatchRequest::idColumn, or else the number
   std::string file;        ///< a plain name, without a folder
   std::string model;       ///< path of the row's own model, as in the column `model`; empty: the model of all rows
   EngraveRequest request;
@@ -57,8 +59,11 @@ class BatchPlan {
   /// Returns the columns that nothing uses; a misspelt setting would be among them.
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
-  /// Returns warnings about columns and cells with removed settings (settings/removed_settings.h), which are ignored,
-  /// about cells that a spreadsheet has changed (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
+  const BatchList& list() const { return list_; }
+
+  /// Returns warnings about what the list's reader had to guess (BatchList), about columns and cells with removed
+  /// settings (settings/removed_settings.h), which are ignored, about cells that a spreadsheet has changed
+  /// (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
   std::size_t size() const { return list_.size(); }
@@ -101,6 +106,7 @@ class BatchPlan {
   BatchList list_;
   EngraveRequest all_;
   std::size_t firstNumber_ = 1;
+  std::optional<std::size_t> idColumn_;
   TextTemplate text_, name_, label_;
   std::vector<SettingColumn> settings_;
   std::vector<std::size_t> filled_;  // columns that go into texts, labels, names and ids

@@ -66,6 +66,11 @@ TEST(Unicode, ReadsUtf16OfBothByteOrders) {
   EXPECT_FALSE(utf8FromUtf16(std::span(little).subspan(6), false)) << "the other half";
 }
 
+TEST(Unicode, ReadsWindows1252) {
+  EXPECT_EQ(utf8FromWindows1252("caf\xE9 \x80 \x93\xDF\x94 \x9F"), "caf\u00E9 \u20AC \u201C\u00DF\u201D \u0178");
+  for (const char none : {'\x81', '\x8D', '\x8F', '\x90', '\x9D'}) EXPECT_FALSE(utf8FromWindows1252({&none, 1}));
+}
+
 TEST(Unicode, CharactersOfATextAreCounted) {
   EXPECT_EQ(charactersOf("a\u00FC\u20AC\U0001F600"), U"a\u00FC\u20AC\U0001F600");
   EXPECT_EQ(charactersOf("a\xFF"), U"a\uFFFD");

@@ -10,8 +10,8 @@ namespace {
 using testing::ElementsAre;
 using namespace std::string_literals;
 
-Result<BatchList> read(const std::string& text) {
-  return readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+Result<BatchList> read(const std::string& text, const BatchListOptions& options = {}) {
+  return readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), options);
 }
 
 /// Returns the cells of a row, or the code of the refusal.
@@ -126,6 +126,51 @@ TEST(BatchList, ReadsUtf16AsExcelWritesUnicodeText) {
   }
 }
 
+TEST(BatchList, ReadsTheAnsiOfExcelAndShowsALineOfIt) {
+  const auto list = read("id;text\r\n1;ok\r\n2;M\xFCller \x80 5\r\n");
+  ASSERT_TRUE(list) << list.error().message.code;
+  EXPECT_THAT(row(list, 1), ElementsAre("2", "M\u00FCller \u20AC 5"));
+  ASSERT_EQ(list->warnings().size(), 1u);
+  EXPECT_EQ(list->warnings()[0].code, "list-windows-1252");
+  EXPECT_EQ(list->warnings()[0].values[0].numbers[0], 3);
+  EXPECT_EQ(list->warnings()[0].values[1].text, "2;M\u00FCller \u20AC 5");
+  EXPECT_TRUE(read("text\nM\u00FCller\n")->warnings().empty());
+}
+
+TEST(BatchList, TakesAFirstRowWithALinkAsARow) {
+  const auto links = read("https://example.org/1\nhttps://example.org/2\n");
+  ASSERT_TRUE(links) << links.error().message.code;
+  EXPECT_THAT(links->columns(), ElementsAre("text"));
+  ASSERT_EQ(links->size(), 2u);
+  EXPECT_THAT(row(links, 0), ElementsAre("https://example.org/1"));
+  EXPECT_EQ(links->line(0), 1u);
+  ASSERT_EQ(links->warnings().size(), 1u);
+  EXPECT_EQ(links->warnings()[0].code, "list-without-names");
+
+  const auto table = read("7;M8;https://example.org/7;;\n8;M10;;\n");
+  ASSERT_TRUE(table) << table.error().message.code;
+  EXPECT_THAT(table->columns(), ElementsAre("column1", "column2", "text"));
+  EXPECT_THAT(row(table, 1), ElementsAre("8", "M10", ""));
+  const auto named = read("link (as http://...),text\na,b\n");
+  ASSERT_TRUE(named) << named.error().message.code;
+  EXPECT_THAT(named->columns(), ElementsAre("link (as http://...)", "text"));
+  EXPECT_TRUE(named->warnings().empty());
+}
+
+TEST(BatchList, FollowsWhoSaysWhetherTheFirstRowHasNames) {
+  const auto words = read("red\ngreen\n", {.hasNames = false});
+  ASSERT_TRUE(words) << words.error().message.code;
+  EXPECT_THAT(words->columns(), ElementsAre("text"));
+  EXPECT_EQ(words->size(), 2u);
+  EXPECT_TRUE(words->warnings().empty());
+  const auto pairs = read("1,red\n2,green\n", {.hasNames = false});
+  ASSERT_TRUE(pairs) << pairs.error().message.code;
+  EXPECT_THAT(pairs->columns(), ElementsAre("column1", "column2"));
+  const auto named = read("http://a\nb\n", {.hasNames = true});
+  ASSERT_TRUE(named) << named.error().message.code;
+  EXPECT_THAT(named->columns(), ElementsAre("http://a"));
+}
+
 TEST(BatchList, ReadsBackAHundredThousandRows) {
   std::string text = "id,text\n";
   for (int i = 0; i < 100000; ++i) text += std::to_string(i) + ",https://example.org/" + std::to_string(i) + "\n";
@@ -176,9 +221,8 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"UTF-16 with half a pair", "\xFF\xFEi\0d\0\n\0\0\xD8"s, "list-encoding"},
       {"a workbook", "PK\x03\x04 and more", "list-spreadsheet"},
       {"an old workbook", "\xD0\xCF\x11\xE0 and more", "list-spreadsheet"},
-      {"Latin-1", "id,text\n1,caf\xE9\n", "list-no-utf8", 2},
-      {"a sequence cut off", "text\nok\nab\xC3", "list-no-utf8", 3},
-      {"overlong UTF-8", "text\n\xC0\xAF\n", "list-no-utf8", 2},
+      {"UTF-8 with a damaged letter", "id,text\n1,\xC3\xBC\n2,caf\xE9\n", "list-no-utf8", 3},
+      {"a byte that Windows-1252 lacks", "text\nok\nab\x81\n", "list-no-utf8", 3},
       {"a NUL", "text\na\0b\n"s, "list-holds-nul", 2},
       {"an open quotation", "id,text\n1,\"abc\n2,def\n", "list-quote-open", 2},
       {"a quotation mark within", "id,text\n1,a\"b\n", "list-quote", 2},

@@ -188,8 +188,34 @@ TEST(BatchPlan, KnowsTheModelsThatRowsName) {
   EXPECT_TRUE(planOf("text\na\n").needsModel());
 }
 
-TEST(BatchPlan, SaysThatAListHasNoNames) {
-  EXPECT_THAT(problemsOf(planOf("https://example.org/1\nhttps://example.org/2\n")), ElementsAre("list-without-names"));
+TEST(BatchPlan, TakesTheTextsFromAColumnOfLinks) {
+  EXPECT_EQ(planOf("id,URL\n1,https://example.org\n").row(0).request.code.text, "https://example.org");
+  EXPECT_EQ(planOf("id,link\n1,https://example.org\n").row(0).request.code.text, "https://example.org");
+  const BatchPlan both = planOf("url,text\nhttps://example.org,a\n");
+  EXPECT_EQ(both.row(0).request.code.text, "a");
+  EXPECT_THAT(both.unusedColumns(), ElementsAre("url"));
+}
+
+TEST(BatchPlan, TakesIdsFromTheColumnThatTheRequestNames) {
+  const std::string list = "Part,text\nM8,a\nM10,b\n";
+  auto rows = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(list.data()), list.size()));
+  BatchRequest request;
+  request.all = defaultRequest();
+  request.idColumn = "Part";
+  const BatchPlan plan = BatchPlan::make(std::move(*rows), request);
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(1).id, "M10");
+  EXPECT_EQ(plan.row(1).file, "M10.stl");
+  EXPECT_THAT(plan.unusedColumns(), IsEmpty());
+}
+
+TEST(BatchPlan, SaysWhatTheReaderHadToGuess) {
+  const BatchPlan plan = planOf("https://example.org/caf\xE9\nhttps://example.org/2\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(1).request.code.text, "https://example.org/2");
+  std::vector<std::string> codes;
+  for (const Message& warning : plan.warnings()) codes.push_back(warning.code);
+  EXPECT_THAT(codes, testing::IsSupersetOf({"list-without-names", "list-windows-1252"}));
 }
 
 /// Returns the codes of the warnings about a column with these cells, used in the text.

@@ -37,6 +37,18 @@ TEST(PlannedBatch, ReadsTheRowsOfAListAndTheirCommonVersion) {
   EXPECT_EQ(row["file"], "b.stl");
 }
 
+TEST(PlannedBatch, NamesTheColumnsWithTheirFirstCellsToChooseFrom) {
+  PlannedBatch batch;
+  const Json unknown = planned(batch, "Part,Website\nM8,example.org/8\n");
+  ASSERT_EQ(unknown["problems"][0]["code"], "list-without-text") << unknown;
+  EXPECT_EQ(unknown["columns"], Json::parse(R"([{"name": "Part", "first": "M8"},
+                                                {"name": "Website", "first": "example.org/8"}])"));
+  const Json chosen = planned(batch, "Part,Website\nM8,example.org/8\n", {{"text", "{Website}"}, {"id", "Part"}});
+  ASSERT_EQ(chosen["rows"], 1) << chosen;
+  EXPECT_EQ(Json::parse(batch.batchRow(0))["row"]["id"], "M8");
+  EXPECT_EQ(planned(batch, "red\ngreen\n", {{"hasNames", false}})["rows"], 2);
+}
+
 TEST(PlannedBatch, WarnsOfColumnsWithRemovedSettings) {
   PlannedBatch batch;
   const Json plan = planned(batch, "id,text,floor\na,one,wavy\n");

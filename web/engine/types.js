@@ -182,10 +182,13 @@
  * A batch request. `settings`: shared by all rows; `text`, `name`: templates of text and file name, '' where the list
  * has a column for them; `count`: number of rows without a list, else 0; `perPlate`: rows per plate, 0: one file per
  * row.
- * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} BatchRequest
- * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], warnings: Message[], version?: number, modules?: number }} BatchPlan
- *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: columns and cells with
- *   removed settings
+ * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number, id?: string, hasNames?: boolean }} BatchRequest
+ *   `id`: the column of the ids, if it is not called so; `hasNames`: whether the first row of a CSV table names its
+ *   columns; by default it does unless it has a link
+ * @typedef {{ name: string, first: string }} BatchColumn  `first`: its cell in the first row
+ * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], columns: BatchColumn[], warnings: Message[], version?: number, modules?: number }} BatchPlan
+ *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: guesses of the reader, columns and
+ *   cells with removed settings
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
  *   `settings`: only the values that differ from the shared settings

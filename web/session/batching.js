@@ -123,6 +123,8 @@ export class Batching {
       name: input.name,
       count: input.from === 'count' ? input.count : 0,
       perPlate: input.perPlate,
+      ...(input.id && { id: input.id }),
+      ...(input.names && { hasNames: input.names === 'yes' }),
     };
     const isSame = this.planned?.input === input && JSON.stringify(this.planned.request) === JSON.stringify(request);
     if (isSame) return;

@@ -101,6 +101,22 @@ test('A list is planned again only if it or the settings change', async () => {
   assert.equal(requests.length, 4);
 });
 
+test('A chosen column of ids, and whether the first row has names, belong to the request', async () => {
+  await batching.ready();
+  store.update({ batch: { ...kInput, id: 'Part', names: 'no' } });
+  await batching.ready();
+  store.update({ batch: { ...kInput, names: 'yes' } });
+  await batching.ready();
+  assert.deepEqual(
+    requests.map(({ id, hasNames }) => [id, hasNames]),
+    [
+      [undefined, undefined],
+      ['Part', false],
+      [undefined, true],
+    ],
+  );
+});
+
 test('Reports the number of plates', async () => {
   store.update({ batch: { ...kInput, perPlate: 5 } });
   await batching.ready();

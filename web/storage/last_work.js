@@ -9,8 +9,9 @@
 /**
  * The source of a batch's parts; `text`, `name`: templates of their texts and file names ('' to use the list's
  * columns).
- * @typedef {{ from: 'list' | 'count', list: Uint8Array, listName: string, count: number, text: string, name: string, perPlate: number }} BatchInput
- *   `listName` '': the list was pasted; `perPlate` 0: one file per part
+ * @typedef {{ from: 'list' | 'count', list: Uint8Array, listName: string, count: number, text: string, name: string, perPlate: number, id: string, names: '' | 'yes' | 'no' }} BatchInput
+ *   `listName` '': the list was pasted; `perPlate` 0: one file per part; `id`: the chosen column of the ids, or '';
+ *   `names`: whether the first row names the columns, '' if the user has not said so
  */
 
 /**

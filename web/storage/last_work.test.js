@@ -169,6 +169,8 @@ const batchOf = (list) => ({
   text: '',
   name: '{id}.3mf',
   perPlate: 0,
+  id: '',
+  names: /** @type {const} */ (''),
 });
 
 test('the list of a batch is restored; another list of the same length replaces it', async () => {

@@ -16,6 +16,8 @@ const kMostShownBytes = 20_000; // the panel shows a longer list by its name onl
 const kNumberedText = 'https://example.org/p/{n:05}';
 const kPerPlate = 12; // used while the field holds no valid number of parts
 const kPasted = ''; // the name of a list that was typed or pasted
+const kMostOffered = 8; // columns to choose from
+const kMostShownLetters = 40; // of a cell on a button
 
 /** The input before anything is typed. @type {BatchInput} */
 export const kEmptyInput = Object.freeze({
@@ -26,6 +28,8 @@ export const kEmptyInput = Object.freeze({
   text: '',
   name: '',
   perPlate: 0,
+  id: '',
+  names: '',
 });
 
 /**
@@ -80,7 +84,7 @@ export class BatchPanel {
       file.value = ''; // allows choosing the same file again after correcting it
     });
     byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
-      this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted });
+      this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted, id: '', names: '' });
       this.pasted_.focus();
       this.report_();
     });
@@ -114,6 +118,8 @@ export class BatchPanel {
       listName,
       text: isNumbered ? '' : this.text_.value,
       name: this.name_.value,
+      id: '',
+      names: '',
     });
     this.changed_();
   }
@@ -139,14 +145,27 @@ export class BatchPanel {
   show({ plan, problems, first }) {
     this.writeFindings_ = () => {
       const unused = plan?.unused.length
-        ? [{ severity: 'warning', found: text('batch.unused', { columns: plan.unused.join(', ') }), help: '' }]
+        ? [
+            {
+              severity: 'warning',
+              found: text('batch.unused', { columns: plan.unused.join(', ') }),
+              help: '',
+              remedies: this.idsFrom_(plan),
+            },
+          ]
         : [];
       showFindings(this.problems_, [
-        ...problems.map((problem) => ({ severity: 'blocking', found: sentenceOf(problem), help: hintOf(problem) })),
+        ...problems.map((problem) => ({
+          severity: 'blocking',
+          found: sentenceOf(problem),
+          help: hintOf(problem),
+          remedies: this.remediesFor_(problem, plan),
+        })),
         ...(plan?.warnings ?? []).map((warning) => ({
           severity: 'warning',
           found: sentenceOf(warning),
           help: hintOf(warning),
+          remedies: this.remediesFor_(warning, plan),
         })),
         ...unused,
       ]);
@@ -154,6 +173,45 @@ export class BatchPanel {
       this.first_.textContent = first ? text('batch.firstShown', { id: first.id, text: first.text }) : '';
     };
     this.writeFindings_();
+  }
+
+  /**
+   * Offers other readings of the table where the program could not know which one is meant.
+   * @param {import('../engine/message.js').Message} finding
+   * @param {BatchPlan | undefined} plan
+   * @returns {import('./messages.js').Remedy[]}
+   */
+  remediesFor_({ code }, plan) {
+    const namesAre = (/** @type {'yes' | 'no'} */ names, /** @type {import('../i18n/catalogue.js').Key} */ label) =>
+      this.input_.names === names ? [] : [{ label: text(label), run: () => this.choose_({ names }) }];
+    if (code === 'list-without-names') return namesAre('yes', 'batch.firstHasNames');
+    if (code !== 'list-without-text') return [];
+    const columns = (plan?.columns ?? []).slice(0, kMostOffered).map(({ name, first }) => ({
+      label: text('batch.textsFrom', { column: name, first: first.slice(0, kMostShownLetters) }),
+      run: () => {
+        this.text_.value = `{${name}}`;
+        this.take_();
+      },
+    }));
+    return [...columns, ...namesAre('no', 'batch.firstIsPart')];
+  }
+
+  /** Offers unused columns for the ids, unless there are ids. @param {BatchPlan} plan */
+  idsFrom_({ unused, columns }) {
+    if (this.input_.id || columns.some(({ name }) => name.toLowerCase() === 'id')) return [];
+    return columns
+      .filter(({ name }) => unused.includes(name))
+      .slice(0, kMostOffered)
+      .map(({ name: id, first }) => ({
+        label: text('batch.idsFrom', { column: id, first: first.slice(0, kMostShownLetters) }),
+        run: () => this.choose_({ id }),
+      }));
+  }
+
+  /** @param {Partial<BatchInput>} choice */
+  choose_(choice) {
+    this.input_ = { ...this.input_, ...choice };
+    this.changed_();
   }
 
   /** @param {BatchInput} input */
@@ -178,7 +236,7 @@ export class BatchPanel {
   /** Takes over the values of the controls if they have changed. */
   take_() {
     clearTimeout(this.pause_);
-    const { list, listName } = this.input_;
+    const { list, listName, id, names } = this.input_;
     const isFile = listName !== kPasted;
     const count = this.count_.validity.valid ? this.count_.valueAsNumber : 0;
     /** @type {BatchInput} */
@@ -195,6 +253,8 @@ export class BatchPanel {
           : this.perPlate_.validity.valid
             ? this.perPlate_.valueAsNumber
             : this.input_.perPlate || kPerPlate,
+      id,
+      names,
     };
     const pasted = isFile ? list : new TextEncoder().encode(this.pasted_.value);
     const isSameList = pasted.length === list.length && pasted.every((byte, i) => byte === list[i]);

@@ -83,7 +83,7 @@ export const guide = {
     partsWhat:
       'Each part of a series can have its own code, with a serial number or its own link. Choose “A code for every part” under “Code”.',
     partsList:
-      'Open a list as CSV, as spreadsheets save it, with a column “text”, or number the parts. Before anything is engraved, QRelief names the lines with problems, such as two parts with the same text or a text that is too long. All codes have the size that the longest text needs.',
+      'Open a list as CSV, as spreadsheets save it, with a column “text” or “url”, or paste one link a line, or number the parts. Before anything is engraved, QRelief names the lines with problems, such as two parts with the same text or a text that is too long. All codes have the size that the longest text needs.',
     partsFirst: 'Engrave the first part and look at it. Print it first if you can.',
     partsAll:
       'Then engrave all parts. You can do other work meanwhile, and go on after you close or reload the page. QRelief test-decodes every part; a part that does not decode is left out, and the table says why.',
@@ -198,7 +198,7 @@ export const guide = {
     partsWhat:
       'Jedes Teil einer Serie kann einen eigenen Code haben, mit einer Seriennummer oder einem eigenen Link. Dazu unter „Code“ „Ein Code je Teil“ wählen.',
     partsList:
-      'Eine Liste als CSV öffnen, wie Tabellenprogramme sie speichern, mit einer Spalte „text“, oder die Teile nummerieren. Bevor etwas graviert wird, nennt QRelief die Zeilen mit Fehlern, etwa zwei Teile mit gleichem Text oder einen zu langen Text. Alle Codes haben die Größe, die der längste Text braucht.',
+      'Eine Liste als CSV öffnen, wie Tabellenprogramme sie speichern, mit einer Spalte „text“ oder „url“, oder einen Link je Zeile einfügen, oder die Teile nummerieren. Bevor etwas graviert wird, nennt QRelief die Zeilen mit Fehlern, etwa zwei Teile mit gleichem Text oder einen zu langen Text. Alle Codes haben die Größe, die der längste Text braucht.',
     partsFirst: 'Das erste Teil gravieren, ansehen und am besten drucken.',
     partsAll:
       'Dann alle gravieren. Anderes lässt sich währenddessen tun, und nach dem Schließen oder Neuladen der Seite geht es weiter. Jedes Teil wird probeweise gelesen; ein unlesbares Teil wird weggelassen, und die Tabelle sagt, warum.',
