@@ -16,15 +16,27 @@ test.use({ serviceWorkers: 'allow' });
 /** Waits until the page is kept on the device. @param {Page} page */
 const untilKept = (page) => poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
 
-test('The page opens, engraves and decodes below any path and offline', async ({ page, context }) => {
+test('A first visit transfers at most 2 MiB; then the page opens, engraves and decodes below any path and offline', async ({
+  page,
+  context,
+}) => {
   const app = new Engraver(page);
   await page.goto(site.address);
   await app.expectReady();
   await untilKept(page);
+  const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
+  console.log(`first visit: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
+  expect(bytes).toBeLessThan(2 * 2 ** 20);
+
+  // Articles and other samples are kept once they are opened.
+  await app.sample.selectOption('Vase');
+  await expect(app.facts).toContainText('Vase');
+  await page.goto(`${site.address}guide.html`);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('How to print it');
   await site.close();
   await context.setOffline(true);
 
-  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network&process=none`);
+  await page.goto(`${site.address}?sample=bunny&text=without%20a%20network&process=none`);
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as without a network');

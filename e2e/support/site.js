@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A server for the built page, like any static host: below a path, compressed, with no extra headers.
+// A server for the built page, like any static host: below a path, compressed, with tags for unchanged files and no extra
+// headers.
+import { createHash } from 'node:crypto';
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
@@ -72,6 +74,11 @@ export class Site {
       ? gzipSync(change(readFileSync(file, 'utf8')))
       : (packed.get(file) ?? gzipSync(readFileSync(file)));
     if (!change) packed.set(file, content);
+    const tag = `"${createHash('sha256').update(content).digest('hex')}"`;
+    if (request.headers['if-none-match'] === tag) {
+      response.writeHead(304, { ETag: tag }).end();
+      return;
+    }
     this.sent.push({ path, bytes: content.length });
     response
       .writeHead(200, {
@@ -79,6 +86,7 @@ export class Site {
         'Content-Encoding': 'gzip',
         'Content-Length': content.length,
         'Cache-Control': 'max-age=600',
+        ETag: tag,
       })
       .end(content);
   }

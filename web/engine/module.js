@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loads the WebAssembly module.
-import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
 import { EngineFailure, internal } from './engine_error.js';
 import { message } from './message.js';
@@ -42,18 +41,22 @@ const detailOf = (thrown) => (thrown instanceof Error ? thrown.message : String(
  * @throws {EngineFailure}
  */
 export async function loadModule(compile = compileFetched) {
-  /** @param {WebAssembly.Imports} imports @param {(instance: WebAssembly.Instance) => void} receive */
-  const instantiate = async (imports, receive) =>
-    receive(await WebAssembly.instantiate(await compile(wasmUrl), imports));
-  const start = () =>
-    new Promise((resolve, reject) => {
-      createQRelief({
-        instantiateWasm: (imports, receive) => {
-          instantiate(imports, receive).catch(reject);
-          return {}; // `receive` gets the exports later
-        },
-      }).then(resolve, reject);
-    });
+  const start = async () => {
+    // As a chunk of its own, the page and its workers load one file.
+    const [{ default: createQRelief }, compiled] = await Promise.all([import('qrelief-module'), compile(wasmUrl)]);
+    return /** @type {Promise<QReliefModule>} */ (
+      new Promise((resolve, reject) => {
+        /** @param {WebAssembly.Imports} imports @param {(instance: WebAssembly.Instance) => void} receive */
+        const instantiate = async (imports, receive) => receive(await WebAssembly.instantiate(compiled, imports));
+        createQRelief({
+          instantiateWasm: (imports, receive) => {
+            instantiate(imports, receive).catch(reject);
+            return {}; // `receive` gets the exports later
+          },
+        }).then(resolve, reject);
+      })
+    );
+  };
   try {
     return await start();
   } catch (thrown) {

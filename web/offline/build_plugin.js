@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: writes the service worker with the list of the files it keeps, and the files for search engines.
+// Part of the build: writes the service worker with the lists of the files it keeps, and the files for search engines.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -7,7 +7,13 @@ import { fileURLToPath } from 'node:url';
 const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
 const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
-const kTooMany = /^(api|gallery)\//; // pages and pictures that few visitors see twice
+const kNeverKept = /^api\//; // thousands of pages, which need a network anyway
+/**
+ * Files of which most visitors need few: articles with their scripts, styles and pictures, icons, and all samples but the
+ * first.
+ */
+const kKeptWhenOpened =
+  /^(guide|method|study|gallery)(\.html$|\/)|^assets\/(article|guide|method|study|gallery)-|\.jpg$|^icons\/|^samples\/(?!bunny|manifest)/;
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);
@@ -21,10 +27,13 @@ export function listFiles(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.startsWith('.'))
     .map((entry) => `${entry.parentPath}/${entry.name}`.slice(folder.length + 1).replaceAll('\\', '/'))
-    .filter((path) => !kNotKept.has(path) && !kTooMany.test(path))
+    .filter((path) => !kNotKept.has(path) && !kNeverKept.test(path))
     .sort()
     .map((path) => [path, hashOf(readFileSync(`${folder}/${path}`))]);
 }
+
+/** Tells whether a file is kept at the first visit, not only once it is opened. @param {string} path */
+export const isKeptAtOnce = (path) => !kKeptWhenOpened.test(path);
 
 /**
  * Returns the service worker for a built page. Its version changes with any file and with its own source.
@@ -33,7 +42,11 @@ export function listFiles(folder) {
  */
 export function serviceWorkerFor(files) {
   const source = readFileSync(kSource, 'utf8');
-  const build = { version: hashOf(JSON.stringify(files) + source), files };
+  const build = {
+    version: hashOf(JSON.stringify(files) + source),
+    files: files.filter(([path]) => isKeptAtOnce(path)),
+    whenOpened: files.map(([path]) => path).filter((path) => !isKeptAtOnce(path)),
+  };
   return `self.qreliefBuild = ${JSON.stringify(build)};\n${source}`;
 }
 

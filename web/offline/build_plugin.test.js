@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { test } from 'node:test';
-import { listFiles, serviceWorkerFor } from './build_plugin.js';
+import { isKeptAtOnce, listFiles, serviceWorkerFor } from './build_plugin.js';
 
 /** @param {Record<string, string>} contents  by path @param {(folder: string) => void} run */
 function withFolder(contents, run) {
@@ -22,11 +22,11 @@ function withFolder(contents, run) {
 /** @param {string} code */
 const versionOf = (code) => /"version":"(\w+)"/.exec(code)?.[1];
 
-test('every file is cached except hidden ones, the worker and files for search engines', () => {
+test('every file is kept except hidden ones, the worker, the library’s pages and files for search engines', () => {
   withFolder(
     {
       'api/index.html': 'l',
-      'gallery/x.png': 'p',
+      'gallery/x.webp': 'p',
       'index.html': 'a',
       'assets/x.js': 'b',
       'samples/.gitignore': '*',
@@ -36,7 +36,7 @@ test('every file is cached except hidden ones, the worker and files for search e
     (folder) => {
       assert.deepEqual(
         listFiles(folder).map(([path]) => path),
-        ['assets/x.js', 'index.html'],
+        ['assets/x.js', 'gallery/x.webp', 'index.html'],
       );
     },
   );
@@ -50,4 +50,29 @@ test('the version is the same for the same files, and another one when a byte of
     writeFileSync(`${folder}/assets/x.js`, 'c');
     assert.notEqual(versionOf(serviceWorkerFor(listFiles(folder))), before);
   });
+});
+
+test('the app and its first sample are kept at once, articles, pictures and other samples when opened', () => {
+  const atOnce = ['index.html', 'theme.js', 'assets/index-1.js', 'assets/worker-2.js', 'assets/qrelief-3.wasm'].concat([
+    'manifest.webmanifest',
+    'favicon.svg',
+    'samples/bunny.stl',
+    'samples/manifest.json',
+  ]);
+  const whenOpened = ['guide.html', 'study.html', 'study/frontier.csv', 'gallery/owl-0-designed.webp'].concat([
+    'assets/guide-1.js',
+    'assets/article-2.css',
+
+    'assets/carved-3.jpg',
+    'samples/owl.stl',
+    'icons/icon-512.png',
+  ]);
+  assert.deepEqual([...atOnce, ...whenOpened].filter(isKeptAtOnce), atOnce);
+  const files = [...atOnce, ...whenOpened].map((path) => /** @type {[string, string]} */ ([path, 'h']));
+  const build = JSON.parse(/self\.qreliefBuild = (.*);\n/.exec(serviceWorkerFor(files))?.[1] ?? '');
+  assert.deepEqual(
+    build.files,
+    atOnce.map((path) => [path, 'h']),
+  );
+  assert.deepEqual(build.whenOpened, whenOpened);
 });

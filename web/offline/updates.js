@@ -32,7 +32,22 @@ export async function keepOffline(onNewVersion) {
     if (known) offer(); // another window has switched to the new version
     known = true;
   });
+  void workers.ready.then(keepOpened);
   checkNowAndThen(current);
+}
+
+/**
+ * Lets the first service worker keep the files that this page opened before it: asks for them again. They come from the
+ * browser's copies.
+ */
+function keepOpened() {
+  const keep = () => {
+    const files = performance.getEntriesByType('resource').map(({ name }) => name);
+    for (const file of new Set(files))
+      if (file.startsWith(location.origin)) fetch(file, { cache: 'force-cache' }).catch(() => {});
+  };
+  const { serviceWorker } = navigator;
+  if (!serviceWorker.controller) serviceWorker.addEventListener('controllerchange', keep, { once: true });
 }
 
 /** @param {ServiceWorkerRegistration} registration */

@@ -14,7 +14,8 @@ const kOwnCredit = 'Made by QRelief; CC0.';
 
 /**
  * Returns the bunny of the npm package, the reduced Stanford scan (y up, with holes in its base), closed, smoothed by
- * one step of subdivision, z up, 100 mm high.
+ * one step of subdivision, z up, 100 mm high. Its triangles go from the bottom to the top, because a file packs better
+ * when neighbours are near each other.
  * @returns {Mesh}
  */
 function stanfordBunny() {
@@ -34,7 +35,9 @@ function stanfordBunny() {
         (z - min[2]) * scale,
       ]),
   );
-  return { positions, triangles: closed.triangles };
+  const topOf = (/** @type {import('./solid.js').Triangle} */ corners) =>
+    Math.max(...corners.map((corner) => positions[corner][2]));
+  return { positions, triangles: closed.triangles.toSorted((a, b) => topOf(a) - topOf(b)) };
 }
 
 /**
