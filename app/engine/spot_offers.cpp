@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of this
+constexpr double kLeastTopMm = 1;  // of the legend of the sizes, where no code fits anywhere
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void SpotOffers::finish() {
   // The map has squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(result.map.sizeMm.begin(), result.map.sizeMm.end()));
-  topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
+  topMm_ = std::max(kLeastTopMm, largest / outer);
   if (!model_->gpu) return;  // nothing can be shown
   sizesDisplay_ = std::make_shared<const GpuMesh>(
       heatMesh(model_->prepared.mesh, result.map, request_.leastPrintableMm * outer, topMm_ * outer));

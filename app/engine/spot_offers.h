@@ -25,7 +25,7 @@ class SpotOffers {
   double offeredMm(const Spot& spot) const;
   /// Returns the request of the search.
   const PlacementRequest& request() const { return request_.placement; }
-  /// Returns the symbol size that has the last colour.
+  /// Returns the symbol size that has the last colour: the largest one.
   double topMm() const { return topMm_; }
   /// Returns null before a search is done, and without a GL context.
   const std::shared_ptr<const GpuMesh>& sizesDisplay() const { return sizesDisplay_; }

@@ -40,6 +40,12 @@ GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double t
   const double edges = std::sqrt(static_cast<double>(values.size()) / static_cast<double>(map.sizeMm.size()));
   smooth(surface, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));
 
+  // Smoothing lowers the peaks: the largest size has the last colour all the same.
+  const float peak = *std::max_element(values.begin(), values.end());
+  const float top = *std::max_element(map.sizeMm.begin(), map.sizeMm.end()) / static_cast<float>(topMm);
+  if (peak > 0)
+    for (float& value : values) value *= top / peak;
+
   const DisplayMesh display = splitAtCreases(surface);
   std::vector<float> displayed(display.mesh.positions.size(), 0.0f);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

@@ -6,6 +6,9 @@ import { byId } from '../dom/dom.js';
 
 /** @typedef {'sizes' | 'depths'} LegendKind */
 
+/** Digits behind the decimal point. @type {Record<LegendKind, number>} */
+const kDigits = { sizes: 1, depths: 2 };
+
 export class Legend {
   constructor() {
     this.figure_ = byId('legend', HTMLElement);
@@ -23,9 +26,9 @@ export class Legend {
   show(kind, topMm, isExceeded = false) {
     this.kind_ = kind;
     write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
-    write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(2)) }));
+    write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(kDigits[kind])) }));
     write(this.top_, () =>
-      text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(2)) }),
+      text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(kDigits[kind])) }),
     );
     this.figure_.hidden = false;
   }
