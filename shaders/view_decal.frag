@@ -19,6 +19,7 @@ uniform vec3 u_accent;             // outline
 uniform vec3 u_warn;               // parts of the square that miss the surface
 uniform vec3 u_paperColour;        // linear
 uniform vec3 u_inkColour;          // linear
+uniform float u_paper;             // opacity of paper, outline and warnings: 1, or 0: ink alone
 
 // A square picture over a QR plane, in view space, and the map of the surface that its eye sees.
 uniform vec3 u_centre, u_right, u_up, u_normal;
@@ -103,10 +104,12 @@ vec4 onSurface(Sight sight, float light, int texels) {
   bool takesPrint = sight.isFront && abs(height) < kMostHeight * u_edge && dot(sight.normal, toReader) > 0.0 &&
                     (u_window == 0.0 || isSeen(at, texels, height));
   float held = u_window > 0.0 ? smoothstep(0.35, 0.65, reached(at, texels)) : 1.0;
-  vec3 code = mix(u_paperColour, u_inkColour, inkAt(onPlane, dx, dy)) * light;
-  float warned = (1.0 - held) * (0.35 + 0.45 * striped);
-  vec4 inside = vec4(held * code + warned * u_warn * max(light, 0.4), held + warned);
-  return takesPrint ? over(inside * square.x, mix(u_warn, u_accent, held), square.y) : vec4(0.0);
+  float ink = inkAt(onPlane, dx, dy);
+  float printed = held * mix(ink, 1.0, u_paper);
+  vec3 code = mix(u_inkColour, mix(u_paperColour, u_inkColour, ink), u_paper) * light;
+  float warned = u_paper * (1.0 - held) * (0.35 + 0.45 * striped);
+  vec4 inside = vec4(printed * code + warned * u_warn * max(light, 0.4), printed + warned);
+  return takesPrint ? over(inside * square.x, mix(u_warn, u_accent, held), u_paper * square.y) : vec4(0.0);
 }
 
 // Draws the square on the QR plane where no surface below could take the decal.
@@ -119,7 +122,7 @@ float overhang(Sight sight, int texels) {
   float striped = stripes(onPlane);
   float held = u_window > 0.0 ? smoothstep(0.35, 0.65, reached(inMap(onPlane, float(texels)), texels)) : 1.0;
   bool isBehind = (sight.isSolid && met.z < sight.position.z) || met.z > u_distance;
-  return isBehind ? 0.0 : (1.0 - held) * square.x * u_strength * (0.25 + 0.45 * striped);
+  return isBehind ? 0.0 : u_paper * (1.0 - held) * square.x * u_strength * (0.25 + 0.45 * striped);
 }
 
 void main() {

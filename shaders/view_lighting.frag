@@ -22,15 +22,27 @@ uniform vec3 u_ink;                    // linear
 uniform vec4 u_hatch;                  // direction across a cut's stripes (view space), and the target's position along
                                        // it, mm
 uniform float u_hatchMm;               // distance between stripes
+uniform vec4 u_plate;                  // the printer's vertical (view space, unit), and the plate's position along it, mm
+uniform float u_overhangCosine;        // of the angle between normal and vertical where overhangs begin; -2: no plate
 
 layout(location = 0) out vec4 o_colour;
 
 const vec3 kBackSide = vec3(0.50, 0.16, 0.11);
 const vec3 kCut = vec3(0.95, 0.40, 0.06);
+const vec3 kOverhang = vec3(0.78, 0.30, 0.05);
+const float kOverhangStrength = 0.55;
+const float kOnPlateMm = 0.3;  // a surface this near to the plate lies on it
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
 const vec3 kGround = vec3(0.24, 0.22, 0.21);
 const vec3 kKey = vec3(0.88, 0.85, 0.79);
 const vec3 kTowardsKey = vec3(-0.55, 0.60, 0.58);
+
+// Returns 1 where the surface hangs over the plate too steeply, 0 elsewhere.
+float overhang(vec3 position, vec3 normal) {
+  bool isOnPlate = dot(position, u_plate.xyz) - u_plate.w < kOnPlateMm;
+  float cosine = dot(normal, u_plate.xyz);
+  return isOnPlate ? 0.0 : 1.0 - smoothstep(u_overhangCosine - 0.03, u_overhangCosine + 0.03, cosine);
+}
 
 float skyVisibility(float z) {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -79,6 +91,8 @@ void main() {
   vec3 albedo = isFront ? u_material : isCut(surface.xyz) ? cut : kBackSide;
   if (isFront && (u_heatShown == 1 || (u_heatShown == 2 && heat > 1e-3))) albedo = heatColour(heat);
   if (isFront && u_heatShown == 3 && heat > 0.5) albedo = u_ink;
+  bool showsBody = isFront && (u_heatShown == 0 || u_heatShown == 3);
+  if (showsBody) albedo = mix(albedo, kOverhang, kOverhangStrength * overhang(position, normal));
 
   // To the power of 2.5: the picture shows the shape and the code rather than the photometry.
   float open = skyVisibility(surface.w);

@@ -36,6 +36,7 @@ import { BatchPanel } from './ui/batch_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './dom/dom.js';
 import { ExportPanel } from './ui/export_panel.js';
+import { FacePicker } from './ui/face_picker.js';
 import { HelpSheet } from './ui/help_sheet.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
@@ -62,6 +63,7 @@ function makePanels() {
     view: new View(stage),
     inspector: new InspectorView(byId('stage', HTMLElement), stage),
     toolbar: new ViewToolbar(),
+    picker: new FacePicker(stage),
     form: new SettingsForm(),
     modelPanel: new ModelPanel(),
     batchPanel: new BatchPanel(),
@@ -160,10 +162,10 @@ function connect(notices) {
   const continuing = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
   const undo = new Undo({ ...carved, spots, editing, continuing });
   new Viewing({ ...carved, ...panels, tools, inspecting, editing });
-  const session = new Session({ ...carved, spots, undo, code, batchPanel, workPanel, tools });
+  const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
   const opening = new Opening({ ...carved, editing, exporting, undo, code, tools, panel: panels.modelPanel });
-  const { view } = panels;
-  const parts = { view, theme, inspecting, batchCarving, exporting, continuing, opening, session };
+  const { view, toolbar } = panels;
+  const parts = { view, toolbar, theme, inspecting, batchCarving, exporting, continuing, opening, session };
   const starting = new Starting({ ...carved, ...parts });
   prepareCarvings(carved);
   byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opening.startOver()));

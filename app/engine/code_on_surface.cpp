@@ -101,7 +101,10 @@ Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, 
 
 Result<Decal> visibleDecal(const LoadedModel& model, const Symbol& symbol, const ProjectionFrame& frame,
                            double symbolMm, const EngraveRequest& request) {
-  Decal decal = symbolDecal(symbol, frame, symbolMm, request);
+  return onVisibleSurface(model, symbolDecal(symbol, frame, symbolMm, request));
+}
+
+Result<Decal> onVisibleSurface(const LoadedModel& model, Decal decal) {
   auto reach = reachAround(model, decal);
   if (!reach) return tl::unexpected(reach.error());
   decal.reach = trusted(std::move(*reach));

@@ -44,6 +44,9 @@ Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& i
 Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
                                 const Placement& placement);
 
+/// Returns the decal, shown on all of the surface that its frame's eye sees.
+Result<Decal> onVisibleSurface(const LoadedModel& model, Decal decal);
+
 /// Returns the symbol on a frame, printed on all of the surface that the frame's eye sees.
 Result<Decal> visibleDecal(const LoadedModel& model, const Symbol& symbol, const ProjectionFrame& frame,
                            double symbolMm, const EngraveRequest& request);

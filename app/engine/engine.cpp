@@ -46,6 +46,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   preview_.forgetFound();
   offers_.forget();
   plate_ = {};
+  print_.reset();
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
   model_ = std::move(*model);
@@ -68,6 +69,7 @@ std::string Engine::configure(const std::string& settings) {
   auto request = requestFromJson(settings);
   if (!request) return answer(request.error());
   wanted_.configure(std::move(*request));
+  scene_.setPlate(buildPlate());
   return done();
 }
 

@@ -53,6 +53,11 @@ class Engine {
   ///               {"spot": index}: a spot of the last search, with the direction found for it
   std::string setCentre(const std::string& where);
 
+  /// Finds how to print the model with the face at a screen position on the plate: the flat surface around the point.
+  /// Returns {hit: true, buildUp}, a value of that setting, or {hit: false} beside the model.
+  /// @param at  [x, y]
+  std::string layFace(const std::string& at) const;
+
   /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
   /// moduleMm, largestMm, sizeMode, concerns: [message], aimToleranceDeg, forgiving, rotationDeg, colourLayers,
   /// version, modules}}. `direction` is the direction that came with the centre (from a spot), else null; `concerns`
@@ -176,24 +181,32 @@ class Engine {
   /// Shows or hides what `what` names, and leaves the rest as it is. Returns {topMm, deepestMm}: depth of the last
   /// colour and of the deepest pocket; 0 where nothing is carved.
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
-  ///              are known, "depths": true: carved depths as colours, "section": cuts the model open across the code,
-  ///              from top to bottom as its viewer sees it, at that offset from the code's middle in half edges of its
+  ///              are known, "depths": true: carved depths as colours, "buildPlate": true: the printer's plate under
+  ///              the model in the pose in which it is printed, "section": cuts the model open across the code, from
+  ///              top to bottom as its viewer sees it, at that offset from the code's middle in half edges of its
   ///              square, -1 … 1; null: no section, "upAxis": the model's axis, "y" or "z", that points up in the view
   ///              and along which the code's top points}
   std::string show(const std::string& what);
+  /// Shows the simulated print on the surface in place of the carved model, until the camera moves or another model is
+  /// shown. BadUsage if nothing is engraved.
+  /// @param picture  pixels of PrintedCode::pictures("front"); none: shows the carved model again
+  /// @param size     along an edge
+  std::string showPrint(std::vector<std::uint8_t> picture, int size);
   /// Moves the camera.
   /// @param action  {"kind": "orbit" or "pan", "dx", "dy"}, {"kind": "zoom", "factor", "x", "y"}, {"kind": "fit"},
   ///                {"kind": "body", "index"}: to one body of the model, from 0,
   ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
-  ///                a code is placed: {"kind": "readerView"}, {"kind": "face"}: from the viewer's side, with the
-  ///                surroundings in view, {"kind": "faceSection"}: to where the section is visible
+  ///                a code is placed: {"kind": "readerView"}: as a phone sees it, without a plate, until the next
+  ///                action, {"kind": "face"}: from the viewer's side, with the surroundings in view, {"kind":
+  ///                "faceSection"}: to where the section is visible
   std::string look(const std::string& action);
 
   /// Returns {code: {corners: [[x, y]], facing, edgeMm, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null,
-  /// to: [x, y]}], axes: [right, up, back]}. `corners`: of the code with its quiet zone or label, a square of `edgeMm`
-  /// on the QR plane, on the screen, upper left first, clockwise for the viewer; `facing`: cosine between the camera's
-  /// direction and the code's; `lamps`: a line from each lamp to the middle of the code, `from` null for a lamp behind
-  /// the camera; `axes`: the camera's, z up.
+  /// to: [x, y]}], buildPlate: {foot: [x, y], top: [x, y], heightMm} or null, axes: [right, up, back]}. `corners`: of
+  /// the code with its quiet zone or label, a square of `edgeMm` on the QR plane, on the screen, upper left first,
+  /// clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a line from
+  /// each lamp to the middle of the code, `from` null for a lamp behind the camera; `buildPlate`: the shown one, with
+  /// an upright edge of the model's box over it, at its left on the screen; `axes`: the camera's, z up.
   std::string viewState() const;
   /// Draws a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);
@@ -233,6 +246,7 @@ class Engine {
 
   void setUpAxis(const std::string& axis);
   void showCarved(bool carved);
+  void hidePrint();
   void showSizes(bool isShown);
   void zoom(double factor, double x, double y);
   bool takesCode() const;
@@ -246,6 +260,7 @@ class Engine {
   std::string resizeCode(double rotateDeg, double symbolMm);
   void endHover();
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
+  std::optional<BuildPlate> buildPlate() const;
   void updateView();
 
   bool hasGl_;
@@ -257,6 +272,7 @@ class Engine {
   PlacementPreview preview_;
   SpotOffers offers_;
   Carvings carvings_;
+  std::optional<Decal> print_;  // while it is shown
   Plate plate_;
   Scene scene_;
 };

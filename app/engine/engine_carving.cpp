@@ -46,6 +46,7 @@ bool Engine::showsCarved() const {
 }
 
 void Engine::showCarved(bool carved) {
+  print_.reset();
   scene_.show(Scene::Surface::Carved, carved);
   if (carved && model_) carvings_.display(ground());
   endHover();

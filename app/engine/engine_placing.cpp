@@ -6,11 +6,26 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "math/angle.h"
+#include "mesh/flat_region.h"
 #include "message_codes/engine.h"
 #include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
+namespace {
+
+constexpr double kOnAxisDeg = 0.5;  // a direction this near to an axis of the model means the axis
+
+Vec3 nearAxis(Vec3 direction) {
+  for (const Vec3 axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    const double along = glm::dot(direction, axis);
+    if (std::abs(along) >= std::cos(toRadians(kOnAxisDeg))) return axis * std::copysign(1.0, along) + Vec3(0);  // no -0
+  }
+  return direction;
+}
+
+}  // namespace
+
 PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().skyward()}; }
 
 bool Engine::takesCode() const {
@@ -99,6 +114,17 @@ std::string Engine::moveCode(double x, double y) {
   scene_.setGhost(nullptr);
   scene_.setDecal(preview_.code());
   return describeCode(*preview_.code());
+}
+
+std::string Engine::layFace(const std::string& at) const {
+  const Result<Json> parsed = parseJson(at);
+  if (!parsed) return answer(parsed.error());
+  const auto point = surfaceAt(numberOf(parsed->at(0)), numberOf(parsed->at(1)));
+  if (!point) return textOf({{"ok", true}, {"hit", false}});
+  const Vec3 up = nearAxis(-flatRegionNormal(model_->mesh(), model_->engravable->prepared.adjacency, point->triangle));
+  const bool isScenesUp = up == scene_.camera().skyward();
+  return textOf(
+      {{"ok", true}, {"hit", true}, {"buildUp", isScenesUp ? Json(buildPoseName(BuildPose::AsModelled)) : jsonOf(up)}});
 }
 
 std::string Engine::adjustCode(const std::string& change) {

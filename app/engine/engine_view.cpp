@@ -3,6 +3,7 @@
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "engine/print_decal.h"
 #include "message_codes/engine.h"
 #include "viewer/depth_colours.h"
 
@@ -54,7 +55,33 @@ Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& c
   return lines;
 }
 
+/// Returns an upright edge of the model's box over the plate, the one at the left on the screen; null if a corner lies
+/// behind the camera.
+Json onScreen(const BuildPlate& plate, const OrbitCamera& camera) {
+  const CameraView view = camera.view();
+  const auto isAhead = [&](Vec3 point) { return glm::dot(view.eye() - point, view.back) > 0; };
+  std::optional<Vec2> foot, top;
+  for (const Vec2 corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+    const Vec2 at = corner * plate.halfMm;
+    const Vec3 below = plate.centre + plate.right * at.x + plate.back * at.y, above = below + plate.up * plate.heightMm;
+    if (!isAhead(below) || !isAhead(above)) return {};
+    const Vec2 onScreen = camera.toScreen(below);
+    if (foot && foot->x <= onScreen.x) continue;
+    foot = onScreen;
+    top = camera.toScreen(above);
+  }
+  return {{"foot", jsonOf(*foot)}, {"top", jsonOf(*top)}, {"heightMm", plate.heightMm}};
+}
+
 }  // namespace
+
+std::optional<BuildPlate> Engine::buildPlate() const {
+  if (!model_) return {};
+  const BuildDirection build = wanted_.buildDirection(scene_.camera().skyward());
+  const Placement* const placement = preview_.placement();
+  if (!build.up && build.pose != BuildPose::AsModelled && !placement) return {};  // the code is not placed yet
+  return plateUnder(model_->mesh(), build.resolve(placement ? placement->frame : ProjectionFrame{}));
+}
 
 void Engine::updateView() {
   const auto inkOf = [](const EngraveRequest* request) {
@@ -62,8 +89,8 @@ void Engine::updateView() {
   };
   const EngraveResult* const result = carvings_.result();
   scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), preview_.code(),
-                 preview_.hovered(), wanted_.centreMm(), inkOf(&wanted_.settings()),
-                 inkOf(result ? &result->request : nullptr)});
+                 preview_.hovered(), print_ ? &*print_ : nullptr, wanted_.centreMm(), inkOf(&wanted_.settings()),
+                 inkOf(result ? &result->request : nullptr), buildPlate()});
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -83,6 +110,8 @@ std::string Engine::look(const std::string& action) {
   const std::string kind = parsed->at("kind");
   const Placement* const placement = preview_.placement();
   const CodeOnSurface* const code = preview_.code();
+  scene_.freeLook();
+  if (kind != "readerView") hidePrint();
   if (kind == "orbit")
     scene_.camera().orbit(number("dx"), number("dy"));
   else if (kind == "pan")
@@ -110,6 +139,7 @@ std::string Engine::show(const std::string& what) {
   if (parsed->contains("carved")) showCarved(parsed->at("carved"));
   if (parsed->contains("sizes")) showSizes(parsed->at("sizes"));
   if (parsed->contains("depths")) scene_.showDepths(parsed->at("depths"));
+  if (parsed->contains("buildPlate")) scene_.showPlate(parsed->at("buildPlate"));
   if (parsed->contains("upAxis")) setUpAxis(parsed->at("upAxis"));
   if (parsed->contains("section")) {
     const Json& offset = parsed->at("section");
@@ -120,6 +150,24 @@ std::string Engine::show(const std::string& what) {
   return textOf({{"ok", true},
                  {"topMm", result ? depthColoursTopMm(result->depths) : 0},
                  {"deepestMm", result ? summarise(result->depths).maxMm : 0}});
+}
+
+std::string Engine::showPrint(std::vector<std::uint8_t> picture, int size) {
+  const EngraveResult* const result = carvings_.result();
+  if (!result) return answer(kNoResult);
+  hidePrint();
+  if (picture.empty()) return done();
+  auto print = printDecal(*model_, result->placement, picture, size);
+  if (!print) return answer(print.error());
+  print_ = std::move(*print);
+  updateView();
+  return done();
+}
+
+void Engine::hidePrint() {
+  if (!print_) return;
+  print_.reset();
+  updateView();
 }
 
 bool Engine::draw(bool always) {
@@ -137,7 +185,9 @@ std::string Engine::viewState() const {
   const CodeOnSurface* placed = preview_.code();
   const Json code = placed ? onScreen(*placed, camera) : Json();
   const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
-  return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});
+  const std::optional<BuildPlate> plate = scene_.shownPlate();
+  const Json plateOnScreen = plate ? onScreen(*plate, camera) : Json();
+  return textOf({{"code", code}, {"lamps", lamps}, {"buildPlate", plateOnScreen}, {"axes", axes}});
 }
 
 Result<BackDistanceMap> Engine::backDistances() const {

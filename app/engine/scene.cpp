@@ -61,19 +61,22 @@ std::optional<CuttingPlane> Scene::cut(const CodeOnSurface* code) const {
 void Scene::update(const SceneContents& contents) {
   if (!viewer_) return;
   const bool carved = surface_ == Surface::Carved && contents.carved;
+  const bool printed = carved && contents.print;
   const bool sizes = surface_ == Surface::Sizes && contents.sizes;
-  viewer_->setMesh(carved ? contents.carved : sizes ? contents.sizes : contents.model);
-  viewer_->showHeat(sizes                          ? HeatShown::All
+  viewer_->setMesh(printed ? contents.model : carved ? contents.carved : sizes ? contents.sizes : contents.model);
+  viewer_->showHeat(printed                        ? HeatShown::None
+                    : sizes                        ? HeatShown::All
                     : carved && contents.carvedInk ? HeatShown::Ink
                     : carved && depthsShown_       ? HeatShown::AboveZero
                                                    : HeatShown::None);
   const std::optional<Ink>& ink = carved ? contents.carvedInk : contents.ink;
   colours_ = ink ? coloursOf(*ink) : SurfaceColours{};
   viewer_->setColours(colours_);
-  viewer_->setDecal(carved ? std::nullopt : decalOf(contents.code));
+  viewer_->setDecal(printed ? std::optional(*contents.print) : carved ? std::nullopt : decalOf(contents.code));
   viewer_->setGhost(carved ? std::nullopt : decalOf(contents.hovered));
   viewer_->setMarker(carved || contents.code ? std::nullopt : contents.centreMm);
   viewer_->setCut(cut(contents.code));
+  setPlate(contents.plate);
 }
 
 void Scene::setGhost(const CodeOnSurface* hovered) {
@@ -83,6 +86,18 @@ void Scene::setGhost(const CodeOnSurface* hovered) {
 void Scene::setDecal(const CodeOnSurface* code) {
   if (viewer_) viewer_->setDecal(decalOf(code));
 }
+
+void Scene::setPlate(std::optional<BuildPlate> plate) {
+  plate_ = plate;
+  if (viewer_) viewer_->setPlate(shownPlate());
+}
+
+void Scene::showPlate(bool isShown) {
+  plateShown_ = isShown;
+  setPlate(plate_);
+}
+
+std::optional<BuildPlate> Scene::shownPlate() const { return plateShown_ && !isReaders_ ? plate_ : std::nullopt; }
 
 void Scene::show(Surface surface, bool isShown) {
   if (isShown) surface_ = surface;
@@ -111,6 +126,13 @@ void Scene::standardView(const std::string& name) {
 
 void Scene::lookAsReader(const ProjectionFrame& frame, double edgeMm) {
   camera_.lookThrough(frame, edgeMm * kReaderMargin);
+  isReaders_ = true;
+  setPlate(plate_);
+}
+
+void Scene::freeLook() {
+  isReaders_ = false;
+  setPlate(plate_);
 }
 
 void Scene::faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm) {

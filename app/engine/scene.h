@@ -25,8 +25,10 @@ struct SceneContents {
   std::shared_ptr<const GpuMesh> model, carved, sizes;
   const CodeOnSurface* code = nullptr;
   const CodeOnSurface* hovered = nullptr;
+  const Decal* print = nullptr;  ///< of the carved model; takes its place
   std::optional<Vec3> centreMm;
   std::optional<Ink> ink, carvedInk;  ///< materials of the code that is wanted, or carved; none: no code in colour
+  std::optional<BuildPlate> plate;    ///< under the model as it is printed
 };
 
 /// Chooses what is shown, from which camera and in which colours. Screen positions as in Engine.
@@ -40,12 +42,16 @@ class Scene {
   /// Updates only the hovered code, or only the moved one: cheaper than update().
   void setGhost(const CodeOnSurface* hovered);
   void setDecal(const CodeOnSurface* code);
+  void setPlate(std::optional<BuildPlate> plate);
 
   enum class Surface { Model, Carved, Sizes };
   /// Shows that surface from the next update on, if it exists. With `shown` false, shows the model.
   void show(Surface surface, bool isShown);
   Surface surface() const { return surface_; }
   void showDepths(bool isShown) { depthsShown_ = isShown; }
+  void showPlate(bool isShown);
+  /// Returns the plate as it is shown. A phone sees none.
+  std::optional<BuildPlate> shownPlate() const;
   /// Cuts the model open across the code. @param offset  in half edges of its square, clamped to -1 … 1
   void showSection(bool isShown, double offset);
 
@@ -55,7 +61,9 @@ class Scene {
   const OrbitCamera& camera() const { return camera_; }
   /// Turns the camera to "front", "back", "left", "right", "top", "bottom" or "iso"; ignores other names.
   void standardView(const std::string& name);
+  /// Looks as a phone does, until freeLook().
   void lookAsReader(const ProjectionFrame& frame, double edgeMm);
+  void freeLook();
   /// Looks from the viewer's side of the code, with the surroundings in view.
   /// @param diagonalMm  of the model
   void faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm);
@@ -78,8 +86,9 @@ class Scene {
   std::unique_ptr<Viewer> viewer_, pictureViewer_;
   OrbitCamera camera_;
   SurfaceColours colours_;
+  std::optional<BuildPlate> plate_;
   Surface surface_ = Surface::Model;
-  bool depthsShown_ = false, sectionShown_ = false, dark_ = false;
+  bool depthsShown_ = false, sectionShown_ = false, plateShown_ = false, isReaders_ = false, dark_ = false;
   double sectionOffset_ = 0;
 };
 

@@ -38,6 +38,11 @@ struct CameraView {
   Vec2 depthRange{1, 1000};  ///< near and far distance along the line of sight, mm
 
   Vec3 eye() const { return target + back * distance; }
+  /// Converts a direction or a point to view space.
+  Vec3f inView(Vec3 direction) const {
+    return Vec3f(Vec3(glm::dot(direction, right), glm::dot(direction, up), glm::dot(direction, back)));
+  }
+  Vec3f pointInView(Vec3 point) const { return inView(point - target); }
   /// Returns the view as a projection onto the plane through the target.
   ProjectionFrame frame() const { return {target, right, up, back, distance}; }
   /// Returns the edge of the square about the target that holds the whole picture.

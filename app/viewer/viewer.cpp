@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/halton.h"
+#include "math/angle.h"
+#include "printing/build_direction.h"
 #include "shaders.h"
 #include "viewer/decal_bounds.h"
 
@@ -34,13 +36,6 @@ constexpr Vec3f kDarkBackground[2] = {{0.010f, 0.012f, 0.016f}, {0.035f, 0.041f,
 constexpr Vec3f kAccent = {0.01f, 0.30f, 0.85f};
 constexpr Vec3f kWarn = {0.95f, 0.22f, 0.01f};
 
-Vec3f inView(const CameraView& camera, Vec3 direction) {
-  return Vec3f(
-      Vec3(glm::dot(direction, camera.right), glm::dot(direction, camera.up), glm::dot(direction, camera.back)));
-}
-
-Vec3f pointInView(const CameraView& camera, Vec3 point) { return inView(camera, point - camera.target); }
-
 bool isSoftware(std::string_view renderer) {
   return renderer.find("SwiftShader") != std::string_view::npos ||
          renderer.find("llvmpipe") != std::string_view::npos || renderer.find("Basic Render") != std::string_view::npos;
@@ -67,12 +62,13 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
     const char* vertex;
     const char* fragment;
   };
-  const std::array<Source, 6> sources = {{
+  const std::array<Source, 7> sources = {{
       {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
       {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_occlusion_frag},
       {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
       {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
       {&Viewer::decalProgram_, "view decal", shaders::fullscreen_vert, shaders::view_decal_frag},
+      {&Viewer::plateProgram_, "view plate", shaders::view_plate_vert, shaders::view_plate_frag},
       {&Viewer::copy_, "view copy", shaders::fullscreen_vert, shaders::view_copy_frag},
   }};
   Viewer viewer;
@@ -127,6 +123,12 @@ void Viewer::setGhost(std::optional<Decal> ghost) {
 void Viewer::setCut(std::optional<CuttingPlane> cut) {
   if (!cut && !cut_) return;
   cut_ = cut;
+  changed_ = true;
+}
+
+void Viewer::setPlate(std::optional<BuildPlate> plate) {
+  if (plate == plate_) return;
+  plate_ = plate;
   changed_ = true;
 }
 
@@ -215,7 +217,7 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   surface_.set("u_isCut", cut_ ? 1 : 0);
   if (cut_) {
     const double along = glm::dot(cut_->point - camera.target, cut_->normal);
-    surface_.set("u_cut", glm::vec4(inView(camera, cut_->normal), static_cast<float>(along)));
+    surface_.set("u_cut", glm::vec4(camera.inView(cut_->normal), static_cast<float>(along)));
   }
   mesh_->draw();
   glDisable(GL_DEPTH_TEST);
@@ -248,14 +250,18 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.set("u_blur", sample.blur ? 1 : 0);
   lighting_.set("u_blurUnit", static_cast<float>(radiusMm()));
   lighting_.set("u_blurReach", static_cast<float>(8 * pixelMm));
-  lighting_.set("u_skyward", inView(camera, camera.skyward));
+  lighting_.set("u_skyward", camera.inView(camera.skyward));
   lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
   lighting_.set("u_heatShown", static_cast<int>(heatShown_));
   lighting_.set("u_material", colours_.body);
   lighting_.set("u_ink", colours_.ink);
-  lighting_.set("u_hatch", glm::vec4(inView(camera, across), static_cast<float>(glm::dot(camera.target, across))));
+  lighting_.set("u_hatch", glm::vec4(camera.inView(across), static_cast<float>(glm::dot(camera.target, across))));
   lighting_.set("u_hatchMm", static_cast<float>(kHatchShare / kRadiusShare * radiusMm()));
+  const BuildPlate plate = plate_.value_or(BuildPlate{});
+  lighting_.set("u_plate", glm::vec4(camera.inView(plate.up),
+                                     static_cast<float>(glm::dot(plate.centre - camera.target, plate.up))));
+  lighting_.set("u_overhangCosine", plate_ ? static_cast<float>(std::cos(toRadians(kSteepestOverhangDeg))) : -2.0f);
   if (sample.weight < 1) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
@@ -308,12 +314,16 @@ void Viewer::bindCanvas(const gl::Framebuffer* target) const {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
+void Viewer::setSight(const gl::Program& program, const CameraView& camera) const {
   setGBuffer(program, *picture_.surface, camera, picture_.jitter);
-  program.setTexture("u_colour", 0, picture_.colours->colour);
   program.setTexture("u_surface", 1, picture_.surface->surface);
   program.set("u_canvas", glm::vec2(width_, height_));
   program.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+}
+
+void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
+  setSight(program, camera);
+  program.setTexture("u_colour", 0, picture_.colours->colour);
   program.set("u_accent", kAccent);
 }
 
@@ -322,8 +332,11 @@ void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* tar
   bindCanvas(target);
   setPicture(present_, camera);
   present_.set("u_markerShown", marker_ ? 1 : 0);
-  if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
+  if (marker_) present_.set("u_marker", camera.pointInView(*marker_));
   gl::drawFullscreen();
+  if (!plate_) return;
+  setSight(plateProgram_, camera);
+  drawPlate(plateProgram_, *plate_, camera, dark_);
 }
 
 void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target) {
@@ -339,13 +352,14 @@ void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& ca
   decalProgram_.set("u_warn", kWarn);
   decalProgram_.set("u_paperColour", decal.colours.body);
   decalProgram_.set("u_inkColour", decal.colours.ink);
+  decalProgram_.set("u_paper", decal.isInkOnly ? 0.0f : 1.0f);
   decalProgram_.setTexture("u_ink", 2, ink_);
   decalProgram_.setTexture("u_reach", 3, decal.reach ? layer.reach : nothing_);
   decalProgram_.set("u_strength", static_cast<float>(strength));
-  decalProgram_.set("u_centre", pointInView(camera, decal.frame.centre));
-  decalProgram_.set("u_right", inView(camera, decal.frame.right));
-  decalProgram_.set("u_up", inView(camera, decal.frame.up));
-  decalProgram_.set("u_normal", inView(camera, decal.frame.normal));
+  decalProgram_.set("u_centre", camera.pointInView(decal.frame.centre));
+  decalProgram_.set("u_right", camera.inView(decal.frame.right));
+  decalProgram_.set("u_up", camera.inView(decal.frame.up));
+  decalProgram_.set("u_normal", camera.inView(decal.frame.normal));
   decalProgram_.set("u_eyeDistance", static_cast<float>(decal.frame.eyeDistance));
   decalProgram_.set("u_edge", static_cast<float>(decal.edgeMm));
   decalProgram_.set("u_window", decal.reach ? static_cast<float>(decal.reach->window.extentMm) : 0.0f);

@@ -10,6 +10,7 @@
 #include "math/frame.h"
 #include "projection/visibility_map.h"
 #include "render/gpu_mesh.h"
+#include "viewer/build_plate.h"
 #include "viewer/orbit_camera.h"
 
 namespace qrelief {
@@ -29,6 +30,7 @@ struct Decal {
   int size = 0;                   ///< texels along an edge
   std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = ink, 0 = none
   SurfaceColours colours{{0.78f, 0.78f, 0.77f}, SurfaceColours{}.ink};
+  bool isInkOnly = false;  ///< draws the ink alone: no paper below, no outline, no warning colour
   /// Surface that takes the decal. Parts of the square that are not reached get a warning colour, hidden parts none.
   /// None: every surface that faces the eye takes the decal. Its centre and normal are the frame's.
   std::shared_ptr<const VisibilityMap> reach;
@@ -84,6 +86,8 @@ class Viewer {
   void setGhost(std::optional<Decal> ghost);
   /// Cuts the mesh open. Closed solids show a coloured section.
   void setCut(std::optional<CuttingPlane> cut);
+  /// Draws a printer's plate, and marks the surfaces that hang over it too steeply to print well.
+  void setPlate(std::optional<BuildPlate> plate);
   void setMarker(std::optional<Vec3> marker);
   void setTheme(bool dark);
 
@@ -138,6 +142,7 @@ class Viewer {
   void uploadDecal(Shown& layer);
   void uploadInk();
   void uploadPrints();
+  void setSight(const gl::Program& program, const CameraView& camera) const;
   void setPicture(const gl::Program& program, const CameraView& camera) const;
   void presentPicture(const CameraView& camera, const gl::Framebuffer* target);
   void present(const CameraView& camera, const gl::Framebuffer* target);
@@ -150,7 +155,7 @@ class Viewer {
   void adaptToInterval(double nowMs);
 
   ViewQuality quality_;
-  gl::Program surface_, occlusion_, lighting_, present_, decalProgram_, copy_;
+  gl::Program surface_, occlusion_, lighting_, present_, decalProgram_, plateProgram_, copy_;
   std::optional<Stage> moving_, still_, sum_;
   Picture picture_;
   // The presented picture without the moving decal (the ghost, if there is one). Valid while the picture stays the
@@ -164,6 +169,7 @@ class Viewer {
   std::vector<std::uint8_t> inkShown_;
   std::optional<Vec3> marker_;
   std::optional<CuttingPlane> cut_;
+  std::optional<BuildPlate> plate_;
   bool dark_ = false;
   HeatShown heatShown_ = HeatShown::None;
   SurfaceColours colours_;

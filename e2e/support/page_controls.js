@@ -28,6 +28,16 @@ export const kOfTheView = {
     await press('iso');
     await poll(async () => (await sidesOf(page)).length).toBe(3);
   },
+  'show-plate': async ({ page, press }) => {
+    const height = page.getByText(/^[\d.]+ mm high$/);
+    await press('views');
+    await press('iso');
+    await expect(height).toBeVisible();
+    await press('show-plate');
+    await expect(height).toBeHidden();
+    await press('show-plate');
+    await expect(height).toBeVisible();
+  },
   views: async ({ at, press }) => {
     await press('views');
     await expect(at('views-menu')).toBeVisible();

@@ -145,6 +145,25 @@ export const kOfThePlace = {
     await expect(at('preset')).toBeVisible();
     expect((await settingsFile(app)).settings).toMatchObject({ mark: 'shadow', darkReflectance: 0.6 });
   },
+  'lay-face': async ({ app, at, press }) => {
+    await app.canvas.scrollIntoViewIfNeeded();
+    await press('lay-face');
+    await expect(at('lay-hint')).toContainText('Click the face');
+    await app.canvas.press('7'); // from a corner
+    await app.canvas.press('Enter'); // the face in the middle
+    await expect(at('lay-hint')).toBeHidden();
+    await app.expectReady();
+    await expect(at('build-up').locator('option:checked')).toHaveText('Chosen face down');
+    expect((await settingsFile(app)).settings.buildUp).toHaveLength(3);
+  },
+  'lay-cancel': async ({ at, app, press }) => {
+    await press('lay-face');
+    await press('lay-cancel');
+    await expect(at('lay-hint')).toBeHidden();
+    await expect(at('lay-face')).toHaveAttribute('aria-pressed', 'false');
+    await at('build-up').selectOption('as-modelled');
+    await app.expectReady();
+  },
   solver: ({ app, at }) => chooseAndBack(app, at('solver'), 'solver', 'paper-steps'),
   surface: ({ app, at }) => chooseAndBack(app, at('surface'), 'surface', 'resampled'),
   'content-kind': async ({ app, at }) => {

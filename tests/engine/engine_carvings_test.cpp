@@ -49,6 +49,10 @@ TEST_F(EngineCarvingsTest, HasNoCarvingAtFirst) {
   EXPECT_FALSE(engine_->useCarving(1));
 }
 
+TEST_F(EngineCarvingsTest, ShowsNoPrintBeforeAnythingIsEngraved) {
+  EXPECT_EQ(Json::parse(engine_->showPrint({0, 0, 0, 0}, 2))["error"]["code"], "nothing-engraved");
+}
+
 TEST_F(EngineCarvingsTest, RestoresThePreviousCarvingBitForBitWithItsReadings) {
   const int first = carve("first");
   engine_->setReadings(R"(["first"])", "a reader");

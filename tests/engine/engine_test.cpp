@@ -417,6 +417,55 @@ TEST_F(EngineTest, ShowsLampsInTheDirectionTheyShineFrom) {
   EXPECT_EQ(Json::parse(engine_->viewState())["lamps"].size(), 0u);
 }
 
+TEST_F(EngineTest, ShowsThePlateInThePoseOnThePrinter) {
+  engine_->show(R"({"buildPlate": true})");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "no model";
+  load(shapes::box({60, 50, 20}));
+  const auto heightMm = [&] { return Json::parse(engine_->viewState())["buildPlate"]["heightMm"].get<double>(); };
+  EXPECT_NEAR(heightMm(), 20, 1e-5);
+  engine_->configure(R"({"text": "A", "buildUp": [0, 1, 0]})");
+  EXPECT_NEAR(heightMm(), 50, 1e-5);
+  engine_->configure(R"({"text": "A", "buildUp": "code-up"})");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "no code";
+  engine_->setCentre(R"({"mm": [30, 0, 0]})");
+  ASSERT_EQ(Json::parse(engine_->placement())["ok"], true);
+  EXPECT_NEAR(heightMm(), 60, 1e-5);
+  engine_->configure(kSettings);
+  engine_->show(R"({"upAxis": "y"})");
+  EXPECT_NEAR(heightMm(), 50, 1e-5) << "as the user sees it";
+  engine_->look(R"({"kind": "readerView"})");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "a phone sees no plate";
+  engine_->look(R"({"kind": "fit"})");
+  EXPECT_NEAR(heightMm(), 50, 1e-5);
+  engine_->show(R"({"buildPlate": false})");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null());
+}
+
+TEST_F(EngineTest, TheHeightOverThePlateStandsAtTheLeft) {
+  engine_->show(R"({"buildPlate": true})");
+  load(shapes::box({60, 50, 20}));
+  engine_->look(R"({"kind": "standard", "name": "front"})");
+  for (bool gliding = true; gliding;) gliding = engine_->draw();
+  const Json plate = Json::parse(engine_->viewState())["buildPlate"];
+  EXPECT_LT(plate["foot"][0].get<double>(), 100);
+  EXPECT_NEAR(plate["foot"][0].get<double>(), plate["top"][0].get<double>(), 1);
+  EXPECT_GT(plate["foot"][1].get<double>(), plate["top"][1].get<double>() + 20);
+}
+
+TEST_F(EngineTest, LaysTheFaceUnderThePointerOnThePlate) {
+  load(shapes::box({60, 50, 20}));
+  const auto buildUpSeenFrom = [&](const char* side) {
+    engine_->look(Json{{"kind", "standard"}, {"name", side}}.dump());
+    for (bool gliding = true; gliding;) gliding = engine_->draw();
+    return Json::parse(engine_->layFace("[200, 150]"))["buildUp"];
+  };
+  EXPECT_EQ(buildUpSeenFrom("right"), Json({-1.0, 0.0, 0.0}));
+  EXPECT_EQ(buildUpSeenFrom("front"), Json({0.0, 1.0, 0.0}));
+  EXPECT_EQ(buildUpSeenFrom("top"), Json({0.0, 0.0, -1.0}));
+  EXPECT_EQ(buildUpSeenFrom("bottom"), "as-modelled");
+  EXPECT_EQ(Json::parse(engine_->layFace("[1, 1]"))["hit"], false);
+}
+
 TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
   const auto resize = [&](double rotateDeg, double symbolMm) {
     return engine_->adjustCode(Json{{"rotateDeg", rotateDeg}, {"symbolMm", symbolMm}}.dump());

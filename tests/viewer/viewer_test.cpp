@@ -7,6 +7,7 @@
 #include "render/surface_raster.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
+#include "viewer/build_plate.h"
 #include "viewer/decal_bounds.h"
 #include "viewer/display_mesh.h"
 
@@ -320,6 +321,66 @@ TEST_F(ViewerTest, ADecalHasItsOwnColours) {
   const Picture picture = refined();
   EXPECT_GT(picture.brightness(camera_.toScreen({-10, 10, 10})),
             picture.brightness(camera_.toScreen({10, -10, 10})) + 0.3);
+}
+
+TEST_F(ViewerTest, ThePlateLiesAroundTheModelWhichHidesIt) {
+  const Mesh box = shapes::box({40, 40, 40});
+  show(box);
+  camera_.zoom(0.5, camera_.onTargetPlane(kWidth / 2.0, kHeight / 2.0));
+  const Picture before = refined();
+  const BuildPlate plate = plateUnder(box, {0, 0, 1});
+  viewer_->setPlate(plate);
+  const Picture after = refined();
+  const auto change = [&](Vec3 point) {
+    const Vec2 pixel = camera_.toScreen(point);
+    return glm::distance(after.at(pixel), before.at(pixel));
+  };
+  EXPECT_GT(change({24, -24, -20}), 0.02) << "beside the model";
+  EXPECT_LT(change({0, 0, -20}), 0.01) << "under the model";
+  EXPECT_LT(change({0, 0, 20}), 0.01) << "on its top";
+  EXPECT_LT(change({0, 200, -20}), 0.01) << "far away";
+  viewer_->setPlate({});
+  const Picture without = refined();
+  EXPECT_EQ(without.rgba, before.rgba);
+}
+
+TEST_F(ViewerTest, MarksOverhangsButNotTheFaceOnThePlate) {
+  // Seen from below: the lower side of a box hangs over the plate under a larger model.
+  const Mesh box = shapes::box({40, 40, 40});
+  show(box);
+  camera_.orbit(0, -120);
+  const auto redness = [&](const BuildPlate& plate) {
+    viewer_->setPlate(plate);
+    const Vec3 colour = refined().at(camera_.toScreen({3, 3, -20}));
+    return colour.x / colour.z;
+  };
+  BuildPlate plate = plateUnder(box, {0, 0, 1});
+  const double onPlate = redness(plate);
+  plate.centre.z -= 400;  // out of sight
+  EXPECT_GT(redness(plate), 1.3 * onPlate);
+  plate.up = {std::sqrt(1 - 0.64 * 0.64), 0, 0.64};  // the side now hangs by 40° only
+  EXPECT_NEAR(redness(plate), onPlate, 0.05);
+}
+
+TEST_F(ViewerTest, InkAloneDarkensTheSurfaceAndHasNoPaperAndNoOutline) {
+  const Mesh box = shapes::box({40, 40, 40});
+  show(box);
+  const Picture before = refined();
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 20}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 30;
+  decal.size = 2;
+  decal.ink = {255, 0, 0, 0};  // in the upper left
+  decal.isInkOnly = true;
+  decal.colours.ink = Vec3f(0);
+  viewer_->setDecal(decal);
+  const Picture after = refined();
+  const auto share = [&](Vec3 point) {
+    return after.brightness(camera_.toScreen(point)) / before.brightness(camera_.toScreen(point));
+  };
+  EXPECT_LT(share({-8, 8, 20}), 0.05);
+  EXPECT_NEAR(share({8, -8, 20}), 1, 0.02) << "no ink";
+  EXPECT_NEAR(share({15, -8, 20}), 1, 0.02) << "at the decal's edge";
 }
 
 TEST_F(ViewerTest, TheRayThroughAPixelHitsTheSurfaceItShows) {

@@ -117,6 +117,15 @@ export class EngineHost {
   }
 
   /**
+   * Finds how to lay the face at a position on the printer's plate, unless the inspector uses the position.
+   * @param {[number, number]} at
+   * @returns {import('./types.js').LaidFace}
+   */
+  layFace(at) {
+    return this.inspector_.takesPointer ? { hit: false } : this.engine_.layFace(at);
+  }
+
+  /**
    * Previews the code at an estimated placement.
    * @param {[number, number] | null} at  on the canvas; null: hides the preview
    * @returns {Promise<import('./types.js').HoverResult>}

@@ -13,6 +13,11 @@
  *   surface point in the middle of the view
  */
 
+/**
+ * @typedef {{ hit: boolean, buildUp?: string | [number, number, number] }} LaidFace
+ *   `buildUp`: the setting that lays the face on the printer's plate
+ */
+
 /** @typedef {{ x: number, y: number, width: number, height: number }} Area  of the canvas, CSS pixels */
 
 /** @typedef {'y' | 'z'} UpAxis */
@@ -70,8 +75,11 @@
  * @typedef {{ corners: [number, number][], facing: number, edgeMm: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
  * @typedef {{ from: [number, number] | null, to: [number, number] }} LampOnScreen
  *   line from the lamp, null behind the camera, to the centre of the code, CSS pixels
- * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], axes: [number, number, number][] }} ViewState
- *   `axes`: right, up and back of the camera, in a space with z up
+ * @typedef {{ foot: [number, number], top: [number, number], heightMm: number }} PlateOnScreen
+ *   upright edge of the model's box over the plate, at its left on the screen, CSS pixels
+ * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], buildPlate: PlateOnScreen | null,
+ *   axes: [number, number, number][] }} ViewState
+ *   `buildPlate`: if it is shown; `axes`: right, up and back of the camera, in a space with z up
  */
 
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
@@ -264,9 +272,9 @@
 
 /**
  * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
- * `depths`: carved depths as colours; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
+ * `depths`: carved depths as colours; `buildPlate`: the printer's plate under the model; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
  * dark colours; `upAxis`: the model's axis that points up, and along which the code's top points.
- * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, section?: number | null, dark?: boolean,
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, buildPlate?: boolean, section?: number | null, dark?: boolean,
  *   upAxis?: UpAxis }} Shown
  */
 

@@ -104,12 +104,19 @@ export const kPageVerbs = {
    * @type {Verb<(what: import('./types.js').Shown) => { topMm: number, deepestMm: number }>}
    */
   show: { of: 'InspectedEngine', draws: true },
+  /**
+   * Shows a simulated print in place of the carved model until the camera moves; no pixels: hides it.
+   * @type {Verb<(pixels: Uint8Array, size: number) => void>}
+   */
+  showPrint: { draws: true },
 };
 
 /** Verbs of the engine that only the host calls. The C++ class is Engine. */
 export const kInnerVerbs = {
   /** @type {Verb<(where: import('./types.js').CentreChoice) => PickResult>} */
   setCentre: {},
+  /** @type {Verb<(at: [number, number]) => import('./types.js').LaidFace>} */
+  layFace: {},
   /** @type {Verb<(at: [number, number] | null) => HoverResult>} */
   hover: {},
   /**
@@ -245,6 +252,7 @@ export const kPrintVerbs = {
 export const kHostVerbs = /** @type {const} */ ([
   'resize',
   'setCentre',
+  'layFace',
   'hover',
   'settle',
   'findSpots',

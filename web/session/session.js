@@ -15,6 +15,7 @@
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'reveal'>} batchPanel
  * @property {import('../ui/work_panel.js').WorkPanel} workPanel
  * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {Pick<import('../ui/face_picker.js').FacePicker, 'allow'>} picker
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
@@ -48,12 +49,13 @@ export class Session {
 
   /** Enables the controls that need a model and no running job. */
   allow() {
-    const { jobs, model, undo, workPanel, spots, tools } = this.options_;
+    const { jobs, model, undo, workPanel, spots, tools, picker } = this.options_;
     const { busy } = jobs;
     const { engravable } = model;
     undo.allow();
     workPanel.allowEngrave(engravable && !busy);
     spots.allow(engravable && !busy);
+    picker.allow(engravable && !busy);
     tools.set({ engravable, busy });
   }
 

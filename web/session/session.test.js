@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { BatchPanel } from '../ui/batch_panel.js';
 import { CodePanel } from '../ui/code_panel.js';
+import { FacePicker } from '../ui/face_picker.js';
 import { WorkPanel } from '../ui/work_panel.js';
 import { ViewTools } from '../view/view_tools.js';
 import { Batching } from './batching.js';
@@ -38,6 +39,7 @@ beforeEach(() => {
     batchPanel: fake(BatchPanel),
     workPanel: fake(WorkPanel, { listen: (/** @type {any} */ listener) => void (user = listener) }),
     tools: fake(ViewTools),
+    picker: fake(FacePicker),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
   session = new Session(parts);
@@ -56,6 +58,7 @@ test('Engraving is disabled during jobs and on unsuitable models', () => {
   Object.assign(parts, { jobs: { busy: false }, model: { engravable: false } });
   session.allow();
   assert.deepEqual(parts.workPanel.calls, ['listen', 'allowEngrave true', 'allowEngrave false', 'allowEngrave false']);
+  assert.deepEqual(parts.picker.calls, ['allow true', 'allow false', 'allow false']);
 });
 
 test('Engraving waits for the spot that is being proposed', async () => {

@@ -13,6 +13,7 @@ const kAsked = ['sample', 'at', 'text', 'engrave']; // address parameters
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../ui/preferences.js').Theme} theme
+ * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('./model_session.js').ModelSession} model
@@ -85,9 +86,9 @@ export class Starting {
   }
 
   async prepareView_() {
-    const { client, view, theme } = this.options_;
+    const { client, view, theme, toolbar } = this.options_;
     view.announceSize();
-    await client.show({ dark: theme.dark });
+    await client.show({ dark: theme.dark, buildPlate: toolbar.plateShown });
   }
 
   /** Restores the work in a new module. */

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Connects the view with the work: shows the carved model, and passes on the user's input in the view.
 
+const kBuildUp = 'build-up'; // id of the control of the orientation on the printer
+const kVectorDigits = 5;
+
 /**
  * @typedef {object} ViewingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../view/view_tools.js').ViewTools} tools
  * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
+ * @property {import('../ui/face_picker.js').FacePicker} picker
  * @property {import('../view/legend.js').Legend} legend
  * @property {import('../view/inspector_view.js').InspectorView} inspector
  * @property {import('./inspecting.js').Inspecting} inspecting
@@ -33,15 +37,20 @@ export class Viewing {
     carving.printed.on(() => this.notePrinted_());
   }
 
-  /** @param {Pick<ViewingOptions, 'view' | 'inspector' | 'inspecting' | 'placing' | 'editing'>} options */
-  listen_({ view, inspector, inspecting, placing, editing }) {
+  /** @param {Pick<ViewingOptions, 'view' | 'picker' | 'inspector' | 'inspecting' | 'placing' | 'editing'>} options */
+  listen_({ view, picker, inspector, inspecting, placing, editing }) {
     const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
     const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
-    const pick = (/** @type {number} */ x, /** @type {number} */ y, exact = false) =>
+    const place = (/** @type {number} */ x, /** @type {number} */ y, exact = false) =>
       guard(() => placing.move(() => client.setCentre({ at: [x, y], exact })));
+    const lay = async (/** @type {number} */ x, /** @type {number} */ y) => {
+      const { hit, buildUp } = await client.layFace([x, y]);
+      picker.note(hit);
+      if (hit) await editing.editSetting(kBuildUp, controlValue(buildUp));
+    };
     view.listen({
       onAct: (action) => tools.act(action),
-      onPick: pick,
+      onPick: (x, y, exact) => (picker.isPicking ? guard(() => lay(x, y)) : place(x, y, exact)),
       onHover: (x, y) => tools.hover(x, y),
       onHoverEnd: () => tools.endHover(),
       onTurn: (notches, x, y) => tools.turn(notches, x, y),
@@ -53,11 +62,13 @@ export class Viewing {
         }),
     });
     tools.listen({
-      onPlace: pick,
+      onPlace: place,
+      onPrint: (picture) => guard(() => client.showPrint(picture?.pixels ?? new Uint8Array(), picture?.width ?? 0)),
       onAdjust: (change) => guard(() => editing.adjust(change)),
       onCancel: () => guard(() => placing.place()),
       onAct: act,
     });
+    picker.listen({ onPick: (picking) => tools.set({ picking }) });
     inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
     placing.placed.on((placement) => {
       toolbar.setPlaced(placement !== undefined);
@@ -77,6 +88,7 @@ export class Viewing {
       onSection: (isShown, offset) => guard(() => client.show({ section: isShown ? offset : null })),
       onFaceSection: () => tools.act({ kind: 'faceSection' }),
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
+      onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
       onInspector: (isShown) => guard(() => inspecting.show(isShown)),
     });
   }
@@ -119,3 +131,7 @@ export class Viewing {
     if (areShown && !this.carving_.shown) await this.showCarved_(true);
   }
 }
+
+/** Returns a direction as the value of its control: "0,0,1". @param {import('../engine/types.js').LaidFace['buildUp']} buildUp */
+const controlValue = (buildUp = '') =>
+  typeof buildUp === 'string' ? buildUp : buildUp.map((part) => Number(part.toFixed(kVectorDigits))).join();

@@ -143,6 +143,16 @@ export function controlValues(settings, fields, defaults) {
 /** Tells whether a choice is a whole number. @param {string} value */
 export const isWhole = (value) => /^\d+$/.test(value);
 
+/**
+ * Returns the vector that a control's value stands for: "0,0,1".
+ * @param {string} value
+ * @returns {number[] | undefined}  undefined for any other value
+ */
+export function vectorFrom(value) {
+  const parts = value.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)));
+  return parts.length === 3 && parts.every(Number.isFinite) ? parts : undefined;
+}
+
 /** @param {Values['']} size  the chosen kind of size */
 export const sizeKey = (size) => (size === kFixed ? 'sizeMm' : 'maxSizeMm');
 
@@ -153,7 +163,12 @@ const isChoice = (key) => kSettings[key].kind.startsWith('choice');
 function isPossible(key, value) {
   const { kind, choices } = kSettings[key];
   if (value === undefined) return false;
-  return !choices || choices.includes(String(value)) || (kind === 'choice-or-number' && isNumberChoice(String(value)));
+  return (
+    !choices ||
+    choices.includes(String(value)) ||
+    (kind === 'choice-or-number' && isNumberChoice(String(value))) ||
+    (kind === 'choice-or-vector' && vectorFrom(String(value)) !== undefined)
+  );
 }
 
 /** @param {string} value */
@@ -167,11 +182,13 @@ const isSwitch = (key) => kSettings[/** @type {SettingKey} */ (key)].kind === 's
  * @param {SettingKey} key
  * @param {Values['']} value
  * @param {Values['']} size  the chosen kind of size
- * @returns {string | number | boolean | import('../engine/lamps.js').Lamp[] | undefined}  undefined if left empty
+ * @returns {string | number | boolean | number[] | import('../engine/lamps.js').Lamp[] | undefined}  undefined if left
+ *   empty
  */
 function settingOf(key, value, size) {
   if (typeof value === 'boolean') return value;
   if (kSettings[key].kind === 'text') return value === '' ? undefined : value;
+  if (kSettings[key].kind === 'choice-or-vector') return vectorFrom(value) ?? value;
   if (isChoice(key)) return isWhole(value) ? Number(value) : value;
   if (kSettings[key].kind === 'lamps') return lampsOf(key, value);
   return numberOf(key, value, size);

@@ -186,6 +186,17 @@ test('A changed setting changes its dependent settings; an empty choice becomes 
   assert.throws(() => after('blurModules', '1'), /no control/);
 });
 
+test('A direction is a choice or a vector', () => {
+  const given = (/** @type {string} */ value) => /** @type {any} */ (settings({ 'build-up': value })).buildUp;
+  assert.deepEqual(given('0,-0.6,0.8'), [0, -0.6, 0.8]);
+  assert.equal(given('code-up'), 'code-up');
+  assert.equal(held(/** @type {any} */ ({ buildUp: [0, -0.6, 0.8] }))['build-up'], '0,-0.6,0.8');
+  for (const value of ['0,0,1', 'code-upright'])
+    assert.equal(fields.restored(kDefaults, { 'build-up': value })['build-up'], value);
+  for (const value of ['0,0', '0,0,', '0,0,up', '0,0,1,2', ''])
+    assert.equal(fields.restored(kDefaults, { 'build-up': value })['build-up'], 'as-modelled');
+});
+
 test('Only possible values of known controls are restored', () => {
   const now = { ...kDefaults, preset: 'robust', nozzle: '0.25' };
   const restored = fields.restored(now, { preset: 'shallow', contrast: '?', mask: '3', size: 'fixed', gone: 'x' });

@@ -2,11 +2,11 @@
 // The controls with `data-setting`, the key of their setting: their labels, bounds and choices. Shows the values and
 // reports the user's edits.
 import { kSettings } from '../generated/settings.js';
-import { onLanguage } from '../i18n/catalogue.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { choiceLabel, controlName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
 import { LampsField } from './lamps_field.js';
-import { SettingFields, isWhole, kFixed, kNotANumber, kOneLight, sizeKey } from './setting_fields.js';
+import { SettingFields, isWhole, kFixed, kNotANumber, kOneLight, sizeKey, vectorFrom } from './setting_fields.js';
 import { TypingPause } from './typing_pause.js';
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
@@ -52,6 +52,7 @@ export class SettingsForm {
     for (const control of this.controls_) {
       const value = values[control.id];
       if (value === heldBy(control)) continue;
+      if (control instanceof HTMLSelectElement) offerVector(control, String(value));
       if (isCheck(control)) control.checked = value === true;
       else control.value = value === kNotANumber ? '' : String(value);
     }
@@ -125,6 +126,27 @@ function prepare(control) {
   }
 }
 
+/**
+ * Adds a choice for a vector, which takes the place of an earlier one.
+ * @param {HTMLSelectElement} select
+ * @param {string} value  any other value adds none
+ */
+function offerVector(select, value) {
+  if (kSettings[keyOf(select)].kind !== 'choice-or-vector') return;
+  for (const option of [...select.options]) if (vectorFrom(option.value)) option.remove();
+  if (!vectorFrom(value)) return;
+  select.append(Object.assign(make('option'), { value }));
+  name(select);
+}
+
+/** @param {SettingKey} key @param {number[]} vector */
+function vectorLabel(key, vector) {
+  if (key !== 'buildUp') return choiceLabel(key, 'vector');
+  const axis = vector.findIndex((part) => part !== 0);
+  if (vector.filter((part) => part !== 0).length !== 1) return text('settings.faceDown');
+  return text('settings.axisUp', { axis: `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` });
+}
+
 /** Writes a control's label and the names of its choices. @param {Control} control */
 function name(control) {
   const key = keyOf(control),
@@ -132,6 +154,11 @@ function name(control) {
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options) {
+    const vector = vectorFrom(option.value);
+    if (vector) {
+      option.textContent = vectorLabel(key, vector);
+      continue;
+    }
     option.textContent = isWhole(option.value)
       ? `${controlName(key)} ${option.value}`
       : choiceLabel(key, option.value === kFixed ? 'number' : option.value);

@@ -23,6 +23,7 @@ export const kShortcuts = [
   { key: 'd', control: 'download', name: 'help.download' },
   { key: 'c', control: 'show-carved', name: 'help.carved' },
   { key: 'f', control: 'fit', name: 'help.fit' },
+  { key: 'p', control: 'show-plate', name: 'help.plate' },
   { key: 'r', control: 'reader-view', name: 'help.reader' },
 ];
 

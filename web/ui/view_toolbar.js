@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons over the 3D view: viewing directions, and the parts of the model to show.
 import { byId } from '../dom/dom.js';
+import { recall, remember } from '../storage/remembered.js';
 
 /** @typedef {import('../engine/types.js').StandardView} StandardView */
 
@@ -14,8 +15,11 @@ import { byId } from '../dom/dom.js';
  * @property {(shown: boolean, offset: number) => void} onSection  offset from the code's middle, -1 … 1
  * @property {() => void} onFaceSection  turn to face the section
  * @property {(shown: boolean) => void} onDepths
+ * @property {(shown: boolean) => void} onPlate
  * @property {(shown: boolean) => void} onInspector
  */
+
+const kPlateName = 'buildPlate'; // of the remembered choice
 
 export class ViewToolbar {
   constructor() {
@@ -26,6 +30,8 @@ export class ViewToolbar {
     this.position_ = byId('section-position', HTMLInputElement);
     this.depths_ = byId('show-depths', HTMLButtonElement);
     this.reader_ = byId('reader-view', HTMLButtonElement);
+    this.plate_ = byId('show-plate', HTMLButtonElement);
+    this.plate_.setAttribute('aria-pressed', String(recall(kPlateName) !== 'off'));
     this.inspector_ = byId('inspector', HTMLButtonElement);
     this.hint_ = byId('view-hint', HTMLElement);
     this.views_ = byId('views', HTMLButtonElement);
@@ -33,6 +39,10 @@ export class ViewToolbar {
     this.carvedShown_ = false;
     this.carved_.addEventListener('click', () => this.listener_?.onCarved(!isPressed(this.carved_)));
     this.depths_.addEventListener('click', () => this.listener_?.onDepths(toggle(this.depths_)));
+    this.plate_.addEventListener('click', () => {
+      remember(kPlateName, toggle(this.plate_) ? 'on' : 'off');
+      this.listener_?.onPlate(this.plateShown);
+    });
     this.inspector_.addEventListener('click', () => this.listener_?.onInspector(toggle(this.inspector_)));
     this.reader_.addEventListener('click', () => this.listener_?.onReaderView());
     byId('fit', HTMLButtonElement).addEventListener('click', () => this.listener_?.onFit());
@@ -133,6 +143,11 @@ export class ViewToolbar {
 
   get depthsShown() {
     return isPressed(this.depths_);
+  }
+
+  /** The build plate is shown, unless the user hid it at this visit or the last one. */
+  get plateShown() {
+    return isPressed(this.plate_);
   }
 
   /** Resets the button after the inspector could not be opened. */

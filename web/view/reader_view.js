@@ -4,7 +4,7 @@
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { make } from '../dom/dom.js';
-import { PrintPicture } from './print_picture.js';
+import { LostModules } from './lost_modules.js';
 
 /** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
 /** @typedef {{ print: import('../engine/types.js').Print, modules: number, reads: boolean }} SeenPrint */
@@ -13,9 +13,13 @@ export class ReaderView {
   /**
    * @param {HTMLElement} overlays
    * @param {HTMLElement} surface  covers the canvas
+   * @param {(picture: import('../engine/types.js').GreyImage | undefined) => void} onPrint  shows the picture of a print
+   *   on the surface; undefined: hides it
    */
-  constructor(overlays, surface) {
-    this.picture_ = new PrintPicture(surface);
+  constructor(overlays, surface, onPrint) {
+    this.onPrint_ = onPrint;
+    this.marks_ = new LostModules(surface);
+    /** @type {SeenPrint | undefined} */ this.drawn_ = undefined;
     this.caption_ = make('p');
     this.designed_ = this.makeSwitch_(false);
     this.printed_ = this.makeSwitch_(true);
@@ -70,7 +74,7 @@ export class ReaderView {
 
   /** @param {CodeOnScreen | null} code  the code's position on the screen */
   update(code) {
-    this.picture_.place(code);
+    this.marks_.place(code);
   }
 
   /** @param {boolean} printed */
@@ -101,10 +105,18 @@ export class ReaderView {
     this.switch_.hidden = this.read_ === undefined || !this.print_;
     this.designed_.setAttribute('aria-pressed', String(!seen));
     this.printed_.setAttribute('aria-pressed', String(seen !== undefined));
-    if (seen && this.shown) this.picture_.show(seen.print, seen.modules);
-    else this.picture_.hide();
+    this.draw_(this.shown ? seen : undefined);
     write(this.caption_, () => this.words_());
     this.box_.dataset.read = this.read_ === undefined ? '' : String(seen ? seen.reads : this.read_ !== '');
+  }
+
+  /** Draws the print on the surface, or the designed model. @param {SeenPrint | undefined} seen */
+  draw_(seen) {
+    if (seen === this.drawn_) return;
+    this.drawn_ = seen;
+    this.onPrint_(seen?.print.picture);
+    if (seen) this.marks_.show(seen.print.misread, seen.modules);
+    else this.marks_.hide();
   }
 
   words_() {

@@ -4,6 +4,7 @@
 import { make } from '../dom/dom.js';
 import { CodeChip } from './code_chip.js';
 import { CodeEditor } from './code_editor.js';
+import { HeightMark } from './height_mark.js';
 import { HoverPreview } from './hover_preview.js';
 import { LampMarks } from './lamp_marks.js';
 import { ReaderView } from './reader_view.js';
@@ -20,7 +21,11 @@ import { ViewCube } from './view_cube.js';
  * @property {HTMLElement} overlays  holds the overlays outside the canvas
  */
 
-/** @typedef {import('./code_editor.js').EditListener & { onAct: (action: ViewAction) => void }} ToolsListener */
+/**
+ * @typedef {import('./code_editor.js').EditListener & { onAct: (action: ViewAction) => void,
+ *   onPrint: (picture: import('../engine/types.js').GreyImage | undefined) => void }} ToolsListener
+ *   `onPrint`: shows the picture of a print on the surface, or hides it
+ */
 
 export class ViewTools {
   /** @param {ViewToolsOptions} options */
@@ -32,13 +37,15 @@ export class ViewTools {
     this.hover_ = new HoverPreview(client, chip);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
     this.lamps_ = new LampMarks(surface);
+    this.height_ = new HeightMark(surface);
     this.search = new SearchPicture();
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
-    this.reader = new ReaderView(overlays, surface);
+    this.reader = new ReaderView(overlays, surface, (picture) => this.listener_?.onPrint(picture));
     this.engravable_ = false;
     this.busy_ = false;
     this.carved_ = false;
     this.placed_ = false;
+    this.picking_ = false;
   }
 
   /** @param {ToolsListener} listener */
@@ -65,7 +72,8 @@ export class ViewTools {
   }
 
   /** @param {import('../engine/types.js').ViewState} state */
-  update({ code, lamps, axes }) {
+  update({ code, lamps, buildPlate, axes }) {
+    this.height_.show(buildPlate);
     this.editor_.update(code);
     this.lamps_.show(lamps);
     this.reader.update(code);
@@ -73,10 +81,18 @@ export class ViewTools {
   }
 
   /**
-   * @param {{ engravable?: boolean, busy?: boolean, carved?: boolean, placed?: boolean }} state  whether the model can
-   *   take a code, a job runs, the carved model is shown, and a code is placed
+   * @param {{ engravable?: boolean, busy?: boolean, carved?: boolean, placed?: boolean, picking?: boolean }} state
+   *   whether the model can take a code, a job runs, the carved model is shown, a code is placed, and the next click
+   *   picks a face
    */
-  set({ engravable = this.engravable_, busy = this.busy_, carved = this.carved_, placed = this.placed_ }) {
+  set({
+    engravable = this.engravable_,
+    busy = this.busy_,
+    carved = this.carved_,
+    placed = this.placed_,
+    picking = this.picking_,
+  }) {
+    this.picking_ = picking;
     this.engravable_ = engravable;
     if (!busy) this.search.hide();
     this.busy_ = busy;
@@ -86,7 +102,7 @@ export class ViewTools {
   }
 
   allow_() {
-    const allowed = this.engravable_ && !this.busy_ && !this.carved_;
+    const allowed = this.engravable_ && !this.busy_ && !this.carved_ && !this.picking_;
     this.hover_.allow(allowed);
     this.editor_.allow(allowed && !this.reader.shown);
   }

@@ -48,6 +48,9 @@ export const settings = {
     lampStrength: 'Strength',
     lampHint: 'With even light, “Darken by” uses its own lamp: 135,20,19, low over the top left corner.',
     printer: 'Printer',
+    layFace: 'Lay a face on the plate',
+    faceDown: 'Chosen face down',
+    axisUp: '{axis} up',
   },
   de: {
     unitAndUp: 'Einheit und Richtung',
@@ -96,5 +99,8 @@ export const settings = {
     lampHint:
       'Bei gleichmäßigem Licht verwendet „Dunkel durch“ eine eigene Lampe: 135,20,19, niedrig über der linken oberen Ecke.',
     printer: 'Drucker',
+    layFace: 'Fläche auf die Platte legen',
+    faceDown: 'Gewählte Fläche unten',
+    axisUp: '{axis} oben',
   },
 };
