@@ -13,6 +13,7 @@ import { BatchCarving } from './session/batch_carving.js';
 import { Batching } from './session/batching.js';
 import { Carving } from './session/carving.js';
 import { Editing } from './session/editing.js';
+import { Facing } from './session/facing.js';
 import { Exporting } from './session/exporting.js';
 import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
@@ -162,6 +163,7 @@ function connect(notices) {
   const continuing = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
   const undo = new Undo({ ...carved, spots, editing, continuing });
   new Viewing({ ...carved, ...panels, tools, inspecting, editing });
+  new Facing({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
   const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
   const opening = new Opening({ ...carved, editing, exporting, undo, code, tools, panel: panels.modelPanel });
   const { view, toolbar } = panels;

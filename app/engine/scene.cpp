@@ -12,8 +12,11 @@
 namespace qrelief {
 namespace {
 
-constexpr double kFacingEdges = 2;       // visible square around a faced code: at least this many of its edges, and
-constexpr double kFacingFraction = 0.7;  // this part of the model's diagonal
+constexpr double kFacingFraction = 0.7;  // edge of the visible square around a faced code, as a part of the model's
+                                         // diagonal,
+constexpr double kLeastFacingEdges = 2;  // and its limits in edges of the code: some surroundings, and a code large
+constexpr double kMostFacingEdges = 4;   // enough to see its modules
+constexpr double kSectionEdges = 2;      // the same square around a section
 constexpr double kReaderMargin = 1.1;    // room around symbol and quiet zone in the reader's view
 constexpr double kSectionYaw = 0.9;      // angle of the camera from the reader's direction when it faces a section,
                                          // radians
@@ -136,7 +139,8 @@ void Scene::freeLook() {
 }
 
 void Scene::faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm) {
-  camera_.lookThrough(frame, std::max(kFacingEdges * edgeMm, kFacingFraction * diagonalMm));
+  camera_.lookThrough(frame,
+                      std::clamp(kFacingFraction * diagonalMm, kLeastFacingEdges * edgeMm, kMostFacingEdges * edgeMm));
 }
 
 void Scene::faceSection(const CodeOnSurface& code) {
@@ -144,7 +148,7 @@ void Scene::faceSection(const CodeOnSurface& code) {
   const Vec3 sideways = frame.normal * std::cos(kSectionYaw) + frame.right * std::sin(kSectionYaw);
   const ProjectionFrame oblique =
       makeFrame(frame.centre, sideways + camera_.skyward() * kSectionPitch, camera_.skyward(), frame.eyeDistance);
-  camera_.lookThrough(oblique, kFacingEdges * code.decal.edgeMm);
+  camera_.lookThrough(oblique, kSectionEdges * code.decal.edgeMm);
 }
 
 Result<bool> Scene::draw(bool always) {

@@ -27,6 +27,9 @@ import { ViewCube } from './view_cube.js';
  *   `onPrint`: shows the picture of a print on the surface, or hides it
  */
 
+const kClearFacing = 0.7; // cosine of the angle from which the modules of a code are seen well
+const kClearShare = 0.22; // edge of such a code, as a part of the view's shorter side
+
 export class ViewTools {
   /** @param {ViewToolsOptions} options */
   constructor({ client, stage, overlays }) {
@@ -38,9 +41,12 @@ export class ViewTools {
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
     this.lamps_ = new LampMarks(surface);
     this.height_ = new HeightMark(surface);
+    this.stage_ = stage;
     this.search = new SearchPicture();
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
     this.reader = new ReaderView(overlays, surface, (picture) => this.listener_?.onPrint(picture));
+    /** Announces that the user moves the camera. @type {(() => void) | undefined} */ this.onMoved = undefined;
+    /** @type {import('../engine/types.js').CodeOnScreen | null} */ this.code_ = null;
     this.engravable_ = false;
     this.busy_ = false;
     this.carved_ = false;
@@ -68,16 +74,27 @@ export class ViewTools {
     if (action.kind === 'readerView') this.reader.enter();
     else if (action.kind !== 'pointer') this.reader.leave();
     this.allow_();
+    if (action.kind !== 'pointer' && action.kind !== 'key') this.onMoved?.();
     this.listener_?.onAct(action);
   }
 
   /** @param {import('../engine/types.js').ViewState} state */
   update({ code, lamps, buildPlate, axes }) {
+    this.code_ = code;
     this.height_.show(buildPlate);
     this.editor_.update(code);
     this.lamps_.show(lamps);
     this.reader.update(code);
     this.cube_.turn(axes);
+  }
+
+  /** True if the modules of the code are seen well from the camera. */
+  get seesCode() {
+    const { code_: code, stage_: stage } = this;
+    if (!code) return false;
+    const [[x, y], [toX, toY]] = code.corners;
+    const share = Math.hypot(toX - x, toY - y) / Math.max(1, Math.min(stage.clientWidth, stage.clientHeight));
+    return code.facing > kClearFacing && share > kClearShare;
   }
 
   /**

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Facing } from './facing.js';
+import { Signal } from './signal.js';
+
+/** @type {any[]} */ let acts;
+/** @type {any} */ let carving;
+/** @type {any} */ let tools;
+let prefersStill = false;
+
+beforeEach(() => {
+  acts = [];
+  carving = { started: new Signal(), finished: new Signal() };
+  tools = { seesCode: false, reader: { shown: false } };
+  prefersStill = false;
+  new Facing({
+    client: { act: async (/** @type {any} */ action) => void acts.push(action) },
+    carving,
+    tools,
+    prefersStill: () => prefersStill,
+  });
+});
+
+test('The camera turns to a new engraving', () => {
+  tools.onMoved();
+  carving.started.tell();
+  carving.finished.tell();
+  assert.deepEqual(acts, [{ kind: 'face' }]);
+});
+
+test('The camera stays where the user moved it during the work', () => {
+  carving.started.tell();
+  tools.onMoved();
+  carving.finished.tell();
+  assert.deepEqual(acts, []);
+});
+
+test('The camera stays where the code is already seen well, in the phone view, and without motion', () => {
+  carving.started.tell();
+  tools.seesCode = true;
+  carving.finished.tell();
+  tools.seesCode = false;
+  tools.reader.shown = true;
+  carving.finished.tell();
+  tools.reader.shown = false;
+  prefersStill = true;
+  carving.finished.tell();
+  assert.deepEqual(acts, []);
+});
