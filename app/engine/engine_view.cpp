@@ -157,7 +157,8 @@ std::string Engine::showPrint(std::vector<std::uint8_t> picture, int size) {
   if (!result) return answer(kNoResult);
   hidePrint();
   if (picture.empty()) return done();
-  auto print = printDecal(*model_, result->placement, picture, size);
+  const bool isShadow = !carvings_.request().marking.isInColour();
+  auto print = printDecal(*model_, result->placement, picture, size, isShadow);
   if (!print) return answer(print.error());
   print_ = std::move(*print);
   updateView();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPaperQuantile = 0.8;  // this part of the pixels is no lighter than the surface beside the code
 constexpr double kSoftModules = 2;      // width of the soft edge
+constexpr double kShadowPower = 2.5;    // as the view shows the shadows of the model (shaders/view_lighting.frag)
 
 std::uint8_t paperOf(std::span<const std::uint8_t> pixels) {
   std::vector<std::uint8_t> sorted(pixels.begin(), pixels.end());
@@ -21,13 +22,19 @@ std::uint8_t paperOf(std::span<const std::uint8_t> pixels) {
   return std::max<std::uint8_t>(1, *at);
 }
 
+/// Returns the light of an sRGB grey, 0 … 1 [IEC 61966-2-1].
+double lightOf(double grey) {
+  const double value = grey / 255;
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace
 
 Result<Decal> printDecal(const LoadedModel& model, const Placement& placement, std::span<const std::uint8_t> pixels,
-                         int size) {
+                         int size, bool isShadow) {
   const double edgeModules = placement.symbolMm / placement.moduleMm + 2 * kPictureMarginModules;
   const double softPx = kSoftModules * size / edgeModules;
-  const double paper = paperOf(pixels);
+  const double paper = lightOf(paperOf(pixels));
   Decal decal;
   decal.frame = placement.frame;
   decal.edgeMm = edgeModules * placement.moduleMm;
@@ -38,7 +45,8 @@ Result<Decal> printDecal(const LoadedModel& model, const Placement& placement, s
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int row = static_cast<int>(i) / size, column = static_cast<int>(i) % size;
     const int fromEdge = std::min({row, column, size - 1 - row, size - 1 - column});
-    const double ink = std::clamp(1 - pixels[i] / paper, 0.0, 1.0) * std::min(1.0, fromEdge / softPx);
+    const double light = std::min(1.0, lightOf(pixels[i]) / paper);
+    const double ink = (1 - std::pow(light, isShadow ? kShadowPower : 1)) * std::min(1.0, fromEdge / softPx);
     decal.ink[i] = static_cast<std::uint8_t>(std::lround(255 * ink));
   }
   return onVisibleSurface(model, std::move(decal));

@@ -14,8 +14,9 @@ namespace qrelief {
 /// surface itself, and its margin ends softly.
 /// @param pixels  size² sRGB greys of the symbol from the front with kPictureMarginModules around it, row 0 at the top;
 ///                not empty
+/// @param isShadow  the code is dark by its shadows, which the view exaggerates
 /// @returns the errors of lookAround()
 Result<Decal> printDecal(const LoadedModel& model, const Placement& placement, std::span<const std::uint8_t> pixels,
-                         int size);
+                         int size, bool isShadow);
 
 }  // namespace qrelief

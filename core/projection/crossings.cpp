@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "mesh/self_intersection.h"
 #include "mesh/sheared_ray.h"
@@ -60,19 +61,44 @@ bool faceOppositeWays(const Corners& a, const Corners& b) {
   return glm::dot(glm::cross(a[1] - a[0], a[2] - a[0]), glm::cross(b[1] - b[0], b[2] - b[0])) < 0;
 }
 
+/// Returns the part of a segment that lies within a triangle in the same plane.
+std::optional<Segment3> partWithin(const Segment3& segment, const Corners& triangle) {
+  const Vec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  double from = 0, to = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 inward = glm::cross(normal, triangle[(k + 1) % 3] - triangle[k]);
+    const double start = glm::dot(inward, segment[0] - triangle[k]), end = glm::dot(inward, segment[1] - triangle[k]);
+    const double tolerance = kOnPlaneFraction * glm::length(inward) * std::sqrt(glm::length(normal));
+    if (start < -tolerance && end < -tolerance) return std::nullopt;
+    if (start < -tolerance) from = std::max(from, start / (start - end));
+    if (end < -tolerance) to = std::min(to, start / (start - end));
+  }
+  if (from > to) return std::nullopt;
+  const Vec3 along = segment[1] - segment[0];
+  return Segment3{segment[0] + along * from, segment[0] + along * to};
+}
+
+/// Adds the parts of a triangle's sides that lie within another triangle of its plane.
+void addSidesWithin(const Corners& other, const Corners& t, std::vector<Segment3>& segments) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const auto part = partWithin({t[k], t[(k + 1) % 3]}, other)) segments.push_back(*part);
+}
+
 /// Adds the sides of a triangle.
 void addSides(const Corners& t, std::vector<Segment3>& segments) {
   for (std::size_t k = 0; k < 3; ++k) segments.push_back({t[k], t[(k + 1) % 3]});
 }
 
 /// Returns the segment that two crossing triangles share, or the point where they touch. For triangles in one plane,
-/// the sides of `b`, and also those of `a` if both face the same way. The sides of `a` if rounding hides the shared
-/// part.
+/// the sides of `b` within `a`, and also those of `a` within `b` if both face the same way. The sides of `a` if
+/// rounding hides the shared part.
 std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   std::vector<Segment3> sides;
   if (isCoplanar(a, b)) {
-    addSides(b, sides);
-    if (!faceOppositeWays(a, b)) addSides(a, sides);
+    addSidesWithin(a, b, sides);
+    if (!faceOppositeWays(a, b)) addSidesWithin(b, a, sides);
+    if (!sides.empty()) return sides;
+    addSides(a, sides);
     return sides;
   }
   std::vector<Vec3> hits;

@@ -98,6 +98,11 @@ export const kOfTheCarving = {
   },
   'engrave-again': (hands) => cancelAfter('engrave-again', hands),
   cancel: (hands) => cancelAfter('engrave', hands),
+  'another-code': async ({ app, press }) => {
+    await press('another-code');
+    await expect(app.facts).toContainText('.3mf');
+    await app.expectReady();
+  },
 };
 
 /** Presses a button that engraves, and cancels it. @param {string} id @param {import('./hands.js').Hands} hands */

@@ -73,6 +73,13 @@ TEST(Crossings, LeaveNoRoomWhereTheFaceOfAnotherBodyLiesInTheSamePlace) {
   EXPECT_LT(sizeAt(mesh, true), 2);
 }
 
+TEST(Crossings, OfABodyInlaidFlushAreItsOutline) {
+  // Its upper face lies in the plane of the face. The face's own diagonal, which passes near the centre, is no limit.
+  const Mesh mesh =
+      shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 20, 4}), {12, 0, 3}));
+  EXPECT_NEAR(sizeAt(mesh, true), 20, 1e-6);
+}
+
 TEST(Crossings, AreFoundNearestFirst) {
   // The column comes through the face along x = 8 to 12, all the way from y = -20 to 20.
   const Mesh mesh =

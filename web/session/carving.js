@@ -5,7 +5,7 @@ import { isFatal } from '../engine/engine_error.js';
 import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
 import { text } from '../i18n/catalogue.js';
 import { attemptWords, engravedWords } from './attempt_words.js';
-import { saveModel, saveReport } from './save_carving.js';
+import { carvedSource, saveModel, saveReport } from './save_carving.js';
 import { Signal } from './signal.js';
 import { sameWork } from './work.js';
 
@@ -64,6 +64,7 @@ export class Carving {
     panel.listen({
       onDownload: (file) => guard(async () => this.carved && saveModel(client, this.carved, file)),
       onSaveReport: () => guard(async () => this.carved && saveReport(this.carved)),
+      onAnother: () => guard(async () => this.carved && model.load(await carvedSource(client, this.carved))),
       onPrint: (isOn) => this.print(isOn),
       onTryPrints: () => guard(() => this.tryPrints()),
       onTryViews: (...options) => this.tryViewsGuarded_(...options),

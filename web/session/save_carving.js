@@ -38,6 +38,19 @@ export async function saveModel(client, carved, { format, slicer }) {
   saveFile(new Blob([bytes], { type: `model/${extension}` }), name);
 }
 
+/**
+ * Returns a carved model as the source of a new one. A 3MF keeps its bodies and colours.
+ * @param {Pick<import('../engine/client.js').EngineClient, 'exportModel'>} client
+ * @param {Carved} carved
+ * @returns {Promise<import('./model_session.js').Source>}
+ */
+export async function carvedSource(client, carved) {
+  const format = carved.report.mark === 'shadow' ? '3mf' : '3mf-inlay';
+  const bytes = await client.exportModel(format, 'any', carved.number);
+  const { upAxis = /** @type {const} */ ('z'), credit = '' } = carved.work.source ?? {};
+  return { bytes, fileName: nameOf(carved, '3mf'), scaleToMm: 0, upAxis, credit };
+}
+
 /** @param {Carved} carved */
 export async function saveReport(carved) {
   await messageWords.come();

@@ -25,6 +25,7 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
  * @typedef {object} ResultListener
  * @property {(file: import('./download_choice.js').Download) => void} onDownload
  * @property {() => void} onSaveReport
+ * @property {() => void} onAnother  another code on the result
  * @property {(remedy: Remedy, label: string) => void} onRemedy
  * @property {(starts: boolean) => void} onPrint  start or stop the simulation of the print
  * @property {() => void} onTryPrints  try other print settings
@@ -48,6 +49,7 @@ export class ResultPanel {
     this.downloadPrevious_ = byId('download-previous', HTMLButtonElement);
     for (const button of [this.download_, this.downloadPrevious_])
       button.addEventListener('click', () => this.listener_?.onDownload(this.choice_.chosen));
+    byId('another-code', HTMLButtonElement).addEventListener('click', () => this.listener_?.onAnother());
     byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
     onLanguage(() => this.render_());
     this.render_();

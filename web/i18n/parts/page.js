@@ -92,6 +92,7 @@ export const page = {
     download: 'Download',
     downloadPrevious: 'Download the previous result',
     saveReport: 'Save report',
+    anotherCode: 'Add another code',
 
     language: 'Language',
     theme: 'Appearance',
@@ -262,6 +263,7 @@ export const page = {
     download: 'Herunterladen',
     downloadPrevious: 'Voriges Ergebnis herunterladen',
     saveReport: 'Bericht speichern',
+    anotherCode: 'Noch einen Code hinzufügen',
 
     language: 'Sprache',
     theme: 'Aussehen',
