@@ -83,6 +83,8 @@ test('A spot search waits for the typed text; a change of settings discards the 
   await test.step('if every spot has a concern, that is reported before carving', async () => {
     const note = page.getByText('At none of these spots is the print sure to be readable.');
     await expect(note).toBeHidden();
+    await app.setting('Size of the code').selectOption('Exactly');
+    await app.setting('Width (mm)').fill('25');
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await app.suggest();
     await expect(app.spots.first()).toContainText('The code is too small for a nozzle of 0.6 mm');
@@ -91,7 +93,6 @@ test('A spot search waits for the typed text; a change of settings discards the 
     await expect(note).toBeHidden();
   });
   await test.step('and it is reported if there is no spot', async () => {
-    await app.setting('Size of the code').selectOption('Exactly');
     await app.setting('Width (mm)').fill('300');
     await app.setting('Width (mm)').press('Tab');
     await expect(app.alert).toContainText('300 mm');

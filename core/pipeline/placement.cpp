@@ -185,7 +185,6 @@ Status PlacementSearch::measure(Vec3 normal) {
   const bool isFixed = request_.sizeMode == SizeMode::Fixed;
   auto fits = fitsFrom(frameFor(normal));
   if (!fits) return tl::unexpected(fits.error());
-  if (isFixed) fits->erase(fits->begin());
   placement_ = fitToTake(*fits).placement;
   fitMm_ = placement_.symbolMm;
   if (isFixed) placement_.symbolMm = request_.sizeMm;
@@ -208,7 +207,7 @@ Status PlacementSearch::measure(Vec3 normal) {
                                                      message<"choose-a-wider-spot">()))));
   }
   if (request_.sizeMode != SizeMode::Best) fits_.clear();
-  if (isFixed) fits->front().placement = placement_;
+  if (isFixed) *fits = {Fit{Fit::Turn::Upright, placement_}};
   fits_.insert(fits_.end(), std::move_iterator(fits->begin()), std::move_iterator(fits->end()));
   return {};
 }

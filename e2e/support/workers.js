@@ -95,10 +95,13 @@ export const askWorker = (page, verb) =>
     verb,
   );
 
-/** Makes the decoders find no text until the page makes a second attempt (`page.addInitScript(blindReaders)`). */
-export const blindReaders = () => {
+/**
+ * Makes the decoders find no text in the first attempts (`page.addInitScript(blindReaders, attempts)`).
+ * @param {number} attempts
+ */
+export const blindReaders = (attempts) => {
   const Original = window.Worker;
-  let isBlind = true;
+  let begun = 0;
   window.Worker = class extends Original {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
     constructor(url, options) {
@@ -108,8 +111,8 @@ export const blindReaders = () => {
 
     /** @param {any} message @param {any} transfer */
     postMessage(message, transfer) {
-      if (message.verb === 'engrave' && message.args[0].next) isBlind = false;
-      if (!this.isReader || !isBlind) super.postMessage(message, transfer);
+      if (message.verb === 'engrave') begun += 1;
+      if (!this.isReader || begun > attempts) super.postMessage(message, transfer);
       else setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, texts: [''] } })));
     }
   };

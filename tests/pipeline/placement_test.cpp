@@ -170,6 +170,11 @@ TEST_F(PlacementTest, FromOneDirectionTurnedIsNoSmallerThanUprightAndThatThanAny
       const double free = sizes[static_cast<std::size_t>(SizeMode::Free)];
       EXPECT_GE(best, oriented * (1 - 1e-6)) << "triangle " << t;
       EXPECT_GE(oriented, free * (1 - 1e-6)) << "triangle " << t;
+      if (free > 0) {  // a size that fits at every rotation fits
+        request.sizeMode = SizeMode::Fixed;
+        request.sizeMm = free * (1 - 1e-9);
+        EXPECT_TRUE(place(request).has_value()) << "triangle " << t;
+      }
       if (best > 0) ++places;
     }
   };
