@@ -57,6 +57,11 @@ export class History {
     this.forgetOldest_();
   }
 
+  /** Replaces the current state, if there is one. @param {State} state */
+  amend(state) {
+    if (this.at_ >= 0) this.states_[this.at_] = state;
+  }
+
   /** Steps back. @returns {State | undefined} */
   undo() {
     return this.canUndo ? this.go_(-1) : undefined;

@@ -27,6 +27,18 @@ test('Changes are undone and redone in order', () => {
   assert.equal(history.redo(), undefined);
 });
 
+test('An amended state is undone as one with what it amends', () => {
+  const { history } = makeHistory();
+  history.amend({ text: 'before the first' });
+  assert.equal(history.canUndo, false);
+  for (const text of ['a', 'b']) history.record({ text });
+  history.amend({ text: 'b, proposed' });
+  history.record({ text: 'c' });
+  assert.equal(history.undo()?.text, 'b, proposed');
+  assert.equal(history.undo()?.text, 'a');
+  assert.equal(history.canUndo, false);
+});
+
 test('The first state cannot be undone', () => {
   const { history } = makeHistory();
   assert.deepEqual([history.canUndo, history.canRedo], [false, false]);

@@ -34,6 +34,7 @@ export class Placing {
     this.batching_ = batching;
     this.jobs_ = jobs;
     /** Announces another centre. @type {Signal<[]>} */ this.moved = new Signal();
+    /** Announces a centre that the program proposes. @type {Signal<[]>} */ this.proposed = new Signal();
     /** Announces the new placement. @type {Signal<[Placement | undefined]>} */ this.placed = new Signal();
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
@@ -99,6 +100,7 @@ export class Placing {
     const { hit, centre } = await this.client_.setCentre(choice);
     if (!hit || !centre) return;
     this.store_.update(centredAt(centre, true));
+    this.proposed.tell();
     await this.place();
   }
 

@@ -40,6 +40,7 @@ export class Undo {
     this.redo_.addEventListener('click', () => this.redo());
     options.store.applied.on((field) => this.record(field));
     options.carving.finished.on(() => this.record());
+    options.placing.proposed.on(() => this.amend_());
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
       // Recorded at once; the edit takes effect only after a pause.
       this.record(target instanceof HTMLElement ? target.id : undefined),
@@ -91,6 +92,12 @@ export class Undo {
     const { store, carving } = this.options_;
     this.history_.record({ ...store.work, carved: carving.carved }, field);
     this.allow();
+  }
+
+  /** Adds a proposal to the current state: nothing that the user did, so nothing to undo. */
+  amend_() {
+    const { store, carving } = this.options_;
+    this.history_.amend({ ...store.work, carved: carving.carved });
   }
 
   /** @param {State | undefined} state */

@@ -49,9 +49,11 @@ beforeEach(() => {
     load: async (/** @type {any} */ source, /** @type {any} */ centreMm) =>
       store.update({ source, ...centredAt(centreMm) }),
   });
-  placing = fake(Placing, {
-    put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => store.update(centredAt(mm, isGuess)),
-  });
+  placing = fake(
+    Placing,
+    { put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => store.update(centredAt(mm, isGuess)) },
+    { proposed: new Signal() },
+  );
   carving = fake(
     Carving,
     {
@@ -109,6 +111,21 @@ test('Undo restores a centre and whether it was proposed', async () => {
   await settled();
   assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
   assert.deepEqual(model.calls, []);
+});
+
+test('A proposed spot is nothing to undo', async () => {
+  store.update({ text: 'b' });
+  undo.record('text');
+  store.update(centredAt([5, 0, 0], true));
+  placing.proposed.tell();
+  store.update({ text: 'c' });
+  undo.record('other');
+  undo.undo();
+  await settled();
+  assert.deepEqual([store.work.text, store.work.centreMm], ['b', [5, 0, 0]]);
+  undo.undo();
+  await settled();
+  assert.equal(store.work.text, 'a');
 });
 
 test('Undo reloads the previous model with its chosen centre', async () => {
