@@ -82,6 +82,7 @@ int run(const bench::TableArguments& arguments) {
   Counts anySide{}, everySide{};
   const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
     PlacementRequest request;
+    request.sizeMode = SizeMode::Free;
     request.centreMm = centre.positionMm;
     if (centre.widthWithQuietZoneMm)
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);

@@ -37,6 +37,7 @@ Result<Judged> judge(const EngravableModel& model, PlacementRequest request, Dir
 Status printRow(const EngravableModel& model, const bench::Centre& centre) {
   PlacementRequest request;
   request.centreMm = centre.positionMm;
+  request.sizeMode = SizeMode::Free;
   request.maxSizeMm = kMostMm;
   const auto balanced = bench::place(model, kModules, request);
   if (!balanced) return tl::unexpected(balanced.error());
