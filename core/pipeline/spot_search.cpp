@@ -354,7 +354,7 @@ SpotSearchJob::SpotSearchJob(std::unique_ptr<State> state) : state_(std::move(st
 SpotSearchJob::~SpotSearchJob() = default;
 
 Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<const EngravableModel> model,
-                                                             SpotSearchRequest request) {
+                                                             const SpotSearchRequest& request) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   const SizeBound room{request.modules, request.outerFactor()};

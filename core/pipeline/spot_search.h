@@ -81,7 +81,7 @@ class SpotSearchJob {
  public:
   /// @returns BadUsage for an invalid request; the model's blocking findings
   static Result<std::unique_ptr<SpotSearchJob>> create(std::shared_ptr<const EngravableModel> model,
-                                                       SpotSearchRequest request);
+                                                       const SpotSearchRequest& request);
   ~SpotSearchJob();
 
   /// Returns the next stage and the fraction of the job that is done.
