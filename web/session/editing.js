@@ -79,7 +79,8 @@ export class Editing {
 
   /** Applies the size and the rotation set by the code's handles. @param {{ rotateDeg?: number, symbolMm?: number }} change */
   async adjust(change) {
-    const changed = valuesByHandles(change, this.store_.work.values);
+    const { rotationDeg = 0 } = this.placing_.placement ?? {};
+    const changed = valuesByHandles({ ...keptTurn(rotationDeg), ...change }, this.store_.work.values);
     this.store_.update(({ values }) => ({ values: { ...values, ...changed } }));
     await this.apply(Object.keys(changed)[0]);
   }
@@ -129,3 +130,6 @@ export class Editing {
     else if (bytes) await this.model_.load({ ...file, bytes, credit: '' }, centreMm);
   }
 }
+
+/** Returns the rotation to which a code was turned to fit; a fixed size would not turn it. @param {number} rotationDeg */
+const keptTurn = (rotationDeg) => (rotationDeg === 0 ? {} : { rotateDeg: Math.round(rotationDeg * 10) / 10 });

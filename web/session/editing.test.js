@@ -123,6 +123,14 @@ test('The handles set the size and drop the suggested spots', async () => {
   assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'again'], ['place']]);
 });
 
+test('A code that was turned to fit keeps its turn when it is resized', async () => {
+  placing.placement = { symbolMm: 30, rotationDeg: 36.43 };
+  await editing.adjust({ symbolMm: 21.5 });
+  assert.deepEqual([store.work.values.size, store.work.values.rotate], ['fixed', '36.4']);
+  await editing.adjust({ rotateDeg: 0 });
+  assert.equal(store.work.values.rotate, '0');
+});
+
 test('A list changes the work before it is planned', async () => {
   /** @type {any} */ let planned;
   batching.answers.ready = async () => void (planned ??= store.work.batch);
