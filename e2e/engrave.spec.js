@@ -150,7 +150,7 @@ test('With the user’s own file, a picked point and changed settings, the resul
   await test.step('Another code on the result leaves the first one as it is', async () => {
     await page.getByRole('button', { name: 'Add another code' }).click();
     await expect(app.facts).toContainText('my-saddle-qr-en.wikipedia.org-25mm.3mf');
-    await app.expectReady();
+    await app.setting('Size of the code').selectOption('best');
     await app.text.fill('B');
     await app.expectReady();
     await app.engrave();

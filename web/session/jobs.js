@@ -64,7 +64,7 @@ export class Jobs {
    * @returns {Promise<T>}
    */
   async runInBackground(run) {
-    await this.untilIdle();
+    while (this.running_) await this.running_.catch(() => {}); // as above
     const abort = new AbortController();
     this.background_ = abort;
     const running = run(abort.signal);
