@@ -191,7 +191,7 @@ Status PlacementSearch::measure(Vec3 normal) {
   placement_.moduleMm = placement_.symbolMm / modules_;
   if (fitMm_ < std::min(isFixed ? request_.sizeMm : request_.maxSizeMm, kMinModuleMm * modules_))
     if (const Status apart = checkCrossings(); !apart) return apart;
-  if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
+  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
     return fail(ErrorKind::NoSolution,
                 message<"modules-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
