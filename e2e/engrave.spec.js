@@ -147,19 +147,6 @@ test('With the user’s own file, a picked point and changed settings, the resul
     expectTwoColours(inlaid.bytes, report);
   });
 
-  await test.step('Another code on the result leaves the first one as it is', async () => {
-    await page.getByRole('button', { name: 'Add another code' }).click();
-    await expect(app.facts).toContainText('my-saddle-qr-en.wikipedia.org-25mm.3mf');
-    await app.setting('Size of the code').selectOption('best');
-    await app.text.fill('B');
-    await app.expectReady();
-    await app.engrave();
-    const second = await app.report();
-    expect(second.verification.text).toBe('B');
-    expect(second.input.triangles).toBe(report.mesh.triangles);
-    expect(second.verification.decoded).toBe(true);
-  });
-
   await test.step('The chosen format is kept after a reload', async () => {
     await page.reload();
     await expect(app.setting('Format')).toHaveValue('3mf-inlay');
