@@ -255,7 +255,9 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
   offered.largestMm = placement.largestMm;
   offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
-  const bool tooTight = fixed() && !findsLargest && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
+  const double limitMm = std::max(wantedMm(), request.placement.maxSizeMm);  // of largestMm
+  const double trustedMm = std::min(kTrustedSizeShare * offered.symbolMm, limitMm);
+  const bool tooTight = fixed() && !findsLargest && offered.largestMm < trustedMm;
   if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
     nextTry();
     return {};

@@ -180,6 +180,15 @@ TEST_F(SpotSearchTest, RanksTheSpotThatDecodesFromWiderAnglesFirst) {
   EXPECT_GT(search->spots[2].symbolMm, search->spots[0].symbolMm);
 }
 
+TEST_F(SpotSearchTest, AFixedSizeMayBeTheSizeLimit) {
+  const auto model = upload(shapes::box({60, 60, 20}));
+  SpotSearchRequest parameters = request(25);
+  parameters.placement.maxSizeMm = 25;
+  const auto search = findSpots(model, parameters);
+  ASSERT_TRUE(search.has_value()) << search.error().message;
+  EXPECT_EQ(search->spots.front().symbolMm, 25);
+}
+
 TEST_F(SpotSearchTest, RoundsACentreToThePrintedDigits) {
   const auto model = upload(shapes::icosphere(30, 4));
   SpotSearchRequest parameters = request(12);
