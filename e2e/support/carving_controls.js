@@ -101,7 +101,7 @@ export const kOfTheCarving = {
   'another-code': async ({ app, press }) => {
     await press('another-code');
     await expect(app.facts).toContainText('.3mf');
-    await app.expectReady();
+    await expect(app.result).toBeHidden();
   },
 };
 
