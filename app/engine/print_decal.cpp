@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kPaperQuantile = 0.8;  // this part of the pixels is no lighter than the surface beside the code
+constexpr double kPaperQuantile = 0.8;  // quantile of the greys that is taken as the uncarved surface
 constexpr double kSoftModules = 2;      // width of the soft edge
 constexpr double kShadowPower = 2.5;    // as the view shows the shadows of the model (shaders/view_lighting.frag)
 

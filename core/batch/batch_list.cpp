@@ -209,7 +209,7 @@ class CsvReader {
   }
 
   /// Names the columns of a table whose first row is a row like the others.
-  /// @param texts  the column of the texts; if there is no such column, the only column is taken
+  /// @param texts  name of the column with the texts; a table with one column needs no such name
   void nameColumns(std::size_t texts) {
     while (cells_.back().empty()) cells_.pop_back();
     columnCount_ = cells_.size();

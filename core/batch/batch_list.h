@@ -53,7 +53,7 @@ inline constexpr std::size_t kMostColumns = 1000;
 inline constexpr std::size_t kMostLineBytes = 1 << 20;
 
 struct BatchListOptions {
-  /// Whether the first row of a CSV table names its columns; none: it does unless it has a link.
+  /// True if the first row of a CSV table names its columns. None: true unless that row has a link.
   std::optional<bool> hasNames = std::nullopt;
 };
 

@@ -8,7 +8,7 @@
 
 namespace qrelief {
 
-/// What may keep a code at a place from being printed or decoded, as far as can be told without carving it.
+/// Reasons why a code at a place may not print or decode. They are found without carving it.
 struct SpotConcerns {
   bool prints = true;            ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
   bool takesPockets = true;      ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
