@@ -113,8 +113,8 @@ bool isLink(std::string_view text) {
          std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), isOfScheme);
 }
 
-/// Returns a CSV text that is not valid UTF-8 as UTF-8; none if it is no Windows-1252 either, or if some of it is UTF-8
-/// beyond ASCII: then it is damaged UTF-8.
+/// Converts a CSV text from Windows-1252 to UTF-8. Returns none if a byte has no meaning there, or if the text holds a
+/// character of UTF-8 beyond ASCII: it is then damaged UTF-8.
 std::optional<std::string> fromWindows1252(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8SequenceLength(text.substr(i));

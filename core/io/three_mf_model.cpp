@@ -60,7 +60,8 @@ bool isPainted(const XmlElement& element) {
   constexpr std::size_t kCorners = 3;
   if (element.attributeCount() <= kCorners) return false;
   return std::any_of(kFacetPaints.begin(), kFacetPaints.end(), [&](std::string_view name) {
-    return element.hasAttributeNamed(name.substr(name.find(':') + 1));  // the whole name if there is no prefix: npos + 1 is 0
+    // Without a prefix this is the whole name, because npos + 1 is 0.
+    return element.hasAttributeNamed(name.substr(name.find(':') + 1));
   });
 }
 

@@ -89,9 +89,9 @@ void addSides(const Corners& t, std::vector<Segment3>& segments) {
   for (std::size_t k = 0; k < 3; ++k) segments.push_back({t[k], t[(k + 1) % 3]});
 }
 
-/// Returns the segment that two crossing triangles share, or the point where they touch. For triangles in one plane,
-/// the sides of `b` within `a`, and also those of `a` within `b` if both face the same way. The sides of `a` if
-/// rounding hides the shared part.
+/// Returns the segment that two crossing triangles share, or the point where they touch. Triangles in one
+/// plane share the sides of `b` that lie within `a`. If both face the same way, they also share the sides of `a` that
+/// lie within `b`. If rounding hides the shared part, returns the sides of `a`.
 std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   std::vector<Segment3> sides;
   if (isCoplanar(a, b)) {
