@@ -23,9 +23,7 @@ const cancelAt = (page, stage, cancelled = kCancelled) =>
     ([begin, end]) =>
       new Promise((resolve) => {
         const status = /** @type {HTMLElement} */ (document.querySelector('[role="status"]'));
-        const button = /** @type {HTMLElement} */ (
-          [...document.querySelectorAll('button')].find(({ textContent }) => textContent?.trim() === 'Cancel')
-        );
+        const button = /** @type {HTMLElement} */ (document.getElementById('cancel'));
         const { freeze: hold, thaw } = /** @type {any} */ (window);
         let clicked = 0;
         const look = () => {

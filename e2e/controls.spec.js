@@ -60,10 +60,10 @@ test('Every setting is saved and carved with, and every control of the carving h
     });
   }
   await app.expectReady();
-  const { cancel, 'engrave-again': again, ...others } = kOfTheCarving;
+  const { cancel, 'engrave-again': again, 'another-code': another, ...others } = kOfTheCarving;
   await tryAll(hands, others);
   const report = await app.report();
   for (const [id, { saved, reported }] of settings)
     if (reported) expect(reported(report), id).toBe(Object.values(saved)[0]);
-  await tryAll(hands, { 'engrave-again': again, cancel });
+  await tryAll(hands, { 'engrave-again': again, cancel, 'another-code': another });
 });

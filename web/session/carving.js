@@ -53,6 +53,7 @@ export class Carving {
     this.changed = new Signal();
     /** Announces the simulated print of the carved model. @type {Signal<[]>} */ this.printed = new Signal();
     /** @type {Carved | undefined} */ this.carved = undefined;
+    /** The carving that the one under way is to replace. @type {Carved | undefined} */ this.before_ = undefined;
     this.shown = false;
     this.life_ = 0;
     /** The work that the plan was asked for. */ this.asked_ = store.work;
@@ -109,7 +110,7 @@ export class Carving {
    */
   run_(stage, carve) {
     this.running_ = this.jobs_.run(stage, carve).finally(() => {
-      this.running_ = undefined;
+      this.running_ = this.before_ = undefined;
     });
     return this.running_;
   }
@@ -174,6 +175,11 @@ export class Carving {
     return { life: this.life_, only3mf: this.model_.info?.only3mf ?? kNothing };
   }
 
+  /** The carving; while another is being made, the one before it. */
+  get latest() {
+    return this.carved ?? this.before_;
+  }
+
   get isPrinting() {
     return this.carved?.printed?.state === 'under-way';
   }
@@ -206,6 +212,7 @@ export class Carving {
     const started = performance.now();
     await this.restoring_;
     const { carved: before } = this;
+    this.before_ = before;
     await this.drop();
     this.started.tell();
     const asked = this.store_.work;

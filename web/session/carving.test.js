@@ -138,11 +138,16 @@ test('An engraving during which the module was lost is not made again', async ()
   assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'engrave').length, 1);
 });
 
-test('Cancelling restores the previous carving', async () => {
+test('Cancelling restores the previous carving, which counts as the latest until then', async () => {
   await carving.engrave();
   const before = carving.carved;
-  client.answers.engrave = async () => false;
+  /** @type {unknown} */ let latest;
+  client.answers.engrave = async () => {
+    latest = carving.latest;
+    return false;
+  };
   await carving.engrave();
+  assert.equal(latest, before);
   await settled();
   assert.equal(carving.carved, before);
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');

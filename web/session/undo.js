@@ -90,14 +90,14 @@ export class Undo {
   /** @param {string} [field] */
   record_(field) {
     const { store, carving } = this.options_;
-    this.history_.record({ ...store.work, carved: carving.carved }, field);
+    this.history_.record({ ...store.work, carved: carving.latest }, field);
     this.allow();
   }
 
   /** Adds a proposal to the current state: nothing that the user did, so nothing to undo. */
   amend_() {
     const { store, carving } = this.options_;
-    this.history_.amend({ ...store.work, carved: carving.carved });
+    this.history_.amend({ ...store.work, carved: carving.latest });
   }
 
   /** @param {State | undefined} state */

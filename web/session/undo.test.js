@@ -58,11 +58,11 @@ beforeEach(() => {
     Carving,
     {
       restore: async (/** @type {any} */ carved) => {
-        carving.carved = carved;
+        carving.latest = carved;
         return carved !== undefined;
       },
     },
-    { carved: undefined, finished: new Signal() },
+    { latest: undefined, finished: new Signal() },
   );
   messages = new FakeMessages();
   undo = new Undo({
@@ -140,13 +140,13 @@ test('Undo reloads the previous model with its chosen centre', async () => {
 });
 
 test('A carving is restored if the module still has it; else a message says so', async () => {
-  carving.carved = { number: 1 };
+  carving.latest = { number: 1 };
   undo.record();
-  carving.carved = { number: 2 };
+  carving.latest = { number: 2 };
   undo.record();
   undo.undo();
   await settled();
-  assert.equal(carving.carved.number, 1);
+  assert.equal(carving.latest.number, 1);
   assert.deepEqual(messages.said, []);
   carving.answers.restore = async () => false;
   undo.redo();

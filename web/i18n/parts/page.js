@@ -61,7 +61,7 @@ export const page = {
     placeWall: '{width} wide, as the wall is too thin for {largest}',
     placeNotes: 'Notes on the place',
     paintInstead: 'Paint the code instead',
-    movedOffEdge: 'Ready. The code was moved by {distance} to lie flat; with Alt, a click places it exactly.',
+    movedOffEdge: 'Ready. The code was moved by {distance} to lie flat.',
     aim: 'Here a phone can read it from up to {deg}° to the side.',
     aimLittle:
       'Here you must hold the phone straight: it reads the code from {deg}° to the side at most. A smaller code or a flatter spot forgives more.',
@@ -231,8 +231,7 @@ export const page = {
     placeWall: '{width} breit, weil die Wand für {largest} zu dünn ist',
     placeNotes: 'Hinweise zur Stelle',
     paintInstead: 'Den Code stattdessen aufmalen',
-    movedOffEdge:
-      'Bereit. Der Code wurde um {distance} verschoben, damit er flach liegt; mit Alt setzt ein Klick ihn genau.',
+    movedOffEdge: 'Bereit. Der Code wurde um {distance} verschoben, damit er flach liegt.',
     aim: 'Hier kann ein Handy den Code bis {deg}° schräg von der Seite lesen.',
     aimLittle:
       'Hier das Handy gerade vor den Code halten: Schräg von der Seite liest es ihn nur bis {deg}°. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
