@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/placement_preview.h"
+#include "projection/spot_candidates.h"
 #include "viewer/heat_mesh.h"
 
 namespace qrelief {
@@ -33,16 +34,23 @@ Result<Progress> SpotOffers::advance() {
 }
 
 void SpotOffers::finish() {
-  const SpotSearchResult result = job_->takeResult();
+  SpotSearchResult result = job_->takeResult();
   job_.reset();
-  spots_ = result.spots;
+  spots_ = std::move(result.spots);
+  map_ = std::move(result.map);
   // The map has squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
-  const double largest = static_cast<double>(*std::max_element(result.map.sizeMm.begin(), result.map.sizeMm.end()));
+  const double largest = static_cast<double>(*std::max_element(map_.sizeMm.begin(), map_.sizeMm.end()));
   topMm_ = std::max(kLeastTopMm, largest / outer);
-  if (!model_->gpu) return;  // nothing can be shown
+}
+
+const std::shared_ptr<const GpuMesh>& SpotOffers::sizesDisplay() {
+  if (sizesDisplay_ || job_ || !model_ || !model_->gpu) return sizesDisplay_;
+  const double outer = request_.outerFactor();
+  map_.sizeMm = countedSizes(map_, topMm_ * outer);
   sizesDisplay_ = std::make_shared<const GpuMesh>(
-      heatMesh(model_->prepared.mesh, result.map, request_.leastPrintableMm * outer, topMm_ * outer));
+      heatMesh(model_->prepared.mesh, map_, request_.leastPrintableMm * outer, topMm_ * outer));
+  return sizesDisplay_;
 }
 
 double SpotOffers::offeredMm(const Spot& spot) const {
@@ -53,6 +61,7 @@ void SpotOffers::forget() {
   job_.reset();
   model_.reset();
   spots_.clear();
+  map_ = {};
   sizesDisplay_.reset();
 }
 

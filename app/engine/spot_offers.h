@@ -27,8 +27,8 @@ class SpotOffers {
   const PlacementRequest& request() const { return request_.placement; }
   /// Returns the symbol size that has the last colour: the largest one.
   double topMm() const { return topMm_; }
-  /// Returns null before a search is done, and without a GL context.
-  const std::shared_ptr<const GpuMesh>& sizesDisplay() const { return sizesDisplay_; }
+  /// Returns the colour map, which the first call makes; null before a search is done, and without a GL context.
+  const std::shared_ptr<const GpuMesh>& sizesDisplay();
 
   void forget();
 
@@ -40,6 +40,7 @@ class SpotOffers {
   std::unique_ptr<SpotSearchJob> job_;
   std::vector<Spot> spots_;
   double topMm_ = 0;
+  SizeMap map_;
   std::shared_ptr<const GpuMesh> sizesDisplay_;
 };
 

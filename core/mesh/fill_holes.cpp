@@ -95,6 +95,7 @@ double diameterOf(const Mesh& mesh, const Hole& hole) {
 using NeighbourList = std::vector<std::array<std::uint32_t, 2>>;
 
 bool canBeFilled(const Mesh& mesh, const Hole& hole, double maxDiameterMm) {
+  if (hole.corners.size() == 3) return true;  // there is only one way
   return hole.corners.size() <= kMaxHoleEdges && diameterOf(mesh, hole) <= maxDiameterMm;
 }
 

@@ -26,14 +26,15 @@ struct HoleFilling {
   std::vector<std::uint32_t> beside;  ///< for each added triangle, in order: a triangle at the border of its hole
 };
 
-/// Fills small holes, that is, simple loops of open edges. Each patch minimises its sharpest fold, then its area [Liepa
-/// 2003, after Barequet and Sharir 1995], and adds no vertex. A patch that would cross the surface, double a triangle
-/// or give an edge a third triangle is undone. A surface with more than a thousand loops is in pieces rather than full
-/// of holes: nothing is filled or counted.
+/// Fills small holes, that is, simple loops of open edges, and holes of any size where a single triangle is missing.
+/// Each patch minimises its sharpest fold, then its area [Liepa 2003, after Barequet and Sharir 1995], and adds no
+/// vertex. A patch that would cross the surface, double a triangle or give an edge a third triangle is undone. A
+/// surface with more than a thousand loops is in pieces rather than full of holes: nothing is filled or counted.
 ///
 /// Cost: O(e³) for a hole of e edges, and a search for crossings of the new triangles.
 /// @param mesh           consistently oriented
-/// @param maxDiameterMm  diameter of the largest hole to fill: the distance between its two farthest corners
+/// @param maxDiameterMm  diameter of the largest hole of more than three edges to fill: the distance between its two
+///                       farthest corners
 /// @returns an error only if the exact predicates fail
 Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm);
 

@@ -17,6 +17,7 @@ constexpr double kSteepDeg = 50;
 // Effective modules along the square's edge for aimToleranceDeg(), for version 3. With its quiet zone the square has 37
 // modules, but the symbol alone (29) bends less, in proportion to the square of its edge.
 constexpr double kUsualModules = 29.0 * 29 / 37;
+constexpr std::size_t kFacetsRated = 4000;
 
 double cosineOf(double deg) { return std::cos(toRadians(deg)); }
 
@@ -26,9 +27,13 @@ int sizeClassOf(double sizeMm) {
 
 }  // namespace
 
+double countedPart(const SquareQuality& quality, double aimDeg) {
+  return std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)) *
+         std::min(1.0, aimDeg / kForgivingTiltDeg);
+}
+
 SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm, double aimDeg)
-    : sizeClass(sizeClassOf(sizeMm * std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)) *
-                            std::min(1.0, aimDeg / kForgivingTiltDeg))),
+    : sizeClass(sizeClassOf(sizeMm * countedPart(quality, aimDeg))),
       badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - cosineOf(quality.worstAngleDeg)) {}
 
 bool SpotRank::operator<(const SpotRank& other) const {
@@ -69,6 +74,28 @@ SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double
     if (steeper > kSteeperFraction * area) break;
   }
   return quality;
+}
+
+std::vector<float> countedSizes(const SizeMap& map, double edgeMm) {
+  SizeMap sample;
+  sample.mesh.positions = map.mesh.positions;
+  const std::size_t step = 1 + map.mesh.triangles.size() / kFacetsRated;
+  for (std::size_t t = 0; t < map.mesh.triangles.size(); t += step)
+    sample.mesh.triangles.push_back(map.mesh.triangles[t]);
+  std::vector<float> sizes;
+  sizes.reserve(map.sizeMm.size());
+  for (std::size_t v = 0; v < map.sizeMm.size(); ++v) {
+    const double squareMm = std::min(static_cast<double>(map.sizeMm[v]), edgeMm);
+    if (!(squareMm > 0)) {
+      sizes.push_back(0);
+      continue;
+    }
+    const ProjectionFrame frame = makeFrame(Vec3(map.mesh.positions[v]), Vec3(map.direction[v]), {0, 0, 1}, 1);
+    const SquareQuality quality = qualityOf(sample, frame, squareMm);
+    const double part = countedPart(quality, aimToleranceDeg(quality.bendMm, squareMm / kUsualModules));
+    sizes.push_back(static_cast<float>(part * squareMm));
+  }
+  return sizes;
 }
 
 std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options) {

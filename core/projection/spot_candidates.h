@@ -41,10 +41,20 @@ struct CandidateOptions {
 /// Cost: O(V log V + maxCount · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options);
 
-/// Rank of a spot by size and quality; smaller is better. A spot's size counts for less, in proportion, in two cases.
-/// First, where the phone must be held straighter than people do without taking care (10°): the more a surface bends,
-/// the smaller a code must be to tolerate that tilt. Second, where the surface is steeper than 50°: a phone 30° aside
-/// hardly sees such a surface.
+/// Returns the part of a size that counts. It is less than 1 in two cases. First, where the phone must be held
+/// straighter than people do without taking care (10°): the more a surface bends, the smaller a code must be to
+/// tolerate that tilt. Second, where the surface is steeper than 50°: a phone 30° aside hardly sees such a surface.
+/// @param aimDeg  see aimToleranceDeg()
+double countedPart(const SquareQuality& quality, double aimDeg);
+
+/// Returns the part of the map's sizes that counts, mm, for a symbol of version 3 in the square. Rates the surface by a
+/// sample of 4000 of its facets.
+///
+/// Cost: O(V), a few thousand steps for each.
+/// @param edgeMm  edge of the largest square that is wanted, > 0
+std::vector<float> countedSizes(const SizeMap& map, double edgeMm);
+
+/// Rank of a spot by size, as far as it counts, and quality; smaller is better.
 /// @param edgeMm  edge of the square that `quality` describes
 /// @param aimDeg  see aimToleranceDeg()
 struct SpotRank {

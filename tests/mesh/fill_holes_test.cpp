@@ -50,6 +50,17 @@ TEST(FillHoles, LeavesALargeOpeningAndMeasuresIt) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
+TEST(FillHoles, FillsAMissingTriangleOfAnySize) {
+  const Mesh box = shapes::box({200, 100, 50});
+  for (std::size_t t = 0; t < box.triangles.size(); ++t) {
+    Mesh mesh = box;
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    EXPECT_EQ(fill(mesh, 1).filled, 1u);
+    EXPECT_TRUE(shapes::isClosed(mesh));
+    EXPECT_NEAR(signedVolume(mesh), signedVolume(box), 1e-6);
+  }
+}
+
 TEST(FillHoles, ClosesACurvedHoleWithoutCrossingAnything) {
   Mesh mesh = cutAbove(shapes::bumpySphere(20, 1, 3, 4), 18);
   ASSERT_FALSE(shapes::isClosed(mesh));

@@ -55,6 +55,17 @@ TEST(SpotCandidates, RankBySizeFirst) {
   EXPECT_TRUE(small);
 }
 
+TEST(CountedSizes, AreWholeOnFlatSurfacesAndLessWhereTheyBend) {
+  const SizeMap flat = mapOf(shapes::box({60, 60, 60}), 10), bent = mapOf(shapes::icosphere(12, 4), 4);
+  const std::vector<float> ofFlat = countedSizes(flat, 40), ofBent = countedSizes(bent, 40);
+  ASSERT_EQ(ofFlat.size(), flat.sizeMm.size());
+  for (std::size_t v = 0; v < ofFlat.size(); ++v) EXPECT_NEAR(ofFlat[v], std::min(flat.sizeMm[v], 40.f), 1e-3);
+  for (std::size_t v = 0; v < ofBent.size(); ++v) {
+    EXPECT_LT(ofBent[v], bent.sizeMm[v]);
+    EXPECT_GT(ofBent[v], 0.3f * bent.sizeMm[v]);
+  }
+}
+
 TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfSimilarSize) {
   const SquareQuality flat{.varianceMm2 = 0.1, .worstAngleDeg = 5}, curved{.varianceMm2 = 4, .worstAngleDeg = 40};
   EXPECT_LT(SpotRank(36, flat, 30, 20), SpotRank(37, curved, 30, 20));

@@ -123,9 +123,13 @@ export class SpotFinding {
         () => text('page.lookingForSpots'),
         (signal) => this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }),
       );
+      if (!result) {
+        this.messages_.say(() => text('page.searchCancelled')); // at once: the module may still be busy
+        return;
+      }
       await this.carving_.show(false);
-      if (result) await this.show_(result);
-      this.messages_.say(() => text(result ? 'page.chooseSpot' : 'page.searchCancelled'));
+      await this.show_(result);
+      this.messages_.say(() => text('page.chooseSpot'));
     } finally {
       this.searching_ = false;
     }

@@ -24,10 +24,12 @@ const kFound = { spots: [{ centre: [1, 2, 3], sizeMm: 20, aimToleranceDeg: 30, c
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {SpotFinding} */ let spots;
 /** @type {Pending} */ let search;
+/** @type {Pending} */ let shown; // the carving's answer
 /** @type {AbortSignal | undefined} */ let signal;
 
 beforeEach(() => {
   search = new Pending();
+  shown = new Pending();
   client = fake(EngineClient, {
     findSpots: (/** @type {{ signal: AbortSignal }} */ options) => {
       signal = options.signal;
@@ -47,7 +49,7 @@ beforeEach(() => {
   spots = new SpotFinding({
     ...{ client, jobs, store, model, placing, messages: said, panel },
     batching: { settings: () => /** @type {any} */ ({}) },
-    carving: fake(Carving, { show: async () => {} }, { started: new Signal() }),
+    carving: fake(Carving, { show: () => shown.promise }, { started: new Signal() }),
     code: fake(CodePanel, { settle: async () => {} }),
     guard: async (action) => void (await action()),
   });
@@ -108,4 +110,13 @@ test('A model without a spot keeps the first proposal', async () => {
   search.reject(noRoom());
   await spots.proposed;
   assert.deepEqual(placing.calls, ['place']);
+});
+
+test('A cancelled search says so while the module is still busy', async () => {
+  const suggested = spots.suggest();
+  await settled();
+  jobs.cancel();
+  search.resolve(undefined);
+  await suggested;
+  assert.equal(messages.said.at(-1), 'Cancelled.');
 });
