@@ -134,15 +134,6 @@ test('A dropped settings file and a shared link restore the settings', async ({ 
     await expect(app.status).toHaveText('Using the settings from again.json.');
     await expect(app.sample).toHaveValue('bumpy-sphere');
 
-    const old = JSON.parse(new TextDecoder().decode(file.bytes));
-    old.settings.floor = 'wavy'; // a setting of earlier versions
-    await drop(page, { name: 'old.json', bytes: JSON.stringify(old) });
-    await expect(app.status).toHaveText('Using the settings from old.json.');
-    await expect(app.alert).toHaveText(
-      /^The setting floor is ignored: version 0\.2\.0 has removed it\. All floors are flat/,
-    );
-    await page.getByRole('button', { name: 'Dismiss' }).click();
-
     await app.file.setInputFiles(saddleFile);
     await expect(app.facts).toContainText('my saddle.stl');
     await expect(app.status).toHaveText('Ready.');

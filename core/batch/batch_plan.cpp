@@ -14,7 +14,6 @@
 #include "message_codes/batch.h"
 #include "pipeline/carved_objects.h"
 #include "qr/link_advice.h"
-#include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -113,28 +112,11 @@ Status BatchPlan::prepare() {
     const bool isId = idColumn_ == i;
     if (isNamed || isId) filled_.push_back(i);
     if (isNamed || setting || isId || list_.find(kModel) == i) continue;
-    if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
-      warnings_.push_back(removedWarning(*removed, columns[i]));
-    else
-      unused_.push_back(columns[i]);
+    unused_.push_back(columns[i]);
   }
-  warnOfRemovedChoices();
   warnOfSpreadsheets();
   findModels();
   return {};
-}
-
-/// Adds one warning for each removed choice in the list.
-void BatchPlan::warnOfRemovedChoices() {
-  for (const RemovedSetting& removed : removedSettings()) {
-    if (removed.choice.empty()) continue;
-    const auto column = std::find_if(settings_.begin(), settings_.end(),
-                                     [&](const SettingColumn& c) { return c.setting->key == removed.key; });
-    if (column == settings_.end()) continue;
-    std::size_t row = 0;
-    while (row < size() && list_.cell(row, column->column) != removed.choice) ++row;
-    if (row < size()) warnings_.push_back(removedWarning(removed, removed.key + " " + removed.choice));
-  }
 }
 
 void BatchPlan::findModels() {
@@ -206,7 +188,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   if (const auto model = list_.find(kModel)) row.model = list_.cell(index, *model);
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));
-    if (cell.empty() || findRemovedChoice(setting->key, cell)) continue;
+    if (cell.empty()) continue;
     const auto parsed = valueFromText(*setting, std::span(&cell, 1));
     if (!parsed) return tl::unexpected(parsed.error());
     if (const Status good = checkValue(*setting, *parsed); !good) return tl::unexpected(good.error());

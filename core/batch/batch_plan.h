@@ -61,8 +61,7 @@ class BatchPlan {
 
   const BatchList& list() const { return list_; }
 
-  /// Returns warnings about what the list's reader had to guess (BatchList), about columns and cells with removed
-  /// settings (settings/removed_settings.h), which are ignored, about cells that a spreadsheet has changed
+  /// Returns warnings about what the list's reader had to guess (BatchList), about cells that a spreadsheet has changed
   /// (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
@@ -91,7 +90,6 @@ class BatchPlan {
   };
 
   Status prepare();
-  void warnOfRemovedChoices();
   void warnOfSpreadsheets();
   void findModels();
   void warnOfTexts(const std::vector<TextTrace>& traces);

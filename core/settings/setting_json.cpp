@@ -7,7 +7,6 @@
 #include "base/parse_json.h"
 #include "message_codes/settings_errors.h"
 #include "settings/engrave_request.h"
-#include "settings/removed_settings.h"
 
 namespace qrelief {
 namespace {
@@ -92,13 +91,12 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message<"settings-no-object">());
   const Json& entries = *parsed;
   for (const auto& [key, value] : entries.items())
-    if (!findSetting(key) && !findRemovedSetting(key))
+    if (!findSetting(key))
       return fail(ErrorKind::BadUsage, message<"setting-unknown">(with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto it = entries.find(setting.key);
     if (it == entries.end() || it->is_null()) continue;
-    if (it->is_string() && findRemovedChoice(setting.key, it->get<std::string>())) continue;
     const auto value = valueFrom(setting, *it);
     // An unknown choice also counts as the wrong kind, because there is nothing to write.
     const bool isName = value && std::holds_alternative<std::string>(*value);

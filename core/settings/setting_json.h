@@ -15,8 +15,7 @@ namespace qrelief {
 ///
 ///     {"text": "…", "preset": "robust", "size": 35, "minWallMm": 1.2, "quietZone": false}
 ///
-/// The order of the keys does not matter. The centre is not among them. Removed settings and choices
-/// (removed_settings.h) are ignored; the page warns of them where it reads a file or an address.
+/// The order of the keys does not matter. The centre is not among them.
 /// @returns BadUsage naming an unknown key, or the setting whose value is of the wrong kind, and the expected kind;
 ///          checkSettings() checks ranges
 Result<EngraveRequest> requestFromJson(std::string_view json);

@@ -20,8 +20,6 @@ using Kind = Setting::Kind;
 
 constexpr double kMaxMm = 1e4;              // largest edge: no printer is larger
 constexpr double kMaxWallMm = 1000;         // largest wall and largest depth
-constexpr const char* kSince020 = "0.2.0";  // older settings files lack these
-constexpr const char* kSince030 = "0.3.0";  // the next release
 
 struct Range {
   double min, max, step;
@@ -148,7 +146,6 @@ Setting text() {
 
 Setting label() {
   Setting setting = made("label", "making", Kind::Text);
-  setting.since = kSince030;
   setting.read = [](const R& r) -> V { return r.code.label.text; };
   setting.write = [](R& r, const V& v) { r.code.label.text = std::get<std::string>(v); };
   return setting;
@@ -158,7 +155,6 @@ Setting frame() {
   Setting setting = choice(
       "frame", "making", [](auto& r) -> auto& { return r.code.label.frame; },
       [] { return namesOf(3, [](int i) { return labelFrameName(static_cast<LabelFrame>(i)); }); });
-  setting.since = kSince030;
   return setting;
 }
 
@@ -203,7 +199,6 @@ Setting eci() {
   Setting setting = choice(
       "eci", "symbol", [](auto& r) -> auto& { return r.code.symbol.eci; },
       [] { return namesOf(2, [](int i) { return eciUseName(static_cast<EciUse>(i)); }); });
-  setting.since = kSince030;
   return setting;
 }
 
@@ -221,7 +216,6 @@ Setting carveFor() {
       [] {
         return std::vector<std::string>{"design", "print"};
       });
-  setting.since = kSince020;
   return setting;
 }
 
@@ -233,7 +227,6 @@ Setting mark() {
   Setting setting = made("mark", "mark", Kind::Choice);
   setting.choices = markNames();
   setting.choices.insert(setting.choices.begin(), "auto");
-  setting.since = kSince030;
   setting.read = [](const R& r) -> V {
     return r.marking.isOpen ? std::string("auto") : std::string(markName(r.marking.mark));
   };
@@ -248,7 +241,6 @@ Setting markDepth() {
   Setting setting = optionalNumber(
       "markDepthMm", "mark", Unit::Millimetre, {0.05, kMaxWallMm, 0.05},
       [](auto& r) -> auto& { return r.marking.markDepthMm; });
-  setting.since = kSince030;
   return setting;
 }
 
@@ -256,7 +248,6 @@ Setting markDepth() {
 template <class Part>
 Setting reflectance(const char* key, Part part) {
   Setting setting = number(key, "mark", Unit::None, {0.01, 1, 0.05}, part);
-  setting.since = kSince030;
   return setting;
 }
 
@@ -264,7 +255,6 @@ Setting objective() {
   Setting setting = choice(
       "objective", "depth", [](auto& r) -> auto& { return r.depth.objective; },
       [] { return namesOf(2, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
-  setting.since = kSince020;
   return setting;
 }
 
@@ -323,7 +313,6 @@ std::vector<std::string> processNames() {
 Setting process() {
   Setting setting = made("process", "printing", Kind::Choice);
   setting.choices = processNames();
-  setting.since = kSince020;
   setting.read = [](const R& r) -> V { return processNames()[r.print.process ? *r.print.process + 1 : 0]; };
   setting.write = [](R& r, const V& v) {
     const std::size_t chosen = indexIn(processNames(), v);
@@ -339,14 +328,12 @@ Setting lineWidth() {
   Setting setting = optionalNumber(
       "lineWidthMm", "printing", Unit::Millimetre, {0.01, 10, 0.05},
       [](auto& r) -> auto& { return r.print.printer.lineWidthMm; });
-  setting.since = kSince020;
   return setting;
 }
 
 Setting buildUp() {
   Setting setting = made("buildUp", "printing", Kind::ChoiceOrVector);
   setting.choices = buildPoseNames();
-  setting.since = kSince020;
   setting.read = [](const R& r) -> V {
     if (r.print.buildUp.up) return *r.print.buildUp.up;
     return std::string(buildPoseName(r.print.buildUp.pose));

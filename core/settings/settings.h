@@ -49,7 +49,6 @@ struct Setting {
   bool isWhole = false;              ///< a number without decimals
   bool mayBeEmpty = false;           ///< may be set to nothing
   std::vector<std::string> choices;  ///< names of the choices
-  const char* since = "0.1.0";       ///< first version of the program that knows the setting
   SettingValue (*read)(const EngraveRequest&) = nullptr;
   void (*write)(EngraveRequest&, const SettingValue&) = nullptr;  ///< needs a value of the right kind, see checkValue()
   /// For a number that may be empty: returns the value used instead; null if it is known only later.

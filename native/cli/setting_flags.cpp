@@ -10,7 +10,6 @@
 #include "messages/sentences.h"
 #include "messages/setting_words.h"
 #include "settings/engrave_request.h"
-#include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -27,21 +26,6 @@ std::string helpOf(const OptionTexts& texts, std::string_view before) {
 std::string headingOf(const Setting& setting) {
   if (setting.key == "text") return "Options";
   return settingWords().at("groups").at(setting.group).at("en");
-}
-
-void warnOf(const RemovedSetting& removed) {
-  printWarning(removedWarning(removed, removed.choice.empty() ? removed.flag : removed.flag + " " + removed.choice),
-               {});
-}
-
-/// Accepts the flag of a removed setting. `--help` does not list it.
-void addRemoved(CLI::App& command, const RemovedSetting& removed) {
-  constexpr const char* kHidden = "";
-  const auto warn = [&removed] { warnOf(removed); };
-  CLI::Option* option =
-      removed.isSwitch ? command.add_flag_callback(removed.flag, warn)
-                       : command.add_option_function<std::string>(removed.flag, [warn](const std::string&) { warn(); });
-  option->group(kHidden);
 }
 
 }  // namespace
@@ -66,10 +50,6 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
   else
     option->expected(1);
   option->type_name(texts.values)->group(headingOf(*setting));
-  if (setting->takesChoice())
-    option->each([setting](const std::string& text) {
-      if (const RemovedSetting* removed = findRemovedChoice(setting->key, text)) warnOf(*removed);
-    });
   flag.option = option;
   return *option;
 }
@@ -77,15 +57,11 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
 void SettingFlags::addGroup(CLI::App& command, std::string_view group) {
   for (const Setting& setting : settings())
     if (setting.group == group && setting.key != "text") add(command, setting.key);
-  for (const RemovedSetting& removed : removedSettings())
-    if (removed.group == group) addRemoved(command, removed);
 }
 
 void SettingFlags::addAll(CLI::App& command) {
   for (const Setting& setting : settings())
     if (setting.key != "text") add(command, setting.key);
-  for (const RemovedSetting& removed : removedSettings())
-    if (removed.choice.empty()) addRemoved(command, removed);
 }
 
 const SettingFlags::Flag* SettingFlags::find(std::string_view key) const {
@@ -110,7 +86,6 @@ Result<SettingValue> SettingFlags::value(std::string_view key) const {
   const Setting& setting = *findSetting(key);
   if (!isGiven(key)) return setting.read(defaultRequest());
   std::vector<std::string> texts = find(key)->texts;
-  if (!texts.empty() && findRemovedChoice(key, texts.front())) return setting.read(defaultRequest());
   if (setting.kind == Kind::Switch) texts = {optionTexts(setting).flag.starts_with("--no-") ? "off" : "on"};
   if (setting.kind == Kind::Vector) texts = {fmt::format("{}", fmt::join(texts, ","))};
   auto value = valueFromText(setting, texts);

@@ -18,8 +18,7 @@ class SettingFlags {
   /// Adds the flag of a setting. SettingFlags must outlive the parsing.
   /// @param before  text to put before the help
   CLI::Option& add(CLI::App& command, std::string_view key, std::string_view before = {});
-  /// Adds the settings of a group, except texts. Accepts the flags of removed settings too
-  /// (settings/removed_settings.h): parsing prints a warning and ignores them.
+  /// Adds the settings of a group, except texts.
   void addGroup(CLI::App& command, std::string_view group);
   /// Adds the settings of all groups.
   void addAll(CLI::App& command);

@@ -46,8 +46,8 @@ std::string rowOf(const Setting& setting) {
   const OptionTexts texts = optionTexts(setting);
   const std::string flag = texts.values.empty() ? texts.flag : texts.flag + " " + texts.values;
   const std::string range = texts.range.empty() ? "" : fmt::format("; {}", texts.range);
-  return fmt::format("| `{}` | `{}` | {}{} | {} | {} |\n", inCell(flag), setting.key, inCell(texts.help), range,
-                     setting.key == "text" ? "required" : texts.initial, setting.since);
+  return fmt::format("| `{}` | `{}` | {}{} | {} |\n", inCell(flag), setting.key, inCell(texts.help), range,
+                     setting.key == "text" ? "required" : texts.initial);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string optionsPage() {
   for (const Setting& setting : settings()) {
     if (setting.group != group) {
       group = setting.group;
-      page += fmt::format("\n## {}\n\n| flag | key | meaning | default | since |\n|---|---|---|---|---|\n",
+      page += fmt::format("\n## {}\n\n| flag | key | meaning | default |\n|---|---|---|---|\n",
                           nameOfGroup(group));
     }
     page += rowOf(setting);

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/message_json.h"
 #include "messages/setting_words.h"
 #include "settings/engrave_request.h"
-#include "settings/removed_settings.h"
 #include "settings/setting_json.h"
 #include "settings/settings.h"
 
@@ -33,20 +31,11 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @property {boolean} [mayBeEmpty]  may be left out: what then counts follows from the rest
  * @property {readonly string[]} [choices]
  * @property {unknown} default       null: it is empty
- * @property {string} since          the version that knew it first
  * @property {Words} label           without the unit
  * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
  * @property {number} [most]         lamps
- */
-
-/**
- * @typedef {object} RemovedSetting  a setting of earlier versions, or a choice of a setting that is still there
- * @property {string} key
- * @property {string} [choice]  absent: the whole setting is gone
- * @property {string} since     the first version without it
- * @property {{ code: string, values: Record<string, any> }} why  the message that says what to use instead
  */
 
 )";
@@ -95,7 +84,6 @@ Json describe(const Setting& setting, const Json& defaults) {
   if (setting.mayBeEmpty) entry["mayBeEmpty"] = true;
   if (!setting.choices.empty()) entry["choices"] = setting.choices;
   entry["default"] = defaults.at(setting.key);
-  entry["since"] = setting.since;
   entry["label"] = words.at("label");
   if (words.contains("choices")) entry["choiceNames"] = words.at("choices");
   if (words.contains("parts")) entry["partLabels"] = words.at("parts");
@@ -116,19 +104,6 @@ std::string constant(const char* name, const char* type, const Json& entries) {
 /// Returns quoted names as a type of the module.
 std::string choiceType(const char* name, const std::vector<std::string_view>& names) {
   return fmt::format("/** @typedef {{'{}'}} {} */\n", fmt::join(names, "' | '"), name);
-}
-
-/// Returns the removed settings as a constant of the module, one a line.
-std::string removedConstant() {
-  std::string text = "/** @type {readonly RemovedSetting[]} */\nexport const kRemovedSettings = [\n";
-  for (const RemovedSetting& removed : removedSettings()) {
-    Json entry = {{"key", removed.key}};
-    if (!removed.choice.empty()) entry["choice"] = removed.choice;
-    entry["since"] = removed.since;
-    entry["why"] = jsonOf(removed.why);
-    text += fmt::format("  {},\n", entry.dump());
-  }
-  return text + "];\n";
 }
 
 /// Returns the settings that each process implies.
@@ -152,7 +127,7 @@ std::string settingsModule() {
   for (const UnitTraits& unit : units())
     if (!unit.name.empty()) unitNames.push_back(unit.name);
   return kModuleHead + choiceType("SettingKey", keys) + choiceType("UnitName", unitNames) + "\n" +
-         constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" + removedConstant() + "\n" +
+         constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
          constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
          constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +
          constant("kUnits", "Readonly<Record<string, Words>>", Json(settingWords().at("units")));

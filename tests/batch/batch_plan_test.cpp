@@ -128,24 +128,6 @@ TEST(BatchPlan, ReportsUnusedColumns) {
   EXPECT_THAT(planOf("id,text,presett,note\n1,a,robust,x\n").unusedColumns(), ElementsAre("presett", "note"));
 }
 
-TEST(BatchPlan, IgnoresRemovedSettingsWithAWarning) {
-  const BatchPlan plan = planOf("id,text,floor,objective\n1,a,wavy,one-light\n2,b,,reading\n");
-  ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_THAT(plan.unusedColumns(), IsEmpty());
-  ASSERT_EQ(plan.warnings().size(), 2u);
-  EXPECT_EQ(sentence(plan.warnings()[0]), "The setting floor is ignored: version 0.2.0 has removed it");
-  EXPECT_EQ(sentence(plan.warnings()[1]), "The setting objective reading is ignored: version 0.2.0 has removed it");
-  EXPECT_EQ(plan.row(0).request.depth.objective, DepthObjective::OneLight);
-  EXPECT_EQ(plan.row(1).request.depth.objective, DepthObjective::Contrast);
-}
-
-TEST(BatchPlan, AColumnInATemplateMayHaveTheNameOfARemovedSetting) {
-  const BatchPlan plan = planOf("id,floor\n1,ground\n", "room {id}, {floor} floor");
-  ASSERT_THAT(problemsOf(plan), IsEmpty());
-  EXPECT_THAT(plan.warnings(), IsEmpty());
-  EXPECT_EQ(plan.row(0).request.code.text, "room 1, ground floor");
-}
-
 TEST(BatchPlan, RefusesTemplatesThatTheColumnsCannotFill) {
   EXPECT_THAT(problemsOf(planOf("id,name\n1,a\n")), ElementsAre("list-without-text"));
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "{lot}")), ElementsAre("list-without-column"));

@@ -82,26 +82,6 @@ TEST_F(CommandTest, RefusesANumberOutOfRangeByFlagBeforeReadingTheModel) {
   }
 }
 
-TEST_F(CommandTest, FlagsOfRemovedSettingsAreIgnoredWithAWarning) {
-  const std::pair<std::vector<std::string>, const char*> cases[] = {
-      {{"--floor", "wavy"}, "--floor"},
-      {{"--raise-ecc"}, "--raise-ecc"},
-      {{"--break-up"}, "--break-up"},
-      {{"--blur-modules", "0.5"}, "--blur-modules"},
-      {{"--objective", "reading"}, "--objective reading"}};
-  for (const auto& [flags, name] : cases) {
-    std::vector<std::string> words = {"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl")};
-    words.insert(words.end(), flags.begin(), flags.end());
-    const Outcome outcome = run(words);
-    EXPECT_EQ(outcome.status, 3) << outcome.err;  // the model is missing; the flags are accepted
-    const std::string warning =
-        fmt::format("qrelief: warning: The setting {} is ignored: version 0.2.0 has removed it\n", name);
-    EXPECT_NE(outcome.err.find(warning), std::string::npos) << outcome.err;
-  }
-  EXPECT_EQ(run({"place", path("missing.stl"), "--break-up"}).status, 3);
-  EXPECT_EQ(run({"engrave", "--help"}).out.find("--floor"), std::string::npos);
-}
-
 TEST_F(CommandTest, RefusesAnUnknownChoiceAndListsTheChoices) {
   const Outcome outcome =
       run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), "--pattern", "dots"});

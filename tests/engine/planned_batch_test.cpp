@@ -49,15 +49,6 @@ TEST(PlannedBatch, NamesTheColumnsWithTheirFirstCellsToChooseFrom) {
   EXPECT_EQ(planned(batch, "red\ngreen\n", {{"hasNames", false}})["rows"], 2);
 }
 
-TEST(PlannedBatch, WarnsOfColumnsWithRemovedSettings) {
-  PlannedBatch batch;
-  const Json plan = planned(batch, "id,text,floor\na,one,wavy\n");
-  ASSERT_EQ(plan["rows"], 1) << plan;
-  EXPECT_EQ(plan["unused"], Json::array());
-  ASSERT_EQ(plan["warnings"].size(), 1u);
-  EXPECT_EQ(plan["warnings"][0]["code"], "setting-removed");
-}
-
 TEST(PlannedBatch, NumbersRowsWithoutAList) {
   PlannedBatch batch;
   const Json plan =

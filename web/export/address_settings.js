@@ -4,7 +4,6 @@ import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
-import { withoutRemoved } from './removed_settings.js';
 import { checkSetting, fileKeys } from './settings_file.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
@@ -33,21 +32,18 @@ function valueOf(key, text) {
  * Reads and checks the settings in an address.
  * @param {URLSearchParams} address
  * @param {readonly SettingKey[]} controls  settings that have a control; others are ignored
- * @returns {{ settings: Partial<Settings>, warnings: import('../engine/message.js').Message[] }}
- *   `warnings`: removed settings, which are ignored
+ * @returns {Partial<Settings>}
  * @throws {EngineFailure} if a value cannot be used
  */
 export function settingsFromAddress(address, controls) {
-  const { settings: given, warnings } = withoutRemoved(Object.fromEntries(address));
-  const keys = fileKeys(controls).filter((key) => key !== 'text' && key in given);
-  const settings = Object.fromEntries(
+  const keys = fileKeys(controls).filter((key) => key !== 'text' && address.has(key));
+  return Object.fromEntries(
     keys.map((key) => {
       const value = valueOf(key, address.get(key) ?? '');
       checkSetting(key, value, refuse);
       return [key, value];
     }),
   );
-  return { settings, warnings };
 }
 
 /**

@@ -5,8 +5,7 @@ import { addressFor, settingsFromAddress, spotFromAddress } from './address_sett
 
 /** @type {import('../generated/settings.js').SettingKey[]} */
 const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask', 'mark', 'label'];
-const readAll = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
-const read = (/** @type {string} */ query) => readAll(query).settings;
+const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 
 test('settings are read by name and kind', () => {
   assert.deepEqual(
@@ -25,15 +24,6 @@ test('settings are read by name and kind', () => {
   assert.deepEqual(read('mask=shadiest&finderPattern=none'), { mask: 'shadiest' }, 'what has no control is left out');
   assert.deepEqual(read('text=HELLO&mark=paint&label=No.%207'), { mark: 'paint', label: 'No. 7' });
   assert.deepEqual(read('sample=bunny'), {});
-});
-
-test('a removed setting is ignored with a warning', () => {
-  const { settings, warnings } = readAll('pattern=square&floor=wavy');
-  assert.deepEqual(settings, { pattern: 'square' });
-  assert.deepEqual(
-    warnings.map(({ code, values: { name, since } }) => ({ code, name, since })),
-    [{ code: 'setting-removed', name: { term: 'floor' }, since: { term: '0.2.0' } }],
-  );
 });
 
 test('an invalid value is refused with the reason', () => {
@@ -58,7 +48,7 @@ test('an address has the text, the sample with its spot, and the settings that d
   assert.deepEqual([...address.keys()], ['sample', 'at', 'text', 'pattern', 'keepPreset', 'light']);
   assert.equal(address.get('text'), settings.text);
   assert.deepEqual(spotFromAddress(address), [1.23, -2, 0]);
-  assert.deepEqual(settingsFromAddress(address, kControls).settings, {
+  assert.deepEqual(settingsFromAddress(address, kControls), {
     pattern: 'square',
     keepPreset: true,
     light: settings.light,

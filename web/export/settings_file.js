@@ -4,7 +4,6 @@ import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
-import { withoutRemoved } from './removed_settings.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -27,21 +26,12 @@ const kVersion = 1;
 const kMostBytes = 1 << 20;
 const kKeys = /** @type {SettingKey[]} */ (Object.keys(kSettings));
 
-const kFirstRelease = '0.1.0'; // its files lack all later settings
-
 /**
  * Returns the keys in a file: the text and all settings with a control.
  * @param {readonly SettingKey[]} controls
  * @returns {SettingKey[]}
  */
 export const fileKeys = (controls) => kKeys.filter((key) => key === 'text' || controls.includes(key));
-
-/** Tells whether a file may leave out a setting; the control's default applies then. @param {SettingKey} key */
-function mayBeMissing(key) {
-  const { default: initial, since } = kSettings[key];
-  const isEmpty = initial === null || initial === 'auto' || (Array.isArray(initial) && initial.length === 0);
-  return isEmpty || since !== kFirstRelease;
-}
 
 /** @param {SettingsFile} file */
 export const writeSettingsFile = ({ settings, model }) =>
@@ -128,8 +118,7 @@ export function checkSetting(name, value, refuse = refuseFile) {
 function checkSettings(settings, keys) {
   const unknown = Object.keys(settings).find((name) => !keys.includes(/** @type {SettingKey} */ (name)));
   if (unknown !== undefined) refuseFile(message('settings-unknown', { name: { term: excerpt(unknown) } }));
-  const missing = keys.find((name) => settings[name] === undefined && !mayBeMissing(name));
-  if (missing) refuseFile(message('settings-missing', { name: { term: missing } }));
+  if (settings.text === undefined) refuseFile(message('settings-missing', { name: { term: 'text' } }));
   for (const name of keys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
 }
 
@@ -166,8 +155,7 @@ function parse(json, name) {
  * @param {string} json
  * @param {string} name  of the file, for messages
  * @param {readonly SettingKey[]} controls  settings that have a control
- * @returns {SettingsFile & { warnings: import('../engine/message.js').Message[] }}
- *   `warnings`: removed settings, which are ignored
+ * @returns {SettingsFile}  the defaults apply where a setting is missing
  * @throws {EngineFailure} naming the wrong setting; then do not use any part of the file
  */
 export function readSettingsFile(json, name, controls) {
@@ -185,8 +173,7 @@ export function readSettingsFile(json, name, controls) {
       }),
     );
   if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));
-  const { settings: known, warnings } = withoutRemoved(content.settings);
-  checkSettings(known, fileKeys(controls));
-  const settings = /** @type {Settings} */ (/** @type {unknown} */ (known));
-  return { settings, warnings, ...(content.model === undefined ? {} : { model: checkModel(content.model) }) };
+  checkSettings(content.settings, fileKeys(controls));
+  const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
+  return { settings, ...(content.model === undefined ? {} : { model: checkModel(content.model) }) };
 }

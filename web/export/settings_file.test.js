@@ -15,12 +15,8 @@ const kControls = [
   ...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g),
 ].map(([, key]) => /** @type {any} */ (key));
 const kFileKeys = fileKeys(kControls);
-/** Reads a file of the current version. @param {string} json @param {string} name */
-function readSettingsFile(json, name) {
-  const { warnings, ...file } = readFile(json, name, kControls);
-  assert.deepEqual(warnings, []);
-  return file;
-}
+/** @param {string} json @param {string} name */
+const readSettingsFile = (json, name) => readFile(json, name, kControls);
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
@@ -111,7 +107,7 @@ test('every wrong setting is named with its value', () => {
     [{ ecc: null }, /ecc must be one of/],
     [{ nozzleMm: null }, /nozzleMm must be a number/],
     [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
-    [{ preset: undefined }, /preset is missing/],
+    [{ text: undefined }, /text is missing/],
     [{ colour: 'red' }, /no setting "colour"/],
     [{ ['__proto__x']: 1 }, /no setting/],
     [{ pattern: ['square'] }, /pattern must be one of/],
@@ -153,28 +149,10 @@ test('a file has the text and every setting with a control', () => {
   assert.ok(kControls.every((key) => key in kTable));
 });
 
-test('every setting of the first release is required, unless it is empty or automatic at first', () => {
-  const had = [
-    'text',
-    'preset',
-    'size',
-    'maxSizeMm',
-    'quietZone',
-    'direction',
-    'rotateDeg',
-    'minWallMm',
-    'nozzleMm',
-    'layerMm',
-    'eyeDistanceMm',
-  ];
-  for (const key of had) {
-    assert.throws(
-      () => readSettingsFile(withSettings({ [key]: undefined }), 'x.json'),
-      refusedWith(new RegExp(`${key} is missing`)),
-    );
-  }
-  for (const key of ['ecc', 'contrast', 'maxDepthMm']) {
-    assert.deepEqual(readSettingsFile(withSettings({ [key]: undefined }), 'x.json').settings, kSettings, key);
+test('any setting but the text may be missing', () => {
+  for (const key of kFileKeys.filter((one) => one !== 'text')) {
+    const { [key]: _, ...rest } = /** @type {Record<string, unknown>} */ (kSettings);
+    assert.deepEqual(readSettingsFile(withSettings({ [key]: undefined }), 'x.json').settings, rest, key);
   }
 });
 
@@ -191,17 +169,6 @@ test('every number is checked at both ends', () => {
     for (const value of [min - 0.001, max * 1.001])
       assert.throws(() => read(value), refusedWith(new RegExp(`${key} must be a number`)));
   }
-});
-
-test('removed settings are ignored with a warning', () => {
-  const file = withSettings({ floor: 'wavy', raiseEcc: true, objective: 'reading' });
-  const { settings, warnings } = readFile(file, 'x.json', kControls);
-  const { objective: _, ...rest } = /** @type {Record<string, unknown>} */ (kSettings);
-  assert.deepEqual(settings, rest);
-  assert.deepEqual(
-    warnings.map((warning) => /** @type {any} */ (warning.values.name).term),
-    ['raiseEcc', 'floor', 'objective reading'],
-  );
 });
 
 test('settings are distinguished from models by name or type', () => {

@@ -100,18 +100,17 @@ export class Exporting {
   /**
    * Uses the settings from the page's address and keeps the others. They take effect with the next model.
    * @param {URLSearchParams} address
-   * @returns {{ asksForSettings: boolean, warnings: import('../engine/message.js').Message[], refusal?: unknown }}
-   *   `warnings`: removed settings, which are ignored; `refusal`: error of a setting that cannot be used; then none is
-   *   used
+   * @returns {{ asksForSettings: boolean, refusal?: unknown }}  `refusal`: error of a setting that cannot be used; then
+   *   none is used
    */
   useAddress(address) {
     try {
-      const { settings: asked, warnings } = settingsFromAddress(address, this.fields_.keys);
+      const asked = settingsFromAddress(address, this.fields_.keys);
       const asksForSettings = Object.keys(asked).length > 0;
       if (asksForSettings) this.write_({ ...this.settingsToSave_, ...asked });
-      return { asksForSettings, warnings };
+      return { asksForSettings };
     } catch (refusal) {
-      return { asksForSettings: true, warnings: [], refusal };
+      return { asksForSettings: true, refusal };
     }
   }
 
@@ -120,7 +119,7 @@ export class Exporting {
    * @param {File} file
    */
   async useSettings(file) {
-    const { settings, model, warnings } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
+    const { settings, model } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
     this.carving_.abort();
     await this.jobs_.untilIdle();
     this.messages_.clearError();
@@ -133,7 +132,6 @@ export class Exporting {
       ? () => text('exports.settingsUsed', { file: file.name })
       : () => text('exports.settingsOtherModel', { file: file.name, model: model.file });
     this.messages_.say(words);
-    this.messages_.warn(warnings);
   }
 
   /**

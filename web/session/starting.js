@@ -51,8 +51,8 @@ export class Starting {
 
   /** Opens the page's first model, and does what the address asks for. @param {URLSearchParams} address */
   async open_(address) {
-    const { exporting, model, batchCarving, continuing, carving, messages } = this.options_;
-    const { asksForSettings, warnings, refusal } = exporting.useAddress(address);
+    const { exporting, model, batchCarving, continuing, carving } = this.options_;
+    const { asksForSettings, refusal } = exporting.useAddress(address);
     const centreMm = spotFromAddress(address);
     await model.openSample(address.get('sample') ?? undefined, centreMm ? { centreMm } : {});
     const isOffered = await batchCarving.offer();
@@ -60,7 +60,6 @@ export class Starting {
     await continuing.begin(isOffered ? 'never' : asks ? 'same-address' : 'always');
     if (refusal) throw refusal;
     if (address.get('engrave') === '1') await carving.engrave();
-    messages.warn(warnings);
   }
 
   /**

@@ -20,10 +20,6 @@ export class FakeMessages {
   showError(problem) {
     this.problem = problem;
   }
-  /** @param {any[]} warnings */
-  warn(warnings) {
-    if (warnings.length > 0) this.problem = warnings;
-  }
   clearError() {
     this.problem = undefined;
   }

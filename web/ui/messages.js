@@ -35,16 +35,6 @@ export class Messages {
     this.box_.hidden = finding === ''; // hidden until the words have loaded
   }
 
-  /** Shows warnings in place of an error, if there are any. @param {Message[]} warnings */
-  warn(warnings) {
-    if (warnings.length === 0) return;
-    const together = (/** @type {string[]} */ said) => [...new Set(said)].filter(Boolean).map(asSentence).join(' ');
-    this.showError({
-      found: () => together(warnings.map((warning) => sentenceOf(warning))),
-      help: () => together(warnings.map((warning) => hintOf(warning))),
-    });
-  }
-
   clearError() {
     this.problem_ = undefined;
     this.box_.hidden = true;
