@@ -8,6 +8,8 @@ precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "interreflection.glsl"
+#include "packed_colour.glsl"
+#include "srgb.glsl"
 
 uniform highp sampler2D u_visibility;  // sky visibility, z / u_blurUnit
 uniform int u_blur;                    // 1: mean over a 4×4 block of similar depth, 0: this pixel alone
@@ -15,10 +17,9 @@ uniform float u_blurUnit;              // mm
 uniform float u_blurReach;             // neighbours within this difference of z count, mm
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
-uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0; 3: the
-                                       // ink's colour where heat is above a half
+uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0; 3: heat
+                                       // is the surface's colour
 uniform vec3 u_material;               // linear
-uniform vec3 u_ink;                    // linear
 uniform vec4 u_hatch;                  // direction across a cut's stripes (view space), and the target's position along
                                        // it, mm
 uniform float u_hatchMm;               // distance between stripes
@@ -32,6 +33,7 @@ const vec3 kCut = vec3(0.95, 0.40, 0.06);
 const vec3 kOverhang = vec3(0.78, 0.30, 0.05);
 const float kOverhangStrength = 0.55;
 const float kOnPlateMm = 0.3;  // a surface this near to the plate lies on it
+const vec3 kDarkest = vec3(0.02), kLightest = vec3(0.66);  // albedo of black, so that its shape shows, and of white
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
 const vec3 kGround = vec3(0.24, 0.22, 0.21);
 const vec3 kKey = vec3(0.88, 0.85, 0.79);
@@ -90,8 +92,8 @@ void main() {
   vec3 normal = normalize(surface.xyz);
   vec3 albedo = isFront ? u_material : isCut(surface.xyz) ? cut : kBackSide;
   if (isFront && (u_heatShown == 1 || (u_heatShown == 2 && heat > 1e-3))) albedo = heatColour(heat);
-  if (isFront && u_heatShown == 3 && heat > 0.5) albedo = u_ink;
-  bool showsBody = isFront && (u_heatShown == 0 || u_heatShown == 3);
+  if (isFront && u_heatShown == 3) albedo = mix(kDarkest, kLightest, linearOf(unpackedColour(heat)));
+  bool showsBody = isFront && (u_heatShown == 0 || u_heatShown >= 3);
   if (showsBody) albedo = mix(albedo, kOverhang, kOverhangStrength * overhang(position, normal));
 
   // To the power of 2.5: the picture shows the shape and the code rather than the photometry.

@@ -6,10 +6,14 @@ precision highp float;
 precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
 precision highp sampler2D;
 
+#include "packed_colour.glsl"
+
 in vec3 v_position;
 in vec3 v_normal;
 in float v_heat;
+in vec3 v_colour;
 
+uniform int u_isColoured;  // 1: the heat is the surface's colour (packed_colour.glsl)
 uniform int u_isCut;
 uniform vec4 u_cut;        // view space: a unit normal and the plane's position along it; everything beyond is cut away
 uniform float u_distance;  // eye to target, mm
@@ -19,7 +23,8 @@ layout(location = 0) out vec4 o_surface;  // normal towards the eye; z, mm
 void main() {
   float lengthSquared = dot(v_normal, v_normal);
   vec3 normal = lengthSquared > 1e-12 ? v_normal * inversesqrt(lengthSquared) : vec3(0.0, 0.0, 1.0);
-  o_surface = vec4(gl_FrontFacing ? normal * (1.0 + clamp(v_heat, 0.0, 1.0)) : -0.5 * normal, v_position.z);
+  float heat = u_isColoured == 1 ? packedColour(v_colour) : clamp(v_heat, 0.0, 1.0);
+  o_surface = vec4(gl_FrontFacing ? normal * (1.0 + heat) : -0.5 * normal, v_position.z);
   if (u_isCut == 0) return;
   if (dot(u_cut.xyz, v_position) > u_cut.w) discard;
   vec3 eye = vec3(0.0, 0.0, u_distance);

@@ -153,6 +153,7 @@ function connect(notices) {
     panel: panels.resultPanel,
     printing: new Printing({ client }),
     onRemedy: (remedy, label) => editing.remedy(remedy, label),
+    onAnother: (source) => editing.goOnWith(source),
   });
   const carved = { ...base, model, batching, placing, carving };
   const spots = new SpotFinding({ ...carved, code, panel: spotsPanel });

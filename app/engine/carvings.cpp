@@ -16,6 +16,7 @@
 #include "settings/setting_json.h"
 #include "verification/baked_light.h"
 #include "verification/reading_variants.h"
+#include "viewer/coloured_mesh.h"
 #include "viewer/depth_colours.h"
 #include "viewer/display_mesh.h"
 #include "viewer/inked_surface.h"
@@ -28,6 +29,17 @@ constexpr int kNormalTexels = 768;  // for the smooth normals of a carved surfac
 /// Returns the number of steps of an engraving to do ahead: the surface, and the first passes of the search if there is
 /// one.
 int preparedSteps(const EngraveRequest& request) { return request.marking.isInColour() ? 1 : 5; }
+
+/// Returns the colours of a carved model's triangles; empty if the model has none. Walls have the colour at the code's
+/// centre.
+std::vector<std::optional<Colour>> carvedColours(const EngraveResult& result, const PreparedModel& model) {
+  std::vector<std::optional<Colour>> colours;
+  if (model.colours.empty()) return colours;
+  colours.reserve(result.origins.size());
+  for (const FacetOrigin& origin : result.origins)
+    colours.push_back(model.colours[origin.facet == FacetOrigin::kNoFacet ? result.placement.seed : origin.facet]);
+  return colours;
+}
 
 }  // namespace
 
@@ -173,9 +185,13 @@ const std::shared_ptr<const GpuMesh>& Carvings::display(const Ground& ground) {
   const auto before = ground.pass->render(*ground.model.display, placement.frame, {edge, kNormalTexels});
   if (before)
     takeSmoothNormals(display, result.keptTriangles, placement.frame, before->window, before->framebuffer.readRgba(1));
-  const std::vector<float> values = inked ? splitAtInk(display, inked->isInk) : depthColours(result, display);
+  const PreparedModel& model = ground.model.engravable->prepared;
+  const auto ofFacets = inked ? inkedColours(*inked, result, model.colours) : carvedColours(result, model);
+  const std::vector<Colour> colours = splitAtColours(display, ofFacets);
+  const std::vector<float> values = inked ? std::vector<float>() : depthColours(result, display);
   GpuMesh carved(display.mesh, display.normals);
-  carved.setValues(values);
+  if (!values.empty()) carved.setValues(values);
+  if (!colours.empty()) carved.setColours(colours);
   current_.display = std::make_shared<const GpuMesh>(std::move(carved));
   return current_.display;
 }

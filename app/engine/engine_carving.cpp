@@ -135,7 +135,7 @@ std::vector<NamedFile> Engine::exportFiles(const std::string& name, int carving)
 std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
   const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };
-  if (plate_.isEmpty()) plate_.start(*model_, size(copies));
+  if (plate_.isEmpty()) plate_.start(size(copies));
   plate_.add(*model_, *carvings_.result(), carvings_.request(), size(place), id);
   return done();
 }

@@ -88,9 +88,11 @@ void Engine::updateView() {
     return request && request->marking.isInColour() ? std::optional(request->marking.ink) : std::nullopt;
   };
   const EngraveResult* const result = carvings_.result();
-  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), preview_.code(),
+  const auto sizes = scene_.surface() == Scene::Surface::Sizes ? offers_.sizesDisplay() : nullptr;
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), sizes, preview_.code(),
                  preview_.hovered(), print_ ? &*print_ : nullptr, wanted_.centreMm(), inkOf(&wanted_.settings()),
-                 inkOf(result ? &result->request : nullptr), buildPlate()});
+                 inkOf(result ? &result->request : nullptr), model_ && !model_->engravable->prepared.colours.empty(),
+                 buildPlate()});
 }
 
 void Engine::setUpAxis(const std::string& axis) {

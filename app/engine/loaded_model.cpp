@@ -10,7 +10,7 @@
 #include "projection/first_spots.h"
 #include "projection/silhouette.h"
 #include "projection/size.h"
-#include "viewer/display_mesh.h"
+#include "viewer/coloured_mesh.h"
 
 namespace qrelief {
 namespace {
@@ -36,8 +36,8 @@ Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass,
 
   const auto start = Clock::now();
   if (pass) {
-    const DisplayMesh display = splitAtCreases(file->prepared.mesh);
-    model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
+    model.display =
+        std::make_shared<const GpuMesh>(colouredMesh(splitAtCreases(file->prepared.mesh), file->prepared.colours));
   }
   model.engravable = EngravableModel::create(std::move(file->prepared), pass);
   model.prepareMs = file->prepareMs + millisecondsSince(start);

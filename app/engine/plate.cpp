@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/plate.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "batch/plate_layout.h"
@@ -10,21 +11,24 @@
 
 namespace qrelief {
 
-void Plate::start(const LoadedModel& model, std::size_t copies) {
-  objects_.clear();
-  offsets_ = plateOffsets(model.engravable->box, copies);
+bool Plate::isEmpty() const {
+  return std::all_of(copies_.begin(), copies_.end(), [](const auto& copy) { return copy.empty(); });
+}
+
+void Plate::start(std::size_t copies) {
+  copies_.clear();
+  copies_.resize(copies);
 }
 
 void Plate::add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
                 const std::string& id) {
-  if (place >= offsets_.size()) return;
-  for (ModelObject& object : copyOnPlate(carvedObjects(result, model.partNames, request.marking.hasInlay(), true), id,
-                                         request.code.text, offsets_[place]))
-    objects_.push_back(std::move(object));
+  if (place >= copies_.size()) return;
+  copies_[place] =
+      namedCopy(carvedObjects(result, model.partNames, request.marking.hasInlay(), true), id, request.code.text);
 }
 
 std::vector<std::uint8_t> Plate::taken(const std::string& title) {
-  const std::vector<ModelObject> objects = std::exchange(objects_, {});
+  const std::vector<ModelObject> objects = onPlate(std::exchange(copies_, {}));
   if (objects.empty()) return {};
   const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.title = title});
   return bytes ? *bytes : std::vector<std::uint8_t>();

@@ -16,9 +16,9 @@ struct EngraveResult;
 /// Carved copies of a model side by side, as `qrelief batch --per-plate` writes them.
 class Plate {
  public:
-  bool isEmpty() const { return objects_.empty(); }
+  bool isEmpty() const;
   /// Empties the plate. @param copies  number of copies that fit
-  void start(const LoadedModel& model, std::size_t copies);
+  void start(std::size_t copies);
   /// Puts a carved copy on the plate. @param place  below copies @param id  names the copy; its text goes with it
   void add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
            const std::string& id);
@@ -27,8 +27,7 @@ class Plate {
   std::vector<std::uint8_t> taken(const std::string& title);
 
  private:
-  std::vector<Vec3> offsets_;
-  std::vector<ModelObject> objects_;
+  std::vector<std::vector<ModelObject>> copies_;  // empty: not carved yet
 };
 
 }  // namespace qrelief

@@ -67,11 +67,12 @@ void Scene::update(const SceneContents& contents) {
   const bool printed = carved && contents.print;
   const bool sizes = surface_ == Surface::Sizes && contents.sizes;
   viewer_->setMesh(printed ? contents.model : carved ? contents.carved : sizes ? contents.sizes : contents.model);
-  viewer_->showHeat(printed                        ? HeatShown::None
+  const HeatShown own = contents.isColoured ? HeatShown::Colours : HeatShown::None;
+  viewer_->showHeat(printed                        ? own
                     : sizes                        ? HeatShown::All
-                    : carved && contents.carvedInk ? HeatShown::Ink
+                    : carved && contents.carvedInk ? HeatShown::Colours
                     : carved && depthsShown_       ? HeatShown::AboveZero
-                                                   : HeatShown::None);
+                                                   : own);
   const std::optional<Ink>& ink = carved ? contents.carvedInk : contents.ink;
   colours_ = ink ? coloursOf(*ink) : SurfaceColours{};
   viewer_->setColours(colours_);

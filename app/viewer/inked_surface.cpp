@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -61,6 +62,13 @@ InkedSurface withInlay(const EngraveResult& result) {
   return surface;
 }
 
+/// Returns the grey of a reflectance, 0 … 1 [IEC 61966-2-1].
+Colour greyOf(double reflectance) {
+  const double grey = reflectance <= 0.0031308 ? 12.92 * reflectance : 1.055 * std::pow(reflectance, 1 / 2.4) - 0.055;
+  const auto level = static_cast<std::uint8_t>(std::lround(255 * grey));
+  return {level, level, level};
+}
+
 }  // namespace
 
 SurfaceColours coloursOf(const Ink& ink) {
@@ -74,31 +82,18 @@ InkedSurface inkedSurface(const EngraveResult& result) {
   return surface;
 }
 
-std::vector<float> splitAtInk(DisplayMesh& display, const std::vector<bool>& isInk) {
-  Mesh& mesh = display.mesh;
-  std::vector<bool> isOfBody(mesh.positions.size(), false);
-  for (std::size_t t = 0; t < isInk.size(); ++t)
-    if (!isInk[t])
-      for (const std::uint32_t v : mesh.triangles[t]) isOfBody[v] = true;
-  std::vector<float> values(mesh.positions.size(), 0);
-  std::map<std::uint32_t, std::uint32_t> copies;
-  for (std::size_t t = 0; t < isInk.size(); ++t) {
-    if (!isInk[t]) continue;
-    for (std::uint32_t& v : mesh.triangles[t]) {
-      if (isOfBody[v]) {
-        const auto [copy, isNew] = copies.emplace(v, static_cast<std::uint32_t>(mesh.positions.size()));
-        if (isNew) {
-          mesh.positions.push_back(mesh.positions[v]);
-          display.normals.push_back(display.normals[v]);
-          isOfBody.push_back(false);
-          values.push_back(1);
-        }
-        v = copy->second;
-      }
-      values[v] = 1;
-    }
-  }
-  return values;
+std::vector<std::optional<Colour>> inkedColours(const InkedSurface& surface, const EngraveResult& result,
+                                                std::span<const std::optional<Colour>> ofModel) {
+  const Ink& ink = result.request.marking.ink;
+  const auto body = [&](std::size_t t) -> std::optional<Colour> {
+    if (ofModel.empty()) return greyOf(ink.light);
+    return ofModel[t < result.keptTriangles ? result.origins[t].facet : result.placement.seed];
+  };
+  std::vector<std::optional<Colour>> colours;
+  colours.reserve(surface.isInk.size());
+  for (std::size_t t = 0; t < surface.isInk.size(); ++t)
+    colours.push_back(surface.isInk[t] ? greyOf(ink.dark) : body(t));
+  return colours;
 }
 
 }  // namespace qrelief

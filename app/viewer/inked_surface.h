@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "base/colour.h"
+#include "mesh/mesh.h"
 #include "verification/ink.h"
-#include "viewer/display_mesh.h"
 #include "viewer/viewer.h"
 
 namespace qrelief {
@@ -26,9 +29,9 @@ struct InkedSurface {
 /// Cost: O(n log n) for n new triangles.
 InkedSurface inkedSurface(const EngraveResult& result);
 
-/// Returns a value for every vertex, 1 for ink and 0 for the body. Vertices that triangles of both share exist twice
-/// afterwards.
-/// @param isInk  per triangle of the display mesh
-std::vector<float> splitAtInk(DisplayMesh& display, const std::vector<bool>& isInk);
+/// Returns the colours of the triangles: the ink's, the model's, or without these the body's of the ink.
+/// @param ofModel  of the triangles of the model before carving; empty: it has none
+std::vector<std::optional<Colour>> inkedColours(const InkedSurface& surface, const EngraveResult& result,
+                                                std::span<const std::optional<Colour>> ofModel);
 
 }  // namespace qrelief

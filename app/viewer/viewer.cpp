@@ -214,6 +214,7 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   surface_.set("u_back", Vec3f(camera.back));
   surface_.set("u_target", Vec3f(camera.target - mesh_->origin()));
   surface_.set("u_depthRange", glm::vec2(camera.depthRange));
+  surface_.set("u_isColoured", heatShown_ == HeatShown::Colours ? 1 : 0);
   surface_.set("u_isCut", cut_ ? 1 : 0);
   if (cut_) {
     const double along = glm::dot(cut_->point - camera.target, cut_->normal);
@@ -255,7 +256,6 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
   lighting_.set("u_heatShown", static_cast<int>(heatShown_));
   lighting_.set("u_material", colours_.body);
-  lighting_.set("u_ink", colours_.ink);
   lighting_.set("u_hatch", glm::vec4(camera.inView(across), static_cast<float>(glm::dot(camera.target, across))));
   lighting_.set("u_hatchMm", static_cast<float>(kHatchShare / kRadiusShare * radiusMm()));
   const BuildPlate plate = plate_.value_or(BuildPlate{});

@@ -42,8 +42,8 @@ struct CuttingPlane {
   Vec3 normal{0, 0, 1};  ///< unit
 };
 
-/// The values of a mesh that are shown as colours. Ink: values above a half have the ink's colour.
-enum class HeatShown { None, All, AboveZero, Ink };
+/// The values of a mesh that are shown as colours. Colours: the mesh's own colours take the place of values.
+enum class HeatShown { None, All, AboveZero, Colours };
 
 /// Limits on the cost of a frame. The defaults suit a software renderer; `suitedTo` chooses better ones for a faster
 /// renderer.
@@ -78,7 +78,7 @@ class Viewer {
   void resize(int width, int height);
   /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
-  /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
+  /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues), or in its own (GpuMesh::setColours).
   void showHeat(HeatShown heat);
   void setColours(const SurfaceColours& colours);
   void setDecal(std::optional<Decal> decal);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "math/affine.h"
+
 namespace qrelief {
 namespace {
 
@@ -22,6 +24,30 @@ std::vector<Vec3> plateOffsets(const Box3& box, std::size_t copies, double gapMm
                          roundedUp(static_cast<double>(row) * (size.y + gapMm) - box.min.y), roundedUp(-box.min.z));
   }
   return offsets;
+}
+
+std::vector<ModelObject> namedCopy(std::vector<ModelObject> objects, const std::string& id, const std::string& text) {
+  for (ModelObject& object : objects) {
+    object.name = object.name.empty() ? id : id + " " + object.name;
+    object.description = text;
+  }
+  return objects;
+}
+
+std::vector<ModelObject> onPlate(std::vector<std::vector<ModelObject>> copies) {
+  Box3 box;  // holds each copy
+  for (const std::vector<ModelObject>& copy : copies)
+    for (const ModelObject& object : copy)
+      for (const ModelBody& body : object.bodies)
+        for (const Vec3f& p : body.mesh.positions) box.add(turnedUp(object.up)(Vec3(p)));
+  const std::vector<Vec3> offsets = plateOffsets(box, copies.size());
+  std::vector<ModelObject> objects;
+  for (std::size_t i = 0; i < copies.size(); ++i)
+    for (ModelObject& object : copies[i]) {
+      object.offsetMm = offsets[i];
+      objects.push_back(std::move(object));
+    }
+  return objects;
 }
 
 std::string plateName(std::size_t plate, std::size_t plates) {

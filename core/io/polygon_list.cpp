@@ -44,6 +44,16 @@ bool triangulateFace(const PolygonList& list, std::span<const std::uint32_t> fac
   return cut.simple;
 }
 
+Colour meanColour(std::span<const Colour> colours, const Triangle& triangle) {
+  Colour mean{};
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    int sum = 0;
+    for (const std::uint32_t v : triangle) sum += colours[v][k];
+    mean[k] = static_cast<std::uint8_t>((sum + 1) / 3);
+  }
+  return mean;
+}
+
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
@@ -94,6 +104,8 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
   if (notSimple.count > 0)
     soup.warnings.push_back(message<"polygons-not-simple">(
         with::count<"count">(notSimple.count), with::count<"face">(notSimple.first), with::place<"at">(notSimple.at)));
+  if (list.colours.size() == list.positions.size())
+    for (const Triangle& triangle : soup.triangles) soup.colours.emplace_back(meanColour(list.colours, triangle));
   soup.positions = std::move(list.positions);
   soup.format = std::move(format);
   return soup;

@@ -15,6 +15,7 @@ namespace qrelief {
 /// The positions and polygons that a parser collects; polygons have any size and keep the file's order.
 struct PolygonList {
   std::vector<Vec3> positions;
+  std::vector<Colour> colours;         ///< of the positions; used only if every position has one
   std::vector<std::uint32_t> corners;  ///< vertex indices of all polygons, one after the other
   std::vector<std::uint32_t> sizes;    ///< number of corners of each polygon
   std::size_t maxTriangles = 0;        ///< limit that add() enforces

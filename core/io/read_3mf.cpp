@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/polygon_list.h"
+#include "io/three_mf_colours.h"
 #include "io/three_mf_model.h"
 #include "io/three_mf_source.h"
 #include "io/three_mf_volumes.h"
@@ -125,6 +126,8 @@ class Package {
     return readThreeMfVolumes(archive_, limits_.maxExpandedBytes - expanded_, warnings);
   }
 
+  FilamentColours filamentColours() const { return {archive_, limits_.maxExpandedBytes - expanded_}; }
+
  private:
   Result<ZipStream> open(const ZipEntry& entry) {
     Result<ZipStream> stream = ZipStream::open(entry, limits_.maxExpandedBytes - expanded_);
@@ -207,6 +210,7 @@ class Builder {
     soup_.format = "3MF";
     soup_.unitMm = model.unitMm;
     volumes_ = package_.volumes(soup_.warnings);
+    filamentColours_ = package_.filamentColours();
     Extent total{0, 0, 0, 0};
     for (const ThreeMfInstance& item : model.items) {
       if (!find(item)) return objectMissing(item, start);
@@ -422,7 +426,18 @@ class Builder {
         soup_.triangles.push_back({add(a), add(c), add(b)});
       else
         soup_.triangles.push_back({add(a), add(b), add(c)});
+      soup_.colours.push_back(colourOf(object, t, traits));
     }
+  }
+
+  /// Returns the colour of a triangle: that of its paint or its volume's filament, or else its own.
+  std::optional<Colour> colourOf(const ThreeMfObject& object, std::size_t triangle, const VolumeTraits& traits) const {
+    const std::uint32_t paint = triangle < object.paint.size() ? object.paint[triangle] : 0;
+    const std::uint32_t filament = paint != 0 ? paint : traits.filament;
+    if (filament != 0)
+      if (const auto known = filamentColours_.of(filament)) return known;
+    if (triangle < object.colours.size() && object.colours[triangle]) return object.colours[triangle];
+    return filament != 0 ? std::optional(FilamentColours::standIn(filament)) : std::nullopt;
   }
 
   Result<PolygonSoup> finish(const ThreeMfModel& model) {
@@ -455,6 +470,7 @@ class Builder {
   std::string itemType_;                                 // of the item that is placed
   std::string oddType_;                                  // of the first closed mesh that is not called a model
   ThreeMfVolumes volumes_;
+  FilamentColours filamentColours_;
   std::vector<ThreeMfRun> runs_;
   bool isPainted_ = false;
   PolygonSoup soup_;

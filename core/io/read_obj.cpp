@@ -50,6 +50,7 @@ class VettedStatements : public std::streambuf {
 
   std::size_t vertices() const { return vertices_; }  ///< number of vertices in the whole file
   const std::vector<Group>& groups() const { return groups_; }
+  const std::vector<Colour>& colours() const { return colours_; }  ///< of the vertices that have one
   const Status& status() const { return status_; }
   void stop(Error error) { status_ = tl::unexpected(std::move(error)); }
 
@@ -116,8 +117,20 @@ class VettedStatements : public std::streambuf {
       if (!value) return failAtVertex(notANumber(word));
       if (!std::isfinite(*value)) return failAtVertex(notFinite(word));
     }
+    takeColour(words);
     ++verticesSoFar_;
     return {};
+  }
+
+  /// Takes three numbers behind a vertex's coordinates as its colour, 0 … 1. A fourth coordinate alone is none.
+  void takeColour(TextScanner& words) {
+    Colour colour{};
+    for (std::uint8_t& channel : colour) {
+      const std::optional<double> value = parseNumber(words.wordOnLine());
+      if (!value) return;
+      channel = static_cast<std::uint8_t>(std::lround(255 * std::clamp(*value, 0.0, 1.0)));
+    }
+    colours_.push_back(colour);
   }
 
   /// Checks a face such as "7", "7/1", "7//3", "7/1/3". Only the first number of a word is used; it must name a vertex
@@ -144,6 +157,7 @@ class VettedStatements : public std::streambuf {
   std::size_t vertices_;
   std::size_t verticesSoFar_ = 0, facesSoFar_ = 0;
   std::vector<Group> groups_;
+  std::vector<Colour> colours_;
   std::size_t line_ = 1;
   std::string statement_;
   Status status_;
@@ -233,6 +247,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   if (!statements.status()) return tl::unexpected(statements.status().error());
   if (!parsed || collector.list.positions.size() != statements.vertices()) return badInput(message<"obj-not-parsed">());
   const std::size_t triangles = collector.list.triangles;
+  collector.list.colours = statements.colours();
   Result<PolygonSoup> soup = triangulated(std::move(collector.list), "OBJ");
   if (soup && soup->triangles.size() == triangles) setBodies(statements.groups(), collector.firstTriangles, *soup);
   return soup;

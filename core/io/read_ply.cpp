@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_ply.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -193,6 +195,22 @@ class PlyReader {
     return {};
   }
 
+  /// Returns the channel of a colour that each property is; -1 for any other property.
+  static std::vector<int> channelsOf(const PlyElement& element) {
+    constexpr std::array<const char*, 3> kNames = {"red", "green", "blue"};
+    std::vector<int> channelOf(element.properties.size(), -1);
+    for (std::size_t channel = 0; channel < kNames.size(); ++channel)
+      if (const auto at = element.find(kNames[channel]); at && !element.properties[*at].countType)
+        channelOf[*at] = static_cast<int>(channel);
+    return channelOf;
+  }
+
+  /// Converts a channel: floating-point numbers are 0 … 1, integers 0 … 255.
+  static std::uint8_t channelFrom(double value, PlyType type) {
+    const double scaled = isFloating(type) ? 255 * value : value;
+    return scaled > 0 ? static_cast<std::uint8_t>(std::lround(std::min(scaled, 255.0))) : std::uint8_t{0};
+  }
+
   Status readVertices(const PlyElement& element) {
     std::vector<int> axisOf(element.properties.size(), -1);
     for (int axis = 0; axis < 3; ++axis) {
@@ -202,19 +220,26 @@ class PlyReader {
         return badInput(message<"ply-no-coordinate">(with::term<"axis">(name)));
       axisOf[*at] = axis;
     }
+    const std::vector<int> channelOf = channelsOf(element);
+    const bool isColoured = std::count(channelOf.begin(), channelOf.end(), -1) + 3 == std::ssize(channelOf);
     if (Status s = list_.reserve(element.count, 0); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       Vec3 p(0);
+      Colour colour{};
       for (std::size_t k = 0; k < axisOf.size(); ++k) {
-        if (axisOf[k] < 0) {
+        if (axisOf[k] < 0 && (!isColoured || channelOf[k] < 0)) {
           if (const Status s = skipProperty(element.properties[k]); !s) return failAt(element, i, s.error());
           continue;
         }
         const Result<double> value = values_.next(element.properties[k].type);
         if (!value) return failAt(element, i, value.error());
-        p[axisOf[k]] = *value;
+        if (axisOf[k] >= 0)
+          p[axisOf[k]] = *value;
+        else
+          colour[static_cast<std::size_t>(channelOf[k])] = channelFrom(*value, element.properties[k].type);
       }
       list_.positions.push_back(p);
+      if (isColoured) list_.colours.push_back(colour);
     }
     return {};
   }

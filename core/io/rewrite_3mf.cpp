@@ -40,12 +40,42 @@ Status unpack(const ZipEntry& entry, const Use& use) {
   }
 }
 
+/// How an item of the build is turned and moved, mm.
+struct ItemPose {
+  std::size_t item = 0;
+  Affine pose;
+
+  Affine of(const ThreeMfRun& run) const { return run.item == item ? pose : Affine(); }
+};
+
+/// Turns the item with the changed meshes. @param before  the file as read
+ItemPose turnedItem(const ThreeMfSource& source, std::span<const ChangedRun> changes, const PolygonSoup& before,
+                    Vec3 up) {
+  ItemPose turned;
+  if (changes.empty()) return turned;
+  turned = {source.runs[changes.front().run].item, turnedUp(up)};
+  if (turned.pose == Affine()) return turned;
+  Box3 standing, lying;
+  for (const ThreeMfRun& run : source.runs) {
+    if (run.item != turned.item) continue;
+    for (std::size_t t = run.firstTriangle; t < run.firstTriangle + run.count; ++t)
+      for (const std::uint32_t v : before.triangles[t]) {
+        const Vec3 p = before.positions[v] * source.unitMm;
+        standing.add(p);
+        lying.add(turned.pose(p));
+      }
+  }
+  turned.pose.origin = {standing.centre().x - lying.centre().x, standing.centre().y - lying.centre().y,
+                        standing.min.z - lying.min.z};
+  return turned;
+}
+
 /// Writes one file again.
 class Rewriter {
  public:
   Rewriter(const ThreeMfSource& source, std::span<const ChangedRun> changes, const std::array<Material, 2>& materials,
-           ZipArchive archive)
-      : source_(source), changes_(changes), materials_(materials), archive_(std::move(archive)) {}
+           ItemPose pose, ZipArchive archive)
+      : source_(source), changes_(changes), materials_(materials), pose_(pose), archive_(std::move(archive)) {}
 
   Result<std::vector<std::uint8_t>> write(Slicer slicer) {
     if (isShared()) return anew(message<"rewrite-shared">());
@@ -53,6 +83,7 @@ class Rewriter {
     if (const Status prepared = prepareSecondFilament(slicer); !prepared) return tl::unexpected(prepared.error());
     for (const auto& [mesh, changes] : byMesh())
       if (const Status done = changeMesh(mesh, changes); !done) return tl::unexpected(done.error());
+    if (pose_.pose != Affine() && !turnItem()) return anew(message<"rewrite-encoding">());
     return zipped();
   }
 
@@ -378,18 +409,41 @@ class Rewriter {
     return {};
   }
 
+  /// Returns the tag of a build item.
+  std::optional<XmlTag> tagOfItem(std::size_t item) const {
+    for (XmlTags tags(*textOf(source_.start)); const auto tag = tags.next();)
+      if (tag->starts("item") && item-- == 0) return tag;
+    return {};
+  }
+
   /// Makes a run's build item an item of another object of the same part. @returns false if the item is not found
   bool pointItemTo(const ThreeMfRun& run, std::size_t object) {
-    std::size_t item = 0;
-    for (XmlTags tags(*textOf(source_.start)); const auto tag = tags.next();) {
-      if (!tag->starts("item") || item++ != run.item) continue;
-      for (const XmlTag::Attribute& a : tag->attributes())
-        if (a.name == "objectid" && numberFrom(a.value) == run.itemObject) {
-          edit(source_.start, {a.valueBegin, a.valueBegin + a.value.size(), std::to_string(object)});
-          return true;
-        }
-    }
+    const auto tag = tagOfItem(run.item);
+    if (!tag) return false;
+    for (const XmlTag::Attribute& a : tag->attributes())
+      if (a.name == "objectid" && numberFrom(a.value) == run.itemObject) {
+        edit(source_.start, {a.valueBegin, a.valueBegin + a.value.size(), std::to_string(object)});
+        return true;
+      }
     return false;
+  }
+
+  /// Turns the item of `pose_`. @returns false if the item is not found
+  bool turnItem() {
+    const auto tag = tagOfItem(pose_.item);
+    if (!tag) return false;
+    Affine pose = pose_.pose;
+    pose.origin /= source_.unitMm;
+    for (const XmlTag::Attribute& a : tag->attributes()) {
+      if (a.name != "transform") continue;
+      const auto before = transformFrom(a.value);
+      if (!before) return false;
+      edit(source_.start, {a.valueBegin, a.valueBegin + a.value.size(), transformText(pose.after(*before))});
+      return true;
+    }
+    const std::size_t end = tag->end - (tag->isEmpty ? 2 : 1);
+    edit(source_.start, {end, end, fmt::format(" transform=\"{}\"", transformText(pose))});
+    return true;
   }
 
   /// Declares the content type of settings, as OPC requires of every part.
@@ -435,6 +489,7 @@ class Rewriter {
   const ThreeMfSource& source_;
   std::span<const ChangedRun> changes_;
   const std::array<Material, 2>& materials_;
+  ItemPose pose_;
   ZipArchive archive_;
   std::map<const ZipEntry*, std::string> texts_;
   std::map<const ZipEntry*, std::vector<TextEdit>> edits_;
@@ -447,9 +502,10 @@ class Rewriter {
 };
 
 /// Returns true if `read` is `expected` after a transform and its inverse, up to the last digit of a 32-bit float.
-bool isEqual(Vec3 read, Vec3 expected, Vec3 offset) {
+/// @param sizes  of what is added up to `expected`
+bool isEqual(Vec3 read, Vec3 expected, Vec3 sizes) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double largest = std::max({std::abs(expected[axis]), std::abs(offset[axis]), 1e-30});
+    const double largest = std::max({std::abs(expected[axis]), std::abs(sizes[axis]), 1e-30});
     if (!(std::abs(read[axis] - expected[axis]) <= std::numeric_limits<float>::epsilon() * largest)) return false;
   }
   return true;
@@ -457,14 +513,19 @@ bool isEqual(Vec3 read, Vec3 expected, Vec3 offset) {
 
 /// Compares what the new file holds with what it must hold.
 bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSource& source,
-             std::span<const ChangedRun> changes) {
+             std::span<const ChangedRun> changes, const ItemPose& turned) {
   std::size_t at = 0;
-  const auto isNext = [&](const Mesh& mesh, Vec3 offset) {
+  const auto isPosed = [&](Vec3 point, Vec3 expected, const ThreeMfRun& run) {
+    const Affine pose = turned.of(run);
+    const double size = pose == Affine() ? 0 : glm::length(expected) + glm::length(pose.origin);
+    return isEqual(point, pose(expected), glm::abs(run.toFile.origin) * source.unitMm + size);
+  };
+  const auto isNext = [&](const Mesh& mesh, const ThreeMfRun& run) {
     if (read.triangles.size() - at < mesh.triangles.size()) return false;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++at)
       for (std::size_t k = 0; k < 3; ++k)
-        if (!isEqual(read.positions[read.triangles[at][k]] * source.unitMm, Vec3(mesh.corner(t, static_cast<int>(k))),
-                     offset * source.unitMm))
+        if (!isPosed(read.positions[read.triangles[at][k]] * source.unitMm, Vec3(mesh.corner(t, static_cast<int>(k))),
+                     run))
           return false;
     return true;
   };
@@ -472,12 +533,15 @@ bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSo
     const ThreeMfRun& run = source.runs[r];
     const auto change = std::find_if(changes.begin(), changes.end(), [&](const ChangedRun& c) { return c.run == r; });
     if (change != changes.end()) {
-      if (!isNext(change->mesh, run.toFile.origin)) return false;
+      if (!isNext(change->mesh, run)) return false;
     } else {
       if (read.triangles.size() - at < run.count) return false;
       for (std::size_t t = run.firstTriangle; t < run.firstTriangle + run.count; ++t, ++at)
-        for (std::size_t k = 0; k < 3; ++k)
-          if (read.positions[read.triangles[at][k]] != before.positions[before.triangles[t][k]]) return false;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Vec3 now = read.positions[read.triangles[at][k]], then = before.positions[before.triangles[t][k]];
+          if (turned.of(run) == Affine() ? now != then : !isPosed(now * source.unitMm, then * source.unitMm, run))
+            return false;
+        }
     }
     // An inlay follows the mesh that it belongs to.
     const bool endsMesh = r + 1 == source.runs.size() || source.runs[r + 1].object != run.object ||
@@ -485,7 +549,7 @@ bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSo
     if (!endsMesh) continue;
     for (const ChangedRun& c : changes)
       if (c.inlay && source.runs[c.run].object == run.object && source.runs[c.run].part == run.part)
-        if (!isNext(c.inlay->mesh, run.toFile.origin)) return false;
+        if (!isNext(c.inlay->mesh, run)) return false;
   }
   return at == read.triangles.size();
 }
@@ -493,13 +557,16 @@ bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSo
 }  // namespace
 
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
-                                             Slicer slicer, const std::array<Material, 2>& materials) {
+                                             Slicer slicer, const std::array<Material, 2>& materials, Vec3 up) {
   Result<ZipArchive> archive = ZipArchive::open(source.bytes);
   if (!archive) return tl::unexpected(archive.error());
-  auto bytes = Rewriter(source, changes, materials, std::move(*archive)).write(slicer);
+  const auto before = read3mf(source.bytes, {});
+  if (!before) return anew(message<"rewrite-read-differently">());
+  const ItemPose turned = turnedItem(source, changes, *before, up);
+  auto bytes = Rewriter(source, changes, materials, turned, std::move(*archive)).write(slicer);
   if (!bytes) return bytes;
-  const auto before = read3mf(source.bytes, {}), read = read3mf(*bytes, {});
-  if (!before || !read || !isRight(*read, *before, source, changes)) return anew(message<"rewrite-read-differently">());
+  const auto read = read3mf(*bytes, {});
+  if (!read || !isRight(*read, *before, source, changes, turned)) return anew(message<"rewrite-read-differently">());
   return bytes;
 }
 

@@ -43,16 +43,21 @@ struct Material {
 /// two named materials. Changed objects lose their slices, and items
 /// become of type "model".
 ///
+/// If `up` is not +z, the item with the changed meshes is turned: its middle stays above the same place, at the same
+/// height.
+///
 /// Corners are written with as many digits as the transform needs: reading gives the same 32-bit floats in mm.
 /// Cost: linear in the file's unpacked size.
 /// @param changes  ascending by run, with at most one inlay
 /// @param slicer   the program that will open the file
 /// @param materials  of both filaments
+/// @param up         the printer's vertical in the model's space, any length > 0
 /// @returns NoSolution with the reason why the file must be written anew: several items share a mesh; the text is not
 ///          UTF-8; volumes of PrusaSlicer do not divide the mesh; other triangles when the file is read back; or, with
 ///          a second filament, the model settings of PrusaSlicer, or of Bambu Studio and OrcaSlicer, do not list the
 ///          object, or the file is meant for another program, or it has colour groups but no such settings
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
-                                             Slicer slicer, const std::array<Material, 2>& materials);
+                                             Slicer slicer, const std::array<Material, 2>& materials,
+                                             Vec3 up = {0, 0, 1});
 
 }  // namespace qrelief

@@ -9,6 +9,7 @@
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
+#include "io/three_mf_colours.h"
 #include "math/box.h"
 #include "message_codes/files.h"
 
@@ -35,6 +36,7 @@ constexpr std::array<Unit, 6> kUnits = {
 constexpr std::array<std::string_view, 4> kCuraMeshes = {"support_mesh", "anti_overhang_mesh", "infill_mesh",
                                                          "cutting_mesh"};
 constexpr std::string_view kCuraPrefix = "cura:";
+constexpr std::string_view kPrusaPaintName = kPrusaPaint.substr(kPrusaPaint.find(':') + 1);
 constexpr std::size_t kLongestSwitch = 16;  // "True", with blanks
 
 /// Returns the value of a boolean of XML, or of Python; none for anything else.
@@ -63,6 +65,11 @@ bool isPainted(const XmlElement& element) {
     // Without a prefix this is the whole name, because npos + 1 is 0.
     return element.hasAttributeNamed(name.substr(name.find(':') + 1));
   });
+}
+
+tl::unexpected<Error> badTransform(std::string_view text, Message what) {
+  return badInput(message<"3mf-transform">(with::quoted<"transform">(excerpt(text, kLongestTransform)),
+                                           with::cause<"cause">(std::move(what))));
 }
 
 class ModelHandler : public XmlHandler {
@@ -99,7 +106,10 @@ class ModelHandler : public XmlHandler {
       case Place::Item:
         return takeInstance(element, model_.items);
       case Place::Other:
-        if (isInObject()) takeOther(element, parent);
+        if (isInObject())
+          takeOther(element, parent);
+        else
+          takeColours(element);
         [[fallthrough]];
       default:
         return parent == Place::Outside ? badInput(message<"3mf-not-a-model">()) : Status();
@@ -224,6 +234,8 @@ class ModelHandler : public XmlHandler {
     object_->hasSlices = element.attribute(kSlice, "slicestackid").has_value();
     object_->isInSlices = resolution == "lowres";
     mayBeInSlices_ = object_->hasSlices && !resolution;
+    objectGroup_ = numberOf(element, "pid");
+    objectColour_ = colourOf(objectGroup_, numberOf(element, "pindex"));
     foreignContent_.clear();
     hasContent_ = verticesEnded_ = false;
     return {};
@@ -248,6 +260,52 @@ class ModelHandler : public XmlHandler {
   void takeSwitch() {
     if (!curaMesh_.empty() && switchFrom(switch_) == true) object_->curaMesh = curaMesh_;
     curaMesh_.clear();
+  }
+
+  /// Takes the colours of a group of the resources.
+  void takeColours(const XmlElement& element) {
+    const bool isBase = element.space == kCore && element.name == "base";
+    if ((element.space == kCore && element.name == "basematerials") ||
+        (element.space == kMaterial && element.name == "colorgroup"))
+      groupId_ = numberOf(element, "id").value_or(0);
+    else if (isBase || (element.space == kMaterial && element.name == "color"))
+      groups_[groupId_].push_back(colourFrom(element.attribute(isBase ? "displaycolor" : "color").value_or("")));
+  }
+
+  static std::optional<std::uint32_t> numberOf(const XmlElement& element, std::string_view name) {
+    const auto text = element.attribute(name);
+    const auto number = text ? parseInteger(withoutBlanks(*text)) : std::nullopt;
+    if (!number || *number < 0 || *number > 0x7fffffff) return {};
+    return static_cast<std::uint32_t>(*number);
+  }
+
+  std::optional<Colour> colourOf(std::optional<std::uint32_t> group, std::optional<std::uint32_t> index) const {
+    const auto colours = group ? groups_.find(*group) : groups_.end();
+    if (colours == groups_.end() || !index || *index >= colours->second.size()) return {};
+    return colours->second[*index];
+  }
+
+  /// Returns the colour of a triangle: by its own properties, or else the object's.
+  std::optional<Colour> colourOf(const XmlElement& element) const {
+    if (groups_.empty()) return {};
+    const auto index = numberOf(element, "p1");
+    if (!index) return objectColour_;
+    const auto group = numberOf(element, "pid");
+    return colourOf(group ? group : objectGroup_, index);
+  }
+
+  static std::uint8_t paintOf(const XmlElement& element) {
+    const auto text = element.attribute(kBambuPaint);
+    const auto code = text ? text : element.attribute(kPrusaSpace, kPrusaPaintName);
+    return code ? static_cast<std::uint8_t>(filamentOfCode(*code).value_or(0)) : std::uint8_t{0};
+  }
+
+  /// Adds a value for the latest triangle. All values are `none` until there is another one.
+  template <class Value>
+  void add(std::vector<Value>& values, const Value& value, const Value& none) {
+    if (values.empty() && value == none) return;
+    values.resize(object_->triangles.size() - 1, none);
+    values.push_back(value);
   }
 
   Status startContent() {
@@ -288,32 +346,12 @@ class ModelHandler : public XmlHandler {
     }
     object_->triangles.push_back(triangle);
     if (!object_->isPainted) object_->isPainted = isPainted(element);
+    add(object_->colours, colourOf(element), std::optional<Colour>());
+    add(object_->paint, paintOf(element), std::uint8_t{0});
     return {};
   }
 
   bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
-
-  static tl::unexpected<Error> badTransform(std::string_view text, Message what) {
-    return badInput(message<"3mf-transform">(with::quoted<"transform">(excerpt(text, kLongestTransform)),
-                                             with::cause<"cause">(std::move(what))));
-  }
-
-  static Result<Affine> transformFrom(std::string_view text) {
-    std::array<double, 12> m{};
-    TextScanner words(text);
-    for (double& value : m) {
-      const std::string_view word = words.word();
-      const auto number = parseNumber(word);
-      if (!number) return badTransform(text, notANumber(word));
-      if (!std::isfinite(*number)) return badTransform(text, notFinite(word));
-      value = *number;
-    }
-    if (!words.word().empty()) return badTransform(text, message<"3mf-transform-too-long">());
-    const Affine transform{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
-    if (!(std::abs(transform.determinant()) > 0) || !std::isfinite(transform.determinant()))
-      return badTransform(text, message<"3mf-transform-flat">());
-    return transform;
-  }
 
   Status takeInstance(const XmlElement& element, std::vector<ThreeMfInstance>& instances) {
     if (const Status counted = countEntry(); !counted) return counted;
@@ -350,7 +388,10 @@ class ModelHandler : public XmlHandler {
   std::map<std::string, std::string> spaces_;  // prefix → URI, of the outermost element
   std::vector<Place> places_;                  // of the open elements
   ThreeMfObject* object_ = nullptr;
-  std::uint32_t objectId_ = 0;
+  std::uint32_t objectId_ = 0, groupId_ = 0;
+  std::map<std::uint32_t, std::vector<std::optional<Colour>>> groups_;  // of colours, by their id
+  std::optional<std::uint32_t> objectGroup_;
+  std::optional<Colour> objectColour_;
   bool hasContent_ = false;
   bool mayBeInSlices_ = false;     // the object has slices and does not say how good its mesh is
   std::string foreignContent_;     // namespace of an object's content that is none of the core's
@@ -361,18 +402,21 @@ class ModelHandler : public XmlHandler {
 
 }  // namespace
 
-Affine Affine::after(const Affine& inner) const {
-  const auto turned = [this](Vec3 v) { return v.x * x + v.y * y + v.z * z; };
-  return {turned(inner.x), turned(inner.y), turned(inner.z), (*this)(inner.origin)};
-}
-
-double Affine::determinant() const { return glm::dot(glm::cross(x, y), z); }
-
-Affine Affine::inverse() const {
-  const Vec3 yz = glm::cross(y, z) / determinant(), zx = glm::cross(z, x) / determinant(),
-             xy = glm::cross(x, y) / determinant();
-  const Affine turned{{yz.x, zx.x, xy.x}, {yz.y, zx.y, xy.y}, {yz.z, zx.z, xy.z}};
-  return {turned.x, turned.y, turned.z, -turned(origin)};
+Result<Affine> transformFrom(std::string_view text) {
+  std::array<double, 12> m{};
+  TextScanner words(text);
+  for (double& value : m) {
+    const std::string_view word = words.word();
+    const auto number = parseNumber(word);
+    if (!number) return badTransform(text, notANumber(word));
+    if (!std::isfinite(*number)) return badTransform(text, notFinite(word));
+    value = *number;
+  }
+  if (!words.word().empty()) return badTransform(text, message<"3mf-transform-too-long">());
+  const Affine transform{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
+  if (!(std::abs(transform.determinant()) > 0) || !std::isfinite(transform.determinant()))
+    return badTransform(text, message<"3mf-transform-flat">());
+  return transform;
 }
 
 Result<ThreeMfModel> readThreeMfModel(ZipStream& stream, const std::string& part, const ReadLimits& limits) {

@@ -3,25 +3,19 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "io/read_model.h"
 #include "io/xml_reader.h"
+#include "math/affine.h"
 
 namespace qrelief {
 
-/// Rows of a 3MF transform: it maps a point p to p.x·x + p.y·y + p.z·z + origin.
-struct Affine {
-  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0};
-
-  Vec3 operator()(Vec3 p) const { return p.x * x + p.y * y + p.z * z + origin; }
-  /// Returns the transform that applies `inner` first and then this one.
-  Affine after(const Affine& inner) const;
-  double determinant() const;
-  /// Returns the transform that undoes this one; the determinant must not be 0.
-  Affine inverse() const;
-};
+/// Reads the value of a transform attribute. @returns BadInput, also for a transform that flattens
+Result<Affine> transformFrom(std::string_view text);
 
 /// An object with a transform: a component of another object, or an item of the build.
 struct ThreeMfInstance {
@@ -36,7 +30,9 @@ struct ThreeMfInstance {
 struct ThreeMfObject {
   std::string name, type = "model";
   std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;  ///< all indices valid
+  std::vector<Triangle> triangles;             ///< all indices valid
+  std::vector<std::optional<Colour>> colours;  ///< of the triangles; empty: none has one
+  std::vector<std::uint8_t> paint;             ///< filaments of the triangles, 0 for none; empty: none is painted
   std::vector<ThreeMfInstance> components;
   bool isPainted = false;   ///< some facets are painted (kFacetPaints)
   std::string curaMesh;     ///< the setting that makes it a helper mesh of Cura: "support_mesh"; else empty
@@ -54,8 +50,8 @@ struct ThreeMfModel {
 };
 
 /// Reads a model part [3MF core specification 1.3, production extension 1.1; slice extension 1.0.2 and beam lattice
-/// extension 1.2 only to find meshes that are stand-ins; Cura's metadata]. Reads only geometry; skips colours, textures
-/// and metadata, for example.
+/// extension 1.2 only to find meshes that are stand-ins; Cura's metadata]. Reads geometry, colours
+/// (base materials and colour groups) and paint; skips textures and metadata, for example.
 /// @param part    its name, for messages
 /// @param limits  at most maxTriangles triangles, three times as many vertices, and 100 000 objects, components and
 ///                items

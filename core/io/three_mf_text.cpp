@@ -33,6 +33,14 @@ std::size_t curaFilament(std::string_view model, std::size_t object) {
   return 1;
 }
 
+std::string transformText(const Affine& transform) {
+  std::string text;
+  for (const Vec3 row : {transform.x, transform.y, transform.z, transform.origin})
+    for (int axis = 0; axis < 3; ++axis)
+      text += fmt::format("{}{}", text.empty() ? "" : " ", row[axis] + 0.0);  // no −0
+  return text;
+}
+
 std::string escapedXml(std::string_view text) {
   std::string result;
   while (!text.empty()) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "io/zip_writer.h"
+#include "math/affine.h"
 
 namespace qrelief {
 
@@ -26,6 +27,9 @@ std::size_t curaFilament(std::string_view model, std::size_t object);
 
 /// Escapes a text for the value of an XML attribute. Characters that XML cannot hold become question marks.
 std::string escapedXml(std::string_view text);
+
+/// Returns the value of a transform attribute.
+std::string transformText(const Affine& transform);
 
 /// Text that goes into the archive piece by piece; finish() writes the last piece.
 class PartText {

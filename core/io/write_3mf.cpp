@@ -27,13 +27,16 @@ PaintNames paintNames(Slicer slicer) {
           slicer != Slicer::PrusaSlicer};
 }
 
+/// Returns the middle of a box's lower side.
+Vec3 foot(const Box3& box) { return {box.centre().x, box.centre().y, box.min.z}; }
+
 /// Writes the text of one package.
 class Package {
  public:
   Package(std::span<const ModelObject> objects, const WriteOptions& options)
       : numbering_(objects, options),
         options_(options),
-        move_(plateMove(objects, options.slicer)),
+        poses_(posesOnPlate(objects, options.slicer)),
         paint_(paintNames(options.slicer)) {}
 
   Result<std::vector<std::uint8_t>> write() {
@@ -119,7 +122,7 @@ class Package {
     if (hasColourGroups() && options_.slicer == Slicer::Any) putMaterials(text);
     for (const NumberedObject& object : numbering_.objects) putObject(object, text);
     text.add(FMT_COMPILE(" </resources>\n <build>\n"));
-    for (const NumberedObject& object : numbering_.objects) putItem(object, text);
+    for (std::size_t i = 0; i < numbering_.objects.size(); ++i) putItem(numbering_.objects[i], poses_[i], text);
     text.add(FMT_COMPILE(" </build>\n</model>\n"));
     text.finish();
   }
@@ -213,10 +216,8 @@ class Package {
     return attributes;
   }
 
-  void putItem(const NumberedObject& numbered, PartText& text) const {
-    const Vec3 offset = numbered.object->offsetMm + move_;
-    const std::string transform =
-        offset == Vec3(0) ? "" : fmt::format(" transform=\"1 0 0 0 1 0 0 0 1 {} {} {}\"", offset.x, offset.y, offset.z);
+  void putItem(const NumberedObject& numbered, const Affine& pose, PartText& text) const {
+    const std::string transform = pose == Affine() ? "" : fmt::format(" transform=\"{}\"", transformText(pose));
     if (numbered.object->description.empty())
       text.add(FMT_COMPILE("  <item objectid=\"{}\"{}/>\n"), numbered.id, transform);
     else
@@ -228,7 +229,7 @@ class Package {
   ZipWriter zip_;
   Numbering numbering_;
   const WriteOptions& options_;
-  Vec3 move_;
+  std::vector<Affine> poses_;  // of the objects
   PaintNames paint_;
 };
 
@@ -240,14 +241,28 @@ Result<std::vector<std::uint8_t>> write3mf(std::span<const ModelObject> objects,
 
 bool hasPalette(Slicer slicer) { return slicer == Slicer::OrcaSlicer || slicer == Slicer::BambuStudio; }
 
-Vec3 plateMove(std::span<const ModelObject> objects, Slicer slicer) {
-  if (slicer != Slicer::OrcaSlicer && slicer != Slicer::BambuStudio) return Vec3(0);
-  Box3 box;
-  for (const ModelObject& object : objects)
+std::vector<Affine> posesOnPlate(std::span<const ModelObject> objects, Slicer slicer) {
+  std::vector<Affine> poses;
+  Box3 before, after;
+  bool isTurned = false;
+  for (const ModelObject& object : objects) {
+    Affine pose = turnedUp(object.up);
+    isTurned |= pose != Affine();
+    pose.origin += object.offsetMm;
     for (const ModelBody& body : object.bodies)
-      for (const Vec3f& p : body.mesh.positions) box.add(Vec3(p) + object.offsetMm);
-  const Vec3 middle = (box.min + box.max) / 2.0;
-  return {kPlateMiddleMm - middle.x, kPlateMiddleMm - middle.y, -box.min.z};
+      for (const Vec3f& p : body.mesh.positions) {
+        before.add(Vec3(p) + object.offsetMm);
+        after.add(pose(Vec3(p)));
+      }
+    poses.push_back(pose);
+  }
+  Vec3 move(0);
+  if (hasPalette(slicer))
+    move = Vec3(kPlateMiddleMm, kPlateMiddleMm, 0) - foot(after);
+  else if (isTurned)
+    move = Vec3(before.centre().x, before.centre().y, 0) - foot(after);
+  for (Affine& pose : poses) pose.origin += move;
+  return poses;
 }
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/write_model.h"
+#include "math/affine.h"
 
 namespace qrelief {
 
@@ -27,7 +28,8 @@ Result<std::vector<std::uint8_t>> write3mf(std::span<const ModelObject> objects,
 /// Returns true if files for that program can list the filaments' colours.
 bool hasPalette(Slicer slicer);
 
-/// Returns the move of all objects that write3mf() puts into the transforms of the items, mm.
-Vec3 plateMove(std::span<const ModelObject> objects, Slicer slicer);
+/// Returns the transform of each object's item, mm: it turns the object's `up` to the printer's vertical and moves it
+/// to its place. If an object is turned, all together stand on the plate, with their middle above where it was.
+std::vector<Affine> posesOnPlate(std::span<const ModelObject> objects, Slicer slicer);
 
 }  // namespace qrelief

@@ -13,30 +13,30 @@
 namespace qrelief {
 namespace {
 
-/// Compares bit for bit. In an object with an offset the last digit may differ: the file has the fewest digits that
-/// give the number again, and their sum with the offset may be rounded the other way.
-bool isEqual(Vec3 read, Vec3f written, Vec3 offset) {
-  if (offset == Vec3(0)) return Vec3f(read) == written;
-  const Vec3 expected = Vec3(written) + offset;
-  for (int axis = 0; axis < 3; ++axis) {
-    constexpr double kLastDigit = std::numeric_limits<float>::epsilon();
-    const double largest = std::max({std::abs(static_cast<double>(written[axis])), std::abs(offset[axis]), 1e-30});
-    if (!(std::abs(read[axis] - expected[axis]) <= kLastDigit * largest)) return false;
-  }
+/// Compares bit for bit. In an object that is moved the last digit may differ: the file has the fewest digits that give
+/// the number again, and their sum with the move may be rounded the other way.
+bool isEqual(Vec3 read, Vec3f written, const Affine& pose) {
+  if (pose == Affine()) return Vec3f(read) == written;
+  constexpr double kLastDigit = std::numeric_limits<float>::epsilon();
+  const Vec3 sizes = glm::abs(pose.x * static_cast<double>(written.x)) +
+                     glm::abs(pose.y * static_cast<double>(written.y)) +
+                     glm::abs(pose.z * static_cast<double>(written.z)) + glm::abs(pose.origin);
+  const Vec3 apart = glm::abs(read - pose(Vec3(written)));
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(apart[axis] <= kLastDigit * std::max(sizes[axis], 1e-30))) return false;
   return true;
 }
 
 /// Counts the leading triangles of the soup that equal those of the bodies, in order; all of them if the file is right.
-/// @param move  of all objects
-std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects, Vec3 move) {
+/// @param poses  of the objects
+std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects, std::span<const Affine> poses) {
   std::size_t equal = 0;
-  for (const ModelObject& object : objects)
-    for (const ModelBody& body : object.bodies)
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    for (const ModelBody& body : objects[i].bodies)
       for (const Triangle& triangle : body.mesh.triangles) {
         if (equal == soup.triangles.size()) return equal;
         for (std::size_t k = 0; k < 3; ++k)
-          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]],
-                       object.offsetMm + move))
+          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]], poses[i]))
             return equal;
         ++equal;
       }
@@ -61,8 +61,9 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   if (!soup)
     return fail(ErrorKind::Internal,
                 message<"write-not-read-back">(with::term<"format">(name), with::cause<"cause">(soup.error().message)));
-  const Vec3 move = format == ModelFormat::ThreeMf ? plateMove(objects, options.slicer) : Vec3(0);
-  const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects, move);
+  const std::vector<Affine> poses =
+      format == ModelFormat::ThreeMf ? posesOnPlate(objects, options.slicer) : std::vector<Affine>(objects.size());
+  const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects, poses);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
     return fail(ErrorKind::Internal,
                 message<"write-read-differently">(with::count<"triangles">(expected), with::term<"format">(name),

@@ -8,14 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "base/result.h"
 #include "io/sniff_format.h"
 #include "mesh/mesh.h"
 
 namespace qrelief {
-
-/// Red, green, blue; sRGB.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// Facets of a body in the colour of another filament.
 struct FacetPaint {
@@ -41,7 +39,8 @@ struct ModelObject {
   std::string name;  ///< UTF-8; may be empty
   std::vector<ModelBody> bodies;
   std::string description = {};  ///< UTF-8; written only to 3MF, as metadata of the item
-  Vec3 offsetMm{0};              ///< moves the bodies to their place on the plate; 3MF only, else 0
+  Vec3 offsetMm{0};              ///< moves the bodies to their place on the plate, once turned; 3MF only, else 0
+  Vec3 up{0, 0, 1};              ///< the printer's vertical in the bodies' space, any length > 0; 3MF only, else +z
 };
 
 /// The program that will open a 3MF file. Each looks for filaments in other places (write_3mf.h).

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "base/message.h"
 #include "mesh/mesh.h"
 
@@ -38,6 +39,7 @@ struct PolygonSoup {
   std::vector<ModelPart> parts;                 ///< ascending by first triangle; empty: the file holds one object only
   std::vector<Body> bodies;                     ///< empty: the file names no bodies
   std::vector<std::uint32_t> bodyOf;            ///< triangle → body; empty: the file names one body at most
+  std::vector<std::optional<Colour>> colours;   ///< of the triangles; empty: the file says none
   std::optional<double> unitMm;                 ///< millimetres in a file unit, if the file states it (3MF)
   std::shared_ptr<const ThreeMfSource> source;  ///< of a 3MF file: to write its other contents again
 };

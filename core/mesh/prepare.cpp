@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "mesh/report_findings.h"
@@ -141,6 +142,16 @@ void setBodies(const PolygonSoup& soup, const Repaired& repaired, PreparedModel&
   if (model.bodies.size() == 1) model.mesh.bodyOf.clear();
 }
 
+/// Returns the colours of the triangles; none unless there are two different ones.
+std::vector<std::optional<Colour>> coloursOf(const PolygonSoup& soup, std::span<const std::uint32_t> origin) {
+  if (soup.colours.empty()) return {};
+  std::vector<std::optional<Colour>> colours;
+  colours.reserve(origin.size());
+  for (const std::uint32_t t : origin) colours.push_back(soup.colours[t]);
+  const bool differ = std::adjacent_find(colours.begin(), colours.end(), std::not_equal_to<>()) != colours.end();
+  return differ ? std::move(colours) : std::vector<std::optional<Colour>>();
+}
+
 /// Returns, for each body, whether a repair added, dropped or changed a triangle.
 std::vector<char> repairedBodies(const PolygonSoup& soup, const Mesh& before, const Repaired& repaired) {
   const auto bodyOf = [&](std::uint32_t t) { return soup.bodyOf.empty() ? 0 : soup.bodyOf[t]; };
@@ -203,6 +214,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.scaleToMm = options.scaleToMm;
   reportRepairs(*repaired, options.repair, findings);
   setBodies(soup, *repaired, model);
+  model.colours = coloursOf(soup, repaired->origin);
   model.source = soup.source;
   if (model.source) {
     model.wasRepaired = repairedBodies(soup, unrepaired, *repaired);

@@ -49,6 +49,7 @@ struct PreparedModel {
   std::shared_ptr<const ThreeMfSource> source;  ///< the soup's, if there is one
   /// The soup's triangle that each triangle comes from or adjoins; empty: there is no source.
   std::vector<std::uint32_t> originOfTriangle;
+  std::vector<std::optional<Colour>> colours;  ///< of the triangles; empty unless the file has at least two colours
   std::vector<char> wasRepaired;  ///< body → a repair changed triangles that the source has; empty: there is no source
 
   /// Returns the number of triangles of each body.

@@ -16,7 +16,8 @@ Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const 
   const ThreeMfSource& source = *before.source;
   if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message<"rewrite-scaled">());
   if (options.palette) return fail(ErrorKind::NoSolution, message<"rewrite-palette">());
-  return rewrite3mf(source, carvedRuns(before, result, withInlay), options.slicer, filamentMaterials());
+  return rewrite3mf(source, carvedRuns(before, result, withInlay), options.slicer, filamentMaterials(),
+                    result.request.print.buildUp.resolve(result.placement.frame));
 }
 
 }  // namespace

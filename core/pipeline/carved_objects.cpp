@@ -66,7 +66,10 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
       written.mesh = submesh(result.mesh, triangles);
       painted = placesIn(triangles, painted);
     }
-    if (part != body.part) objects.push_back({body.part < partNames.size() ? partNames[body.part] : "", {}});
+    if (part != body.part) {
+      objects.push_back({body.part < partNames.size() ? partNames[body.part] : "", {}});
+      objects.back().up = result.request.print.buildUp.resolve(result.placement.frame);
+    }
     part = body.part;
     std::vector<ModelBody>& bodies = objects.back().bodies;
     if (bodies.empty() && !apart) written.name.clear();
@@ -92,15 +95,5 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
 ModelBody codeBody(const Mesh& inlay) { return {"QR code", inlay, kInlayColour, {}, kInlayMaterial}; }
 
 std::array<Material, 2> filamentMaterials() { return {{{kBodyMaterial, kBodyColour}, {kInlayMaterial, kInlayColour}}}; }
-
-std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
-                                     Vec3 offsetMm) {
-  for (ModelObject& object : objects) {
-    object.name = object.name.empty() ? id : id + " " + object.name;
-    object.description = text;
-    object.offsetMm = offsetMm;
-  }
-  return objects;
-}
 
 }  // namespace qrelief

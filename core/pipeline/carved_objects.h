@@ -35,9 +35,4 @@ ModelBody codeBody(const Mesh& inlay);
 /// Returns the materials of the model and of the code.
 std::array<Material, 2> filamentMaterials();
 
-/// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
-/// the copy's id, and its description is the code's text.
-std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
-                                     Vec3 offsetMm);
-
 }  // namespace qrelief

@@ -9,7 +9,9 @@
 #include <limits>
 
 #include "base/job_stages.h"
+#include "math/affine.h"
 #include "math/angle.h"
+#include "math/tolerance.h"
 #include "mesh/soup_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/touching_shells.h"
@@ -89,6 +91,20 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   verification.ranges = false;
   verification.inheritedSelfIntersections = result.inheritedSelfIntersections;
   return verification;
+}
+
+void findInPose(VerifyRequest& request, const Mesh& mesh) {
+  if (!request.lowMm || glm::distance(boundingBox(mesh).min, *request.lowMm) < kOnSurfaceMm) return;
+  const Affine turn = turnedUp(request.buildUp), back = turn.inverse();
+  Box3 box;
+  for (const Vec3f& p : mesh.positions) box.add(back(Vec3(p)));
+  const Vec3 moved = box.min - *request.lowMm;
+  ProjectionFrame& frame = request.frame;
+  frame.centre = turn(frame.centre + moved);
+  frame.right = turn(frame.right);
+  frame.up = turn(frame.up);
+  frame.normal = turn(frame.normal);
+  request.buildUp = {0, 0, 1};
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {

@@ -31,6 +31,7 @@ struct VerifyRequest {
   Printer printer;
   std::optional<std::size_t> process;  ///< index of the printer in namedPrinters(); none: the print is not simulated
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
+  std::optional<Vec3> lowMm = {};      ///< lower corner of the model's bounding box; none: unknown
   double minWallMm = 0.8;
   double albedo = 0.7;       ///< of the printed material; of a code in colour: Ink::light
   Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` says which modules are dark, as meshes have no colours
@@ -58,6 +59,11 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 /// Returns a model's mesh without repairs: only scaled and welded by equal position.
 /// @returns BadInput if the model has no triangles or a coordinate is not a number
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
+
+/// Looks for the code in a 3MF file whose item is turned and moved to the pose on the printer (io/write_3mf.h): changes
+/// the frame and the vertical to the file's, if the bounding box says that the model was moved.
+/// @param mesh  the file's, mm
+void findInPose(VerifyRequest& request, const Mesh& mesh);
 
 /// All measurements of an engraved model; verdict/verdict.h draws the conclusion.
 struct VerifyResult {

@@ -28,6 +28,14 @@ void GpuMesh::setValues(std::span<const float> values) {
   glBindVertexArray(0);
 }
 
+void GpuMesh::setColours(std::span<const Colour> colours) {
+  array_.bind();
+  colours_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(colours));
+  glEnableVertexAttribArray(3);
+  glVertexAttribPointer(3, 3, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
 void GpuMesh::drawRange(std::uint32_t begin, std::uint32_t end) const {
   if (begin == end) return;
   const std::size_t offset = begin * sizeof(Triangle);

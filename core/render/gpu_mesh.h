@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "base/colour.h"
 #include "gl/objects.h"
 #include "mesh/mesh.h"
 #include "render/triangle_clusters.h"
@@ -10,7 +11,7 @@
 namespace qrelief {
 
 /// A mesh in GPU memory: positions relative to the middle of its box (so that far-away models keep their digits) and
-/// smooth normals; attributes 0 and 1. Attribute 2 is a number per vertex, 0 unless set.
+/// smooth normals; attributes 0 and 1. Attribute 2 is a number per vertex, 0 unless set, and attribute 3 its colour.
 class GpuMesh {
  public:
   GpuMesh() = default;
@@ -19,6 +20,8 @@ class GpuMesh {
 
   /// @param values  one per vertex
   void setValues(std::span<const float> values);
+  /// @param colours  one per vertex; black unless set
+  void setColours(std::span<const Colour> colours);
 
   void draw() const;
   /// Draws all but the clusters that certainly lie outside the pyramid (model coordinates).
@@ -30,7 +33,7 @@ class GpuMesh {
   void drawRange(std::uint32_t begin, std::uint32_t end) const;
 
   gl::VertexArray array_;
-  gl::Buffer positions_, normals_, values_, indices_;
+  gl::Buffer positions_, normals_, values_, colours_, indices_;
   std::vector<TriangleCluster> clusters_;
   Box3 box_;
 };

@@ -19,17 +19,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json describeInput(const EngravableModel& model, const ReportContext& context) {
+Json describeInput(const EngravableModel& model, const EngraveResult& result, const ReportContext& context) {
   Json warnings = Json::array();
   for (const Finding& finding : model.prepared.findings)
     if (finding.severity != Finding::Severity::Note)
       warnings.push_back(describeMessage(finding.message, context.wording));
+  const Box3 box = boundingBox(model.prepared.mesh);
   return {{"file", context.fileName},
           {"format", context.format},
           {"triangles", model.prepared.mesh.triangles.size()},
           {"vertices", model.prepared.mesh.positions.size()},
           {"scaleToMm", context.scaleToMm},
-          {"sizeMm", triple(boundingBox(model.prepared.mesh).size())},
+          {"sizeMm", triple(box.size())},
+          {"lowMm", triple(box.min)},
+          {"buildUp", triple(glm::normalize(result.request.print.buildUp.resolve(result.placement.frame)))},
           {"warnings", warnings}};
 }
 
@@ -178,7 +181,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   Json report;
   report["qrelief"] = kVersion;
   report["text"] = request.code.text;
-  report["input"] = describeInput(model, context);
+  report["input"] = describeInput(model, result, context);
   report["symbol"] = describeSymbol(result.symbol);
   report["projection"] = describeProjection(request, result.placement);
   report["size"] = {{"symbolMm", result.placement.symbolMm},

@@ -92,6 +92,9 @@ Result<VerifyRequest> readRequest(const Json& report) {
   if (const auto depth = report.find("depth"); depth != report.end())
     if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
       request.oneLight = lampFrom(depth->at("lights").at(0));
+  const Json& input = report.at("input");
+  request.lowMm = vectorFrom(input.at("lowMm"));
+  request.buildUp = vectorFrom(input.at("buildUp"));
   if (const auto mesh = report.find("mesh"); mesh != report.end())
     request.inheritedSelfIntersections = mesh->value("inheritedSelfIntersections", std::size_t{0});
   return request;

@@ -10,8 +10,8 @@
 
 namespace qrelief {
 
-/// Reads place, size, text, modules mark, colours and the one light that the code was carved for from an engraver's
-/// report (core/report/report.h). Trusts nothing else in it.
+/// Reads place, pose, size, text, modules, mark, colours and the one light that the code was carved for from an
+/// engraver's report (core/report/report.h). Trusts nothing else in it.
 /// @param json  the report
 /// @returns BadInput naming the key that is missing or of the wrong kind
 Result<VerifyRequest> requestFromReport(std::string_view json);

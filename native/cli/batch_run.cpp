@@ -127,8 +127,7 @@ bool BatchRun::isFiled() const { return options_->perPlate == 0 || !options_->na
 /// Carves rows and fills their entries. @returns an error only if nothing more can be written
 Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& entries) {
   const std::vector<BatchRow>& rows = unit.rows;
-  std::vector<ModelObject> objects;
-  const std::vector<Vec3> offsets = plateOffsets(model_->box, rows.size());
+  std::vector<std::vector<ModelObject>> copies(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ManifestEntry& entry = entries[i];
     entry.status = RowStatus::Failed;
@@ -142,11 +141,10 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     entry.status = RowStatus::Done;
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
-    for (ModelObject& object :
-         copyOnPlate(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
-                     row.request.code.text, offsets[i]))
-      objects.push_back(std::move(object));
+    copies[i] = namedCopy(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
+                          row.request.code.text);
   }
+  const std::vector<ModelObject> objects = onPlate(std::move(copies));
   if (objects.empty()) return {};
   const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, options_->fileFlags.writeOptions(unit.plate));
   if (!bytes) return tl::unexpected(bytes.error());

@@ -88,7 +88,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   if (!request) return request;
   request->printer = settings->print.printer;
   request->process = settings->print.process;
-  request->buildUp = settings->print.buildUp.resolve(request->frame);
+  const std::vector<std::string> given = options.flags.given();
+  if (options.report.empty() || std::find(given.begin(), given.end(), "buildUp") != given.end())
+    request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
   if (settings->depth.lights.size() > 1)
     return fail(ErrorKind::BadUsage, message<"setting-too-many">(with::setting<"setting">("light"),
@@ -167,6 +169,7 @@ int verifyModel(const VerifyOptions& options) {
   if (!soup) return printError(soup.error(), name);
   auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
   if (!mesh) return printError(mesh.error(), name);
+  if (formatOfName(options.path) == ModelFormat::ThreeMf) findInPose(*request, *mesh);
 
   auto job = VerifyJob::create(*mesh, *request, zxingDecoders());
   if (!job) return printError(job.error(), name);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/shapes.h"
+
 namespace qrelief {
 namespace {
 
@@ -33,6 +35,21 @@ TEST(PlateLayout, LaysNineCopiesOutThreeByThree) {
   const std::vector<Vec3> offsets = plateOffsets({Vec3(0), Vec3(10, 10, 5)}, 9);
   EXPECT_EQ(offsets[0], Vec3(0));
   EXPECT_EQ(offsets[8], Vec3(30, 30, 0));
+}
+
+TEST(PlateLayout, TurnedCopiesStandBesideEachOtherAndAFailedOneLeavesItsPlaceFree) {
+  std::vector<std::vector<ModelObject>> copies(4);
+  for (const std::size_t i : {0u, 1u, 3u}) {
+    ModelObject object{"part", {{"", shapes::box({10, 20, 60}), {}}}};
+    object.up = {1, 0, 0};  // 60 × 20 mm on the plate
+    copies[i] = namedCopy({object}, std::to_string(i), "text");
+  }
+  const std::vector<ModelObject> objects = onPlate(std::move(copies));
+  ASSERT_EQ(objects.size(), 3u);
+  EXPECT_EQ(objects[2].name, "3 part");
+  EXPECT_EQ(objects[2].description, "text");
+  EXPECT_EQ(objects[1].offsetMm - objects[0].offsetMm, Vec3(65, 0, 0));
+  EXPECT_EQ(objects[2].offsetMm - objects[0].offsetMm, Vec3(65, 25, 0));
 }
 
 }  // namespace

@@ -307,6 +307,62 @@ TEST(ThreeMfReader, ReadsNamesAndFilamentsOfVolumesAndParts) {
       {}));
 }
 
+/// Returns the colours of a tetrahedron's facets. @param triangles  attributes of each
+std::vector<std::optional<Colour>> coloursOf(const std::string& resources, const std::string& object,
+                                             const std::array<std::string, 4>& triangles,
+                                             const std::vector<zip_file::File>& settings = {}) {
+  constexpr std::array<const char*, 4> kCorners = {"v1=\"0\" v2=\"2\" v3=\"1\"", "v1=\"0\" v2=\"1\" v3=\"3\"",
+                                                   "v1=\"1\" v2=\"2\" v3=\"3\"", "v1=\"2\" v2=\"0\" v3=\"3\""};
+  std::string model = resources + "<object id=\"1\" " + object +
+                      "><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+                      "<vertex x=\"0\" y=\"1\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"1\"/></vertices><triangles>";
+  for (std::size_t t = 0; t < 4; ++t) model += fmt::format("<triangle {} {}/>", kCorners[t], triangles[t]);
+  model += "</triangles></mesh></object>";
+  const auto soup =
+      read3mf(threeMf(modelPart(model, "<item objectid=\"1\"/>",
+                                "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
+                                "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\""),
+                      settings),
+              {});
+  EXPECT_TRUE(soup) << sentence(soup.error().message);
+  return soup ? soup->colours : std::vector<std::optional<Colour>>();
+}
+
+constexpr Colour kRed{255, 0, 0}, kGreen{0, 128, 0}, kBlue{0, 0, 255};
+using Colours = std::vector<std::optional<Colour>>;
+
+TEST(ThreeMfReader, ReadsTheColoursOfFacetsAndObjects) {
+  const std::string groups =
+      "<basematerials id=\"7\"><base name=\"a\" displaycolor=\"#FF0000\"/></basematerials>"
+      "<m:colorgroup id=\"8\"><m:color color=\"#008000FF\"/><m:color color=\"#0000FF80\"/></m:colorgroup>";
+  EXPECT_EQ(coloursOf(groups, "pid=\"7\" pindex=\"0\"", {"", "pid=\"8\" p1=\"1\"", "p1=\"0\"", "pid=\"8\" p1=\"0\""}),
+            (Colours{kRed, kBlue, kRed, kGreen}));
+  EXPECT_EQ(coloursOf(groups, "", {"", "pid=\"8\" p1=\"9\"", "pid=\"9\" p1=\"0\"", "pid=\"8\" p1=\"0\""}),
+            (Colours{{}, {}, {}, kGreen}));
+  EXPECT_EQ(coloursOf("<basematerials id=\"7\"><base name=\"a\" displaycolor=\"red\"/></basematerials>",
+                      "pid=\"7\" pindex=\"0\"", {}),
+            (Colours(4)));
+}
+
+TEST(ThreeMfReader, PaintedFacetsHaveTheColoursOfTheirFilaments) {
+  const std::array<std::string, 4> painted = {"", "paint_color=\"8\"", "slic3rpe:mmu_segmentation=\"0C\"", ""};
+  EXPECT_EQ(
+      coloursOf("", "", painted,
+                {{"Metadata/project_settings.config", R"({"filament_colour": ["#FFFFFF", "#008000", "#0000FFFF"]})"}}),
+      (Colours{{}, kGreen, kBlue, {}}));
+  EXPECT_EQ(coloursOf("", "", painted,
+                      {{"Metadata/Slic3r_PE.config",
+                        "; extruder_colour = \"\";#008000;\n; filament_colour = #FFFFFF;#FF0000;#0000FF\n"},
+                       {"Metadata/Slic3r_PE_model.config",
+                        "<config><object id=\"1\"><metadata type=\"object\" key=\"extruder\" value=\"1\"/>"
+                        "<volume firstid=\"0\" lastid=\"3\"></volume></object></config>"}}),
+            (Colours{Colour{255, 255, 255}, kGreen, kBlue, Colour{255, 255, 255}}));
+  const Colours unknown = coloursOf("", "", painted);
+  EXPECT_FALSE(unknown[0]);
+  ASSERT_TRUE(unknown[1] && unknown[2]);
+  EXPECT_NE(unknown[1], unknown[2]) << "told apart though the file names no colours";
+}
+
 TEST(ThreeMfReader, RefusesCirclesAndDeepNestsOfSurfaces) {
   std::string objects = boxObject(1, 1, 1, 1, "type=\"surface\"");
   for (int id = 2; id < 5000; ++id)

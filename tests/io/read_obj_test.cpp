@@ -82,6 +82,15 @@ TEST(ObjReader, ReadsVerticesWithColoursOrAFourthCoordinate) {
   EXPECT_EQ(soup->positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
+TEST(ObjReader, AFacesColourIsTheMeanOfItsVertices) {
+  const auto soup = read("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0.3 2\nf 1 2 3\n");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->colours, (std::vector<std::optional<Colour>>{Colour{255, 26, 85}}));
+  const auto partly = read("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1\nf 1 2 3\n");
+  ASSERT_TRUE(partly);
+  EXPECT_TRUE(partly->colours.empty());
+}
+
 TEST(ObjReader, NamesADecimalComma) {
   EXPECT_EQ(errorOf("v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n"), "Line 2 of the OBJ file: \"1,5\" has a decimal comma");
 }

@@ -56,6 +56,21 @@ TEST(PlyReader, IgnoresOtherElementsPropertiesAndLists) {
   EXPECT_EQ(soup->positions[2], Vec3(2, 2, 0));
 }
 
+TEST(PlyReader, AFacesColourIsTheMeanOfItsVertices) {
+  const auto coloursWith = [](const std::string& properties, const std::string& points) {
+    const auto soup = readPly(bytesOf(header(kVertices + properties + kFaces) + points + "3 0 1 2\n"), {});
+    EXPECT_TRUE(soup) << sentence(soup.error().message);
+    return soup ? soup->colours : std::vector<std::optional<Colour>>();
+  };
+  EXPECT_EQ(coloursWith("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n",
+                        "0 0 0 255 0 9 1\n1 0 0 255 0 9 1\n0 1 0 255 90 9 1\n"),
+            (std::vector<std::optional<Colour>>{Colour{255, 30, 9}}));
+  EXPECT_EQ(coloursWith("property float red\nproperty float green\nproperty float blue\n",
+                        "0 0 0 1 0 0.5\n1 0 0 1 0 0.5\n0 1 0 7 -3 0.5\n"),
+            (std::vector<std::optional<Colour>>{Colour{255, 0, 128}}));
+  EXPECT_TRUE(coloursWith("property uchar red\nproperty uchar green\n", "0 0 0 1 1\n1 0 0 1 1\n0 1 0 1 1\n").empty());
+}
+
 TEST(PlyReader, SkipsCommentsAmongTheData) {
   const auto soup = readPly(bytesOf(header(kVertices + kFaces) + "comment vertices: 3\n0 0 0\n1 0 0 \nobj_info 1 2\n" +
                                     "comment\n0 1 0\ncomment faces\n3 0 1 2\ncomment the end\n"),

@@ -138,6 +138,36 @@ TEST(Rewrite3mf, KeepsAllOtherPartsOfABambuProjectByteForByte) {
   EXPECT_EQ(soupOf(*written).triangles.size(), soup.triangles.size() + 1);
 }
 
+TEST(Rewrite3mf, TurnsTheItemThatChangesAndNoOther) {
+  for (const auto& bytes : {bambuProject(), prusaProject()}) {
+    const PolygonSoup soup = soupOf(bytes);
+    const std::vector<ChangedRun> changes = {sameRun(soup, 0)};
+    const auto written = rewrite3mf(*soup.source, changes, Slicer::Any, kMaterials, {0, 1, 0});
+    ASSERT_TRUE(written) << sentence(written.error().message);
+    const PolygonSoup turned = soupOf(*written);
+    ASSERT_EQ(turned.triangles.size(), soup.triangles.size());
+    Box3 before, after;
+    for (const ThreeMfRun& run : soup.source->runs) {
+      const bool isTurned = run.item == soup.source->runs[0].item;
+      for (std::size_t t = run.firstTriangle; t < run.firstTriangle + run.count; ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Vec3 then = soup.positions[soup.triangles[t][k]], now = turned.positions[turned.triangles[t][k]];
+          if (isTurned) {
+            before.add(then);
+            after.add(now);
+          } else {
+            EXPECT_EQ(now, then);
+          }
+        }
+    }
+    const Vec3 size = before.size();
+    EXPECT_NEAR(glm::distance(after.size(), Vec3(size.x, size.z, size.y)), 0, 1e-4);
+    EXPECT_NEAR(after.min.z, before.min.z, 1e-4);
+    EXPECT_NEAR(after.centre().x, before.centre().x, 1e-4);
+    EXPECT_NEAR(after.centre().y, before.centre().y, 1e-4);
+  }
+}
+
 TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
   const PolygonSoup soup = soupOf(bambuProject());
   ChangedRun change = sameRun(soup, 0);

@@ -51,6 +51,23 @@ TEST(Write3mf, WritesTheBodiesOfOneObjectAsComponents) {
   EXPECT_THAT(model, HasSubstr("unit=\"millimeter\""));
 }
 
+TEST(Write3mf, TurnsAllObjectsTogetherToTheirPoseOnThePrinter) {
+  std::vector<ModelObject> objects = inlaidPlate();  // 30 × 30 × 4 mm, and a cube from x = 38.5 to 41.5
+  for (ModelObject& object : objects) object.up = {1, 0, 0};
+  for (const Slicer slicer : {Slicer::Any, Slicer::PrusaSlicer, Slicer::OrcaSlicer, Slicer::BambuStudio}) {
+    const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.slicer = slicer});
+    ASSERT_TRUE(bytes) << sentence(bytes.error().message);
+    const auto soup = readModel(*bytes, "turned.3mf");
+    ASSERT_TRUE(soup);
+    Box3 box;
+    for (const Vec3 p : soup->positions) box.add(p);
+    EXPECT_NEAR(glm::distance(box.size(), Vec3(4, 30, 56.5)), 0, 1e-5);
+    const bool isInTheMiddle = slicer == Slicer::OrcaSlicer || slicer == Slicer::BambuStudio;
+    const Vec3 foot = {box.centre().x, box.centre().y, box.min.z};
+    EXPECT_NEAR(glm::distance(foot, isInTheMiddle ? Vec3(128, 128, 0) : Vec3(13.25, 0, 0)), 0, 1e-5);
+  }
+}
+
 TEST(Write3mf, WritesPlacesAndTypesOfObjects) {
   const std::vector<ModelObject> objects = {
       {"A", {{"", shapes::box({1, 1, 1}), {}}}, "https://example.org/?a=1&b=<2>", {0.1, 20, -3}},

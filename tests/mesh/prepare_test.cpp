@@ -74,6 +74,22 @@ PolygonSoup loose(const Mesh& mesh) {
   return soup;
 }
 
+TEST(Prepare, ColoursStayWithTheirTriangles) {
+  const Mesh box = shapes::box({30, 20, 10});
+  PolygonSoup soup = loose(box);
+  soup.triangles.push_back(soup.triangles[0]);  // a duplicate, which is dropped
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    soup.colours.emplace_back(t % 12 < 2 ? std::optional(Colour{9, 8, 7}) : std::nullopt);
+  const auto model = prepareModel(soup, {});
+  ASSERT_TRUE(model);
+  ASSERT_EQ(model->colours.size(), model->mesh.triangles.size());
+  const Vec3 coloured = triangleNormal(box, 0);
+  for (std::size_t t = 0; t < model->colours.size(); ++t)
+    EXPECT_EQ(model->colours[t].has_value(), glm::dot(triangleNormal(model->mesh, t), coloured) > 0.9) << t;
+  soup.colours.assign(soup.triangles.size(), Colour{1, 2, 3});
+  EXPECT_TRUE(prepareModel(soup, {})->colours.empty()) << "one colour tells nothing apart";
+}
+
 TEST(PrepareModel, WeldsLooseTrianglesIntoAClosedSolid) {
   const Mesh mesh = shapes::icosphere(20, 2);
   const auto model = prepareModel(loose(mesh), {});

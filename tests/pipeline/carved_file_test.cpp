@@ -85,6 +85,22 @@ class WriteCarved3mfTest : public GlTest {
   EngraveResult result_;
 };
 
+TEST_F(WriteCarved3mfTest, CarriesThePoseOnThePrinter) {
+  bytes_ = ballProject(ball_);
+  ASSERT_NO_FATAL_FAILURE(engraveBall(false));
+  result_.request.print.buildUp = {BuildPose::CodeUpright, {}};
+  const auto written = writeCarved3mf(model_->prepared, result_, {}, false, {});
+  ASSERT_TRUE(written);
+  EXPECT_FALSE(written->notKept);
+  const auto before = read3mf(written_, {}), posed = read3mf(written->bytes, {});
+  ASSERT_TRUE(before && posed);
+  ASSERT_EQ(posed->triangles, before->triangles);
+  // The ball is turned about its middle.
+  const Vec3 middle(128, 128, 40), up = result_.placement.frame.up;
+  for (std::size_t v = 0; v < before->positions.size(); ++v)
+    EXPECT_NEAR(glm::dot(before->positions[v] - middle, up), posed->positions[v].z - middle.z, 0.1);
+}
+
 TEST_F(WriteCarved3mfTest, KeepsPaintOutsideTheCode) {
   ASSERT_NO_FATAL_FAILURE(engraveBall(false));
   const auto project = slicer_rules::openInBambuStudio(written_);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "math/affine.h"
 #include "messages/sentences.h"
 #include "native/zxing_decoder.h"
 #include "pipeline/engrave.h"
@@ -238,6 +239,24 @@ TEST_F(VerifyTest, WarnsOfALabelTooLowToPrint) {
   const auto tooLow = warnings(std::string(69, 'A'));
   ASSERT_EQ(tooLow.size(), 1u);
   EXPECT_EQ(tooLow[0].code, "label-too-small");
+}
+
+TEST_F(VerifyTest, FindsTheCodeInAFileThatStandsInItsPoseOnThePrinter) {
+  VerifyRequest request = requestOf(good());
+  ASSERT_TRUE(request.lowMm);
+  const ProjectionFrame as = request.frame;
+  request.buildUp = {1, -2, 0.5};
+  findInPose(request, good().mesh);
+  EXPECT_EQ(request.frame, as) << "the file is not turned";
+  Affine pose = turnedUp(request.buildUp);
+  pose.origin = {128, 100, 7};
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions) p = Vec3f(pose(Vec3(p)));
+  findInPose(request, mesh);
+  EXPECT_NEAR(glm::distance(request.frame.centre, pose(as.centre)), 0, 1e-4);
+  EXPECT_NEAR(glm::distance(request.frame.onPlane({3, 4}), pose(as.onPlane({3, 4}))), 0, 1e-4);
+  EXPECT_NEAR(glm::distance(request.frame.eye(), pose(as.eye())), 0, 1e-4);
+  EXPECT_EQ(request.buildUp, Vec3(0, 0, 1));
 }
 
 TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {

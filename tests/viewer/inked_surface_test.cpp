@@ -64,21 +64,27 @@ TEST_F(InkedSurfaceTest, AnInlayAndItsModelHaveTheOutsideOfTheModel) {
                          surface.mesh.triangles.begin()));
 }
 
-TEST(SplitAtInk, NoVertexIsOfBothMaterials) {
-  DisplayMesh display = splitAtCreases(shapes::box({2, 2, 2}));
-  const DisplayMesh before = display;
-  std::vector<bool> isInk(display.mesh.triangles.size(), false);
-  isInk[0] = isInk[5] = true;
-  const std::vector<float> values = splitAtInk(display, isInk);
-  ASSERT_EQ(values.size(), display.mesh.positions.size());
-  ASSERT_EQ(values.size(), display.normals.size());
-  for (std::size_t t = 0; t < isInk.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t now = display.mesh.triangles[t][k], then = before.mesh.triangles[t][k];
-      EXPECT_EQ(values[now], isInk[t] ? 1.0f : 0.0f);
-      EXPECT_EQ(display.mesh.positions[now], before.mesh.positions[then]);
-      EXPECT_EQ(display.normals[now], before.normals[then]);
+TEST_F(InkedSurfaceTest, TheBodyKeepsTheModelsColoursAndTheCodeHasTheInks) {
+  constexpr Colour kRed{200, 30, 30}, kBlue{20, 40, 210};
+  for (const Mark mark : {Mark::Paint, Mark::Inlay}) {
+    const EngraveResult result = engraved(mark);
+    const InkedSurface surface = inkedSurface(result);
+    std::vector<std::optional<Colour>> ofModel(12, kBlue);
+    ofModel[result.placement.seed] = kRed;
+    const auto colours = inkedColours(surface, result, ofModel);
+    const auto plain = inkedColours(surface, result, {});
+    ASSERT_EQ(colours.size(), surface.mesh.triangles.size());
+    ASSERT_EQ(plain.size(), surface.mesh.triangles.size());
+    for (std::size_t t = 0; t < colours.size(); ++t) {
+      if (surface.isInk[t]) {
+        EXPECT_EQ(colours[t], plain[t]);
+        EXPECT_LT((*plain[t])[0], 100);
+      } else {
+        EXPECT_GT((*plain[t])[0], 200);
+        EXPECT_EQ(colours[t], t < result.keptTriangles ? ofModel[result.origins[t].facet] : kRed);
+      }
     }
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "viewer/build_plate.h"
+#include "viewer/coloured_mesh.h"
 #include "viewer/decal_bounds.h"
 #include "viewer/display_mesh.h"
 
@@ -296,16 +297,25 @@ TEST_F(ViewerTest, ColoursOnlyValuesAboveZeroOnRequest) {
   EXPECT_NEAR(heat.brightness(front), plain.brightness(front), 0.01);
 }
 
-TEST_F(ViewerTest, InkAndBodyHaveTheirColours) {
-  showBoxWithValuesOnTop();
-  viewer_->showHeat(HeatShown::Ink);
-  viewer_->setColours({Vec3f(0.56f), Vec3f(0.03f)});
-  const Vec2 top = camera_.toScreen({0, 0, 20}), front = camera_.toScreen({0, -20, 0});
-  const Picture dark = refined();
-  EXPECT_LT(dark.brightness(top), dark.brightness(front) - 0.3);
-  viewer_->setColours({Vec3f(0.03f), Vec3f(0.56f)});
-  const Picture inverted = refined();
-  EXPECT_GT(inverted.brightness(top), inverted.brightness(front) + 0.3);
+TEST_F(ViewerTest, FacetsHaveTheirOwnColours) {
+  const Mesh box = shapes::box({40, 40, 40});
+  std::vector<std::optional<Colour>> colours(box.triangles.size());
+  for (std::size_t t = 0; t < colours.size(); ++t) {
+    const Vec3 normal = triangleNormal(box, t);
+    if (normal.z > 0.5) colours[t] = Colour{200, 30, 30};
+    if (normal.y < -0.5) colours[t] = Colour{0, 0, 0};
+  }
+  viewer_->setMesh(std::make_shared<GpuMesh>(colouredMesh(splitAtCreases(box), colours)));
+  camera_.setScene(boundingBox(box));
+  camera_.fitFromDefaultSide();
+  viewer_->showHeat(HeatShown::Colours);
+  const Picture picture = refined();
+  const auto at = [&](Vec3 point) { return picture.at(camera_.toScreen(point)); };
+  EXPECT_GT(at({0, 0, 20}).x, 3 * at({0, 0, 20}).y) << "red";
+  EXPECT_LT(at({0, -20, 0}).x, 0.25) << "black";
+  EXPECT_GT(at({0, -20, 0}).x, 0.05) << "but its shape shows";
+  viewer_->showHeat(HeatShown::None);
+  EXPECT_NEAR(refined().at(camera_.toScreen({0, 0, 20})).x, refined().at(camera_.toScreen({0, 0, 20})).y, 0.05);
 }
 
 TEST_F(ViewerTest, ADecalHasItsOwnColours) {

@@ -28,6 +28,7 @@ import { sameWork } from './work.js';
  * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'after'>} fields
  * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided' | 'explainMissingCode'>} batching
  * @property {(remedy: import('../engine/types.js').Remedy, label: string) => Promise<unknown>} onRemedy
+ * @property {(source: import('./model_session.js').Source) => Promise<unknown>} onAnother  the carved model, for another code
  * @property {(action: () => Promise<unknown>) => Promise<unknown>} guard  runs an action that nobody awaits
  */
 
@@ -35,7 +36,8 @@ import { sameWork } from './work.js';
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, printing, store, fields, batching, onRemedy, guard }) {
+  constructor(options) {
+    const { client, jobs, model, placing, messages, panel, printing, store, fields, batching, guard } = options;
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -65,11 +67,11 @@ export class Carving {
     panel.listen({
       onDownload: (file) => guard(async () => this.carved && saveModel(client, this.carved, file)),
       onSaveReport: () => guard(async () => this.carved && saveReport(this.carved)),
-      onAnother: () => guard(async () => this.carved && model.load(await carvedSource(client, this.carved))),
+      onAnother: () => guard(async () => this.carved && options.onAnother(await carvedSource(client, this.carved))),
       onPrint: (isOn) => this.print(isOn),
       onTryPrints: () => guard(() => this.tryPrints()),
       onTryViews: (...options) => this.tryViewsGuarded_(...options),
-      onRemedy: (remedy, label) => guard(() => onRemedy(remedy, label)),
+      onRemedy: (remedy, label) => guard(() => options.onRemedy(remedy, label)),
     });
     store.changed.on(() => this.compare());
     placing.moved.on(() => void guard(() => this.show(false))); // the carving is at another place now

@@ -93,6 +93,7 @@ beforeEach(() => {
     },
     printing,
     onRemedy: async () => {},
+    onAnother: async () => {},
     guard: (action) => action(),
   });
   carving.changed.on((exists, seen) => void shows.push([exists, seen]));

@@ -122,6 +122,14 @@ export class Editing {
     }));
   }
 
+  /** Makes a carved model the model. Its file has the pose on the printer. @param {import('./model_session.js').Source} carved */
+  async goOnWith(carved) {
+    this.store_.update(({ values }) => ({
+      values: this.fields_.after(values, { setting: 'buildUp', value: 'as-modelled' }),
+    }));
+    await this.model_.load(carved);
+  }
+
   /** Continues with a stored work. @param {import('../storage/last_work.js').Work} stored */
   async continueWith({ text: content, values, sampleId, bytes, batch, address: _, ...place }) {
     this.restore({ text: content ?? this.store_.work.text, values, batch });

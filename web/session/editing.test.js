@@ -19,6 +19,7 @@ const kDefaults = {
   size: 'best',
   'size-mm': '40',
   rotate: '0',
+  'build-up': 'as-modelled',
 };
 const kFields = /** @type {import('../ui/setting_fields.js').Field[]} */ ([
   { id: 'preset', key: 'preset' },
@@ -29,6 +30,7 @@ const kFields = /** @type {import('../ui/setting_fields.js').Field[]} */ ([
   { id: 'size', key: 'size' },
   { id: 'size-mm', key: 'maxSizeMm' },
   { id: 'rotate', key: 'rotateDeg' },
+  { id: 'build-up', key: 'buildUp' },
 ]);
 const kBatch = /** @type {any} */ ({ from: 'count', count: 3 });
 
@@ -194,4 +196,16 @@ test('An edit removes an error only if there is a model, and says why there is n
   await editing.apply('text');
   assert.equal(messages.problem, undefined);
   assert.ok(batching.calls.includes('explainMissingCode'));
+});
+
+test('A carved model that becomes the model stands as it is printed', async () => {
+  store.update(({ values }) => ({ values: { ...values, 'build-up': 'code-up' } }));
+  /** @type {unknown} */ let loaded;
+  model.answers.load = async (/** @type {unknown} */ source) => {
+    loaded = source;
+  };
+  const carved = /** @type {any} */ ({ fileName: 'carved.3mf' });
+  await editing.goOnWith(carved);
+  assert.equal(loaded, carved);
+  assert.equal(store.work.values['build-up'], 'as-modelled');
 });
