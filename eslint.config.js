@@ -22,7 +22,7 @@ const kRules = {
 
 /** Parts of web/ that run during the build. */
 const kAtBuild = [
-  'web/offline/{app_icon,build_plugin,icons,png}.js',
+  'web/offline/build_plugin.js',
   'web/samples/*.js',
   'web/i18n/fill.js',
   'web/npm/build.js',
@@ -35,7 +35,6 @@ const kOnTerminal = [
   'script/cmake/*.js',
   'e2e/**/*.js',
   'wasm/**/*.js',
-  'web/offline/icons.js',
   'web/samples/generate.js',
   'web/npm/build.js',
   'examples/**/*.js',
