@@ -4,7 +4,7 @@
 # A folder that links the headers of a few libraries, because a WASM build must not see /usr/include.
 set(QRELIEF_HEADERS ${PROJECT_BINARY_DIR}/third_party)
 file(MAKE_DIRECTORY ${QRELIEF_HEADERS})
-foreach(name CGAL boost glm hwy tiny_obj_loader.h fmt nlohmann tl)
+foreach(name CGAL boost fast_float glm hwy tiny_obj_loader.h fmt nlohmann tl)
   find_path(${name}_parent NAMES ${name} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH
     NO_CACHE REQUIRED)
   file(CREATE_LINK ${${name}_parent}/${name} ${QRELIEF_HEADERS}/${name} SYMBOLIC)
