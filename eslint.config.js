@@ -21,12 +21,7 @@ const kRules = {
 };
 
 /** Parts of web/ that run during the build. */
-const kAtBuild = [
-  'web/offline/build_plugin.js',
-  'web/samples/*.js',
-  'web/i18n/fill.js',
-  'web/npm/build.js',
-];
+const kAtBuild = ['web/offline/build_plugin.js', 'web/samples/*.js', 'web/i18n/fill.js', 'web/npm/build.js'];
 
 /** Files run at a terminal, and tests that print measurements. */
 const kOnTerminal = [

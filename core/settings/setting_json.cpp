@@ -91,8 +91,7 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message<"settings-no-object">());
   const Json& entries = *parsed;
   for (const auto& [key, value] : entries.items())
-    if (!findSetting(key))
-      return fail(ErrorKind::BadUsage, message<"setting-unknown">(with::quoted<"key">(key)));
+    if (!findSetting(key)) return fail(ErrorKind::BadUsage, message<"setting-unknown">(with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto it = entries.find(setting.key);

@@ -18,8 +18,8 @@ using R = EngraveRequest;
 using V = SettingValue;
 using Kind = Setting::Kind;
 
-constexpr double kMaxMm = 1e4;              // largest edge: no printer is larger
-constexpr double kMaxWallMm = 1000;         // largest wall and largest depth
+constexpr double kMaxMm = 1e4;       // largest edge: no printer is larger
+constexpr double kMaxWallMm = 1000;  // largest wall and largest depth
 
 struct Range {
   double min, max, step;

@@ -59,8 +59,7 @@ std::string optionsPage() {
   for (const Setting& setting : settings()) {
     if (setting.group != group) {
       group = setting.group;
-      page += fmt::format("\n## {}\n\n| flag | key | meaning | default |\n|---|---|---|---|\n",
-                          nameOfGroup(group));
+      page += fmt::format("\n## {}\n\n| flag | key | meaning | default |\n|---|---|---|---|\n", nameOfGroup(group));
     }
     page += rowOf(setting);
   }

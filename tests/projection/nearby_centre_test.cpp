@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/nearby_centre.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "base/random.h"
@@ -86,12 +87,16 @@ TEST_F(NearbyCentreTest, AFixedCodeMovesToWhereItFits) {
 TEST_F(NearbyCentreTest, AtRandomPlacesABentCodeIsSaidToBeBentBeforeItIsPlaced) {
   Random random(200);
   int bent = 0, moved = 0, missed = 0;
-  for (const Mesh& mesh : {shapes::box({40, 30, 20}), shapes::cylinder(14, 60, 96), shapes::bumpySphere(30, 5, 5, 4),
-                           shapes::torus(30, 12, 96, 48)}) {
+  const auto waves = [](double x, double y) { return 2 * std::sin(x / 7) * std::cos(y / 9); };
+  for (const Mesh& mesh :
+       {shapes::box({40, 30, 20}), shapes::cylinder(14, 60, 96), shapes::bumpySphere(30, 5, 5, 4),
+        shapes::torus(30, 12, 96, 48), shapes::icosphere(16, 4), shapes::tetrahedron(60),
+        shapes::plate({70, 50}, 6, 40, 40, waves),
+        shapes::together(shapes::box({60, 60, 4}), shapes::translated(shapes::box({12, 12, 30}), {10, 5, 17.01}))}) {
     load(mesh);
     const auto prepared = prepareModel(shapes::soupOf(mesh), {});
     ASSERT_TRUE(prepared.has_value());
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 25; ++i) {
       const auto t = static_cast<std::uint32_t>(random.below(mesh.triangles.size()));
       const double u = random.uniform(), v = (1 - u) * random.uniform();
       const SurfacePoint picked = at((1 - u - v) * mesh.corner(t, 0) + u * mesh.corner(t, 1) + v * mesh.corner(t, 2));
