@@ -77,9 +77,26 @@ test('If the print does not decode, other processes are tried, and one press app
   await app.setting('At most (mm)').press('Tab');
   await app.expectReady();
   await app.engrave();
-  const line = app.result.getByRole('list', { name: 'Verdict' }).locator('> li').nth(1);
-  await expect(line).toContainText('Does not read as printed', kPrinted);
+  const failure = app.result.getByRole('list', { name: 'Verdict' }).locator('> li');
+  const lost = failure.getByRole('figure');
+  await test.step('the verdict is one sentence, a picture of the lost modules, and three remedies', async () => {
+    await expect(lost).toBeVisible(kPrinted);
+    await expect(failure).toHaveCount(1);
+    await expect(failure.locator('> strong')).toHaveText(
+      /^The code does not read as printed, .*: \d+ of 72 tries on simulated pictures .* succeeded, and 29 are needed\.$/,
+    );
+    const [, count] = /the (\d+) modules that it loses/.exec(await lost.innerText()) ?? [];
+    expect(Number(count)).toBeGreaterThan(10);
+    await expect(lost.locator('rect')).toHaveCount(Number(count));
+    await expect(failure.locator('> .remedies').getByRole('button')).toHaveText([
+      /^Allow \d+ mm$/,
+      'Use a 0.25 mm nozzle',
+      /^Print layers of/,
+    ]);
+    await expect(failure.getByRole('button')).toHaveCount(3); // the others are folded
+  });
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
+  const line = (await app.failedLines()).nth(1);
   await line.getByRole('button', { name: 'Try other ways of printing' }).click();
   await expect(line).toContainText(/Print 1 of 4: \d+ %/);
   await expect(line.locator('.print-trials li')).toHaveCount(4, { timeout: 180_000 });

@@ -89,6 +89,12 @@ export class Engraver {
     await expect(this.alert).toHaveCount(0);
   }
 
+  /** Unfolds the three lines of a failed verdict, and returns them. */
+  async failedLines() {
+    await this.result.getByText('Why, and what else helps').click({ timeout: 120_000 });
+    return this.result.getByRole('list', { name: 'In detail' }).locator('> li');
+  }
+
   /** @returns {Promise<{ name: string, bytes: Uint8Array }>} */
   async download(button = 'Download') {
     const [download] = await Promise.all([

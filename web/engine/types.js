@@ -181,7 +181,8 @@
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
  *   of a code in colour only meanMm and maxMm
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
- * @property {{ decoded: boolean, text: string, verdict: Verdict, iso15415: Grades, iso29158: Grades }} verification
+ * @property {{ decoded: boolean, text: string, failedChecks: Message[], verdict: Verdict, iso15415: Grades, iso29158: Grades }} verification
+ *   `failedChecks`: why it does not pass, in the order solid, reads, prints
  * @property {{ eyeDistanceMm: number }} projection
  * @property {{ total: number } & Record<string, number>} timingsMs
  */

@@ -293,7 +293,8 @@ export class Carving {
     const elapsedMs = performance.now() - started;
     if (!(await this.client_.useCarving(number))) return false;
     await this.adopt_(work, this.asked_);
-    this.carved = { report: await this.client_.report(), elapsedMs, number, work, ...this.ground_ };
+    const [seen] = await this.client_.pictures('reader');
+    this.carved = { report: await this.client_.report(), elapsedMs, number, work, seen, ...this.ground_ };
     await this.present_();
     this.print(true, goesOn);
     return true;

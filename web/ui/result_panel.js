@@ -17,8 +17,9 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
 /**
  * @typedef {{ report: Report, only3mf: import('../engine/types.js').ModelInfo['only3mf'], elapsedMs: number,
- *   printed?: import('../engine/types.js').Printed }} Result  `only3mf`: of its model; `elapsedMs`: from the click to the
- *   end; `printed`: undefined until something is known about the print
+ *   printed?: import('../engine/types.js').Printed, seen?: import('../engine/types.js').GreyImage }} Result  `only3mf`:
+ *   of its model; `elapsedMs`: from the click to the end; `printed`: undefined until something is known about the print;
+ *   `seen`: a phone's picture of it
  */
 
 /**
@@ -42,6 +43,7 @@ export class ResultPanel {
     this.grades_ = new GradesPanel(async (...report) => this.listener_?.onTryViews(...report));
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
+    this.explains_ = false; // a failed verdict shows its lines
     /** @type {import('../i18n/live.js').Words | undefined} */ this.attempt_ = undefined;
     this.choice_ = new DownloadChoice();
     this.again_ = byId('engrave-again', HTMLButtonElement);
@@ -49,6 +51,12 @@ export class ResultPanel {
     this.downloadPrevious_ = byId('download-previous', HTMLButtonElement);
     for (const button of [this.download_, this.downloadPrevious_])
       button.addEventListener('click', () => this.listener_?.onDownload(this.choice_.chosen));
+    /** @type {import('./verdict_lines.js').Listener} */ this.forLines_ = {
+      onRemedy: (remedy, label) => this.listener_?.onRemedy(remedy, label),
+      onPrint: (isOn) => this.listener_?.onPrint(isOn),
+      onTryPrints: () => this.listener_?.onTryPrints(),
+      onExplain: (isOpen) => (this.explains_ = isOpen),
+    };
     byId('another-code', HTMLButtonElement).addEventListener('click', () => this.listener_?.onAnother());
     byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
     onLanguage(() => this.render_());
@@ -63,7 +71,7 @@ export class ResultPanel {
   /** @param {Result} result */
   show(result) {
     this.result_ = result;
-    this.outdated_ = false;
+    this.outdated_ = this.explains_ = false;
     this.grades_.show(result.report);
     this.choice_.offerFor(result.report.mark, result.only3mf);
     this.render_();
@@ -135,13 +143,7 @@ export class ResultPanel {
     showFindings(this.notes_, this.findings_());
     // While an attempt is made, the module answers no questions about this result.
     this.verdict_.inert = byId('grades', HTMLElement).inert = this.attempt_ !== undefined;
-    this.verdict_.replaceChildren(
-      ...verdictLines(report, printed, {
-        onRemedy: (remedy, label) => this.listener_?.onRemedy(remedy, label),
-        onPrint: (isOn) => this.listener_?.onPrint(isOn),
-        onTryPrints: () => this.listener_?.onTryPrints(),
-      }),
-    );
+    this.verdict_.replaceChildren(...verdictLines(this.result_, this.forLines_, this.explains_));
     this.numbers_.replaceChildren(
       ...row(
         text('page.size'),

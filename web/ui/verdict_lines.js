@@ -1,45 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict in three lines, each with its reasons and one-click remedies.
+// The verdict. One that passes: three lines, each with its reasons and one-click remedies. One that fails: what failed, a
+// picture of it and the best remedies, with the three lines behind.
 import { text } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { asSentence } from '../i18n/sentences.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
+import { failurePicture } from './failure_picture.js';
 import { remedyButtons } from './messages.js';
 
-/** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Aspect} Aspect */
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
 /** @typedef {import('../engine/types.js').Printed} Printed */
 /**
- * @typedef {{ onRemedy: OnRemedy, onPrint: (starts: boolean) => void, onTryPrints: () => void }} Listener  `onPrint`:
- *   start or stop the simulation of the print; `onTryPrints`: try other print settings
+ * @typedef {{ onRemedy: OnRemedy, onPrint: (starts: boolean) => void, onTryPrints: () => void,
+ *   onExplain: (isOpen: boolean) => void }} Listener  `onPrint`: start or stop the simulation of the print;
+ *   `onTryPrints`: try other print settings; `onExplain`: the user opens or closes the lines of a failed verdict
  */
+/** @typedef {'reads' | 'prints' | 'solid'} Question */
 
 const kUnlinkedLength = 80;
+const kMostRemedies = 3; // more are a list to read, not a choice to make
+
+/** In the order of failedChecks. */
+const kQuestions = /** @type {const} */ (['solid', 'reads', 'prints']);
 
 /**
- * @param {Report} report
- * @param {Printed | undefined} printed  undefined until something is known about the print
+ * @param {import('./result_panel.js').Result} result
  * @param {Listener} listener
+ * @param {boolean} isOpen  the lines of a failed verdict are shown
  */
-export function verdictLines({ text: content, verification: { verdict } }, printed, listener) {
+export function verdictLines(result, listener, isOpen) {
+  const { verdict } = result.report.verification;
+  const failed = kQuestions.find((question) => !verdict[question].passed);
+  return failed ? [failure(failed, result, listener, isOpen)] : threeLines(result, listener);
+}
+
+/**
+ * @param {import('./result_panel.js').Result} result  `printed`: undefined until something is known about the print
+ * @param {Listener} listener
+ * @param {Question} [failed]  its best remedies are left out
+ */
+function threeLines({ report, printed }, listener, failed) {
   const { onRemedy, onPrint } = listener;
+  const { reads, prints, solid } = report.verification.verdict;
+  const left = (/** @type {Question} */ question) => {
+    const aspect = report.verification.verdict[question];
+    return question === failed ? { ...aspect, remedies: aspect.remedies.slice(kMostRemedies) } : aspect;
+  };
   return [
-    line(verdict.reads, readsHeading(content, verdict.reads), onRemedy),
+    line(left('reads'), readsHeading(report.text, reads), onRemedy),
     isUnderWay(printed)
       ? printingLine(printed, onPrint)
-      : line(
-          verdict.prints,
-          [sentenceOf(verdict.prints.summary)],
-          onRemedy,
-          printNotes(printed, verdict.prints, listener),
-        ),
-    line(verdict.solid, [sentenceOf(verdict.solid.summary)], onRemedy),
+      : line(left('prints'), [sentenceOf(prints.summary)], onRemedy, printNotes(printed, prints, listener)),
+    line(left('solid'), [sentenceOf(solid.summary)], onRemedy),
   ];
 }
+
+/**
+ * Says in one sentence what failed, with a picture of it and the best remedies. The rest is behind.
+ * @param {Question} failed
+ * @param {import('./result_panel.js').Result} result
+ * @param {Listener} listener
+ * @param {boolean} isOpen
+ */
+function failure(failed, result, listener, isOpen) {
+  const { verdict, failedChecks } = result.report.verification;
+  const { level, remedies } = verdict[failed];
+  const [check] = failedChecks;
+  const hint = hintOf(check);
+  const lines = make('ul', { className: 'verdict' }, ...threeLines(result, listener, failed));
+  lines.setAttribute('aria-label', text('check.inDetail'));
+  const rest = make(
+    'details',
+    {},
+    make('summary', { text: text('check.whyAndHelp') }),
+    ...(hint ? [make('p', { text: asSentence(hint) })] : []),
+    lines,
+  );
+  rest.open = isOpen;
+  rest.addEventListener('toggle', () => listener.onExplain(rest.open));
+  return make(
+    'li',
+    { className: `${level} failure` },
+    make('strong', { text: asSentence(sentenceOf(check)) }),
+    ...failurePicture(failed, result),
+    ...remedyButtons(remediesOf(remedies.slice(0, kMostRemedies), listener.onRemedy)),
+    rest,
+  );
+}
+
+/** @param {Remedy[]} remedies @param {OnRemedy} onRemedy */
+const remediesOf = (remedies, onRemedy) =>
+  remedies.map((remedy) => {
+    const label = sentenceOf(remedy);
+    return { label, run: () => onRemedy(remedy, label) };
+  });
 
 /** @param {Printed | undefined} printed @returns {printed is Printed & { state: 'under-way' } | undefined} */
 export const isUnderWay = (printed) => printed === undefined || printed.state === 'under-way';
@@ -136,12 +194,7 @@ const line = ({ level, warnings, reasons, remedies }, heading, onRemedy, notes =
     make('strong', {}, ...heading),
     ...warnings.map((warning) => make('p', { className: 'warning', text: wordsOf([warning]) })),
     make('p', { text: wordsOf(reasons) }),
-    ...remedyButtons(
-      remedies.map((remedy) => {
-        const label = sentenceOf(remedy);
-        return { label, run: () => onRemedy(remedy, label) };
-      }),
-    ),
+    ...remedyButtons(remediesOf(remedies, onRemedy)),
     ...notes,
   );
 

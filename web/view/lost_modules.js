@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks the modules that a print has lost, over the code in the phone view.
+// Marks the modules that a print has lost: over the code in the phone view, and in pictures.
 
 /** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
 
 const kSvg = 'http://www.w3.org/2000/svg';
 const kInset = 0.125; // of a mark in its module
+
+/** Returns a mark for each lost module, in modules from the symbol's top left. @param {import('../engine/types.js').Print['misread']} misread */
+export const lostMarks = (misread) =>
+  misread.map(([row, column]) => {
+    const mark = document.createElementNS(kSvg, 'rect');
+    const place = { x: column + kInset, y: row + kInset, width: 1 - 2 * kInset, height: 1 - 2 * kInset };
+    for (const [key, value] of Object.entries(place)) mark.setAttribute(key, String(value));
+    return mark;
+  });
 
 export class LostModules {
   /** @param {HTMLElement} overlay  covers the canvas */
@@ -22,14 +31,7 @@ export class LostModules {
   /** @param {import('../engine/types.js').Print['misread']} misread @param {number} modules  along the symbol's edge */
   show(misread, modules) {
     this.modules_ = modules;
-    this.marks_.replaceChildren(
-      ...misread.map(([row, column]) => {
-        const mark = document.createElementNS(kSvg, 'rect');
-        const place = { x: column + kInset, y: row + kInset, width: 1 - 2 * kInset, height: 1 - 2 * kInset };
-        for (const [key, value] of Object.entries(place)) mark.setAttribute(key, String(value));
-        return mark;
-      }),
-    );
+    this.marks_.replaceChildren(...lostMarks(misread));
     this.place(this.code_);
   }
 

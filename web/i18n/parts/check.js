@@ -24,6 +24,14 @@ export const check = {
     tryingPrints: 'Print {number} of {all}: {percent} %',
     takePrint: 'Use it: {choice}',
 
+    whyAndHelp: 'Why, and what else helps',
+    inDetail: 'In detail',
+    seenByPhone: 'As a phone sees it',
+    lostInPrint: {
+      one: 'The print from the front; red: the module that it loses',
+      other: 'The print from the front; red: the {count} modules that it loses',
+    },
+
     done: '{label}: set “{control}” to {value}. Engrave again.',
 
     details: 'Grades and views',
@@ -80,6 +88,14 @@ export const check = {
     triedSame: 'Jede Simulation druckt dieselbe Gravur. Für die gewählte Druckart wird der Code neu graviert.',
     tryingPrints: 'Druck {number} von {all}: {percent} %',
     takePrint: 'Verwenden: {choice}',
+
+    whyAndHelp: 'Warum, und was noch hilft',
+    inDetail: 'Im Einzelnen',
+    seenByPhone: 'So sieht ihn ein Handy',
+    lostInPrint: {
+      one: 'Der Druck von vorn; rot: das Modul, das er verliert',
+      other: 'Der Druck von vorn; rot: die {count} Module, die er verliert',
+    },
 
     done: '{label}: „{control}“ ist jetzt {value}. Neu gravieren.',
 
