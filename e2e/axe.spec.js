@@ -76,6 +76,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
     await expectNoViolations(page, 'grades and depths');
     await press('Phone view');
     await expectNoViolations(page, 'phone view');
+    await app.openSettings();
     await press('Inspector');
     await expectNoViolations(page, 'inspector');
     await app.text.fill('B');

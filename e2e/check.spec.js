@@ -27,6 +27,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
   await expect(lines.getByRole('button')).toHaveCount(0);
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
   await expect(page.getByRole('heading', { name: 'Check and download' })).toBeFocused();
+  expect(await app.unexplained()).toEqual([]);
 
   await test.step('Grades and views behind the verdict appear on demand, marked as simulated', async () => {
     const table = page.getByRole('table', { name: 'As a direct part mark, ISO/IEC 29158' });

@@ -114,6 +114,7 @@ test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
   expect((await app.report()).verification.text).toBe(payload);
   const { name } = await app.download();
   expect(name).toMatch(/^saddle-qr-wifi-Cafe-1-\d+mm\.stl$/);
+  await app.openSettings();
   await expect(page.getByText('The settings contain the Wi-Fi password')).toBeVisible();
   const stored = await page.evaluate(() => JSON.stringify({ ...localStorage }) + JSON.stringify({ ...sessionStorage }));
   expect(stored).not.toContain('word');

@@ -22,6 +22,14 @@ test('Headings, landmarks, the skip link and a live region lead through the five
     expect(announcements).toContain('Reading saddle.stl…');
     expect(announcements.at(-1)).toBe('Ready.');
   });
+  await test.step('every disabled button says why, in each language', async () => {
+    expect(await app.unexplained()).toEqual([]);
+    const carved = page.locator('#show-carved');
+    await expect(carved).toHaveAttribute('title', 'First engrave.');
+    await page.getByRole('combobox', { name: 'Language' }).selectOption('de');
+    await expect(carved).toHaveAttribute('title', 'Erst gravieren.');
+    await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
+  });
   await test.step('headings and landmarks are in order', async () => {
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('QRelief');
     await expect(page.getByRole('form', { name: 'Steps' }).getByRole('heading', { level: 2 })).toHaveText(kSteps);

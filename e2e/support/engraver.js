@@ -89,6 +89,13 @@ export class Engraver {
     await expect(this.alert).toHaveCount(0);
   }
 
+  /** Returns the disabled buttons that do not say why. */
+  unexplained() {
+    return this.page
+      .locator('button:disabled')
+      .evaluateAll((all) => all.filter((one) => !(/** @type {HTMLElement} */ (one).title)).map(({ id }) => id));
+  }
+
   /** Unfolds the three lines of a failed verdict, and returns them. */
   async failedLines() {
     await this.result.getByText('Why, and what else helps').click({ timeout: 120_000 });
@@ -97,10 +104,9 @@ export class Engraver {
 
   /** @returns {Promise<{ name: string, bytes: Uint8Array }>} */
   async download(button = 'Download') {
-    const [download] = await Promise.all([
-      this.page.waitForEvent('download'),
-      this.page.getByRole('button', { name: button, exact: true }).click(),
-    ]);
+    const pressed = this.page.getByRole('button', { name: button, exact: true });
+    if (!(await pressed.isVisible())) await this.openSettings(); // it is folded
+    const [download] = await Promise.all([this.page.waitForEvent('download'), pressed.click()]);
     return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
   }
 

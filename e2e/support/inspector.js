@@ -15,6 +15,7 @@ export class Inspector {
   }
 
   async open() {
+    if (!(await this.button.isVisible())) await this.page.getByText('For experts', { exact: true }).click();
     await this.button.click();
     await poll(() => this.state()).toBeDefined();
   }

@@ -151,6 +151,7 @@ const kStates = {
   help: { walk: async ({ page }) => press(page, 'Help') },
   inspector: {
     walk: async (app, page) => {
+      await app.openSettings();
       await app.engrave();
       await press(page, 'Inspector');
     },

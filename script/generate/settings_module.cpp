@@ -32,6 +32,7 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @property {readonly string[]} [choices]
  * @property {unknown} default       null: it is empty
  * @property {Words} label           without the unit
+ * @property {Words} [hint]          a sentence under the control
  * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
@@ -85,6 +86,7 @@ Json describe(const Setting& setting, const Json& defaults) {
   if (!setting.choices.empty()) entry["choices"] = setting.choices;
   entry["default"] = defaults.at(setting.key);
   entry["label"] = words.at("label");
+  if (words.contains("hint")) entry["hint"] = words.at("hint");
   if (words.contains("choices")) entry["choiceNames"] = words.at("choices");
   if (words.contains("parts")) entry["partLabels"] = words.at("parts");
   if (setting.kind == Setting::Kind::Lamps) {

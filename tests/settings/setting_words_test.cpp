@@ -34,7 +34,7 @@ TEST(SettingWords, EverySettingHasLabelHelpAndNamesOfItsChoicesInBothLanguages) 
     const Json& words = settingWords().at("settings").at(setting.key);
     EXPECT_THAT(unsaid("label", words.at("label")), testing::IsEmpty()) << setting.key;
     EXPECT_THAT(unsaid("help", words.at("help")), testing::IsEmpty()) << setting.key;
-    for (const char* other : {"empty", "without"})
+    for (const char* other : {"hint", "empty", "without"})
       EXPECT_THAT(unsaid(other, words.value(other, words.at("help"))), testing::IsEmpty()) << setting.key;
     std::set<std::string> choices(setting.choices.begin(), setting.choices.end());
     if (setting.kind == Setting::Kind::ChoiceOrNumber) choices.insert("number");

@@ -10,6 +10,9 @@ export const controlLabel = (key) => labelIn(currentLanguage(), key);
 /** Returns the label of the control with its unit: "Minimum wall (mm)". @param {string} key  of a setting of the core */
 export const controlName = (key) => nameIn(currentLanguage(), key);
 
+/** Returns the sentence under the control; '' if it needs none. @param {import('../generated/settings.js').SettingKey} key */
+export const settingHint = (key) => kSettings[key].hint?.[currentLanguage()] ?? '';
+
 /** @param {string} key @param {string} value */
 export const choiceLabel = (key, value) => choiceIn(currentLanguage(), key, value);
 

@@ -51,11 +51,12 @@ export class Session {
   allow() {
     const { jobs, model, undo, workPanel, spots, tools, picker } = this.options_;
     const { busy } = jobs;
-    const { engravable } = model;
+    const { engravable, info } = model;
+    const why = busy ? 'page.whyBusy' : engravable ? undefined : info ? 'page.notEngravable' : 'page.whyNoModel';
     undo.allow();
-    workPanel.allowEngrave(engravable && !busy);
-    spots.allow(engravable && !busy);
-    picker.allow(engravable && !busy);
+    workPanel.allowEngrave(why);
+    spots.allow(why);
+    picker.allow(why);
     tools.set({ engravable, busy });
   }
 

@@ -48,17 +48,26 @@ beforeEach(() => {
 test('A new model drops the carving before placing the code', async () => {
   await session.useModel();
   assert.deepEqual(order, ['dropped', 'applied', 'placed']);
-  assert.deepEqual(parts.spots.calls, ['allow true', 'clear', 'begin']);
+  assert.deepEqual(parts.spots.calls, ['allow ', 'clear', 'begin']);
 });
 
-test('Engraving is disabled during jobs and on unsuitable models', () => {
+test('Engraving is disabled without a model, during jobs and on unsuitable models, and says why', () => {
   session.allow();
   parts.jobs.busy = true;
   session.allow();
-  Object.assign(parts, { jobs: { busy: false }, model: { engravable: false } });
+  Object.assign(parts, { jobs: { busy: false }, model: { engravable: false, info: {} } });
   session.allow();
-  assert.deepEqual(parts.workPanel.calls, ['listen', 'allowEngrave true', 'allowEngrave false', 'allowEngrave false']);
-  assert.deepEqual(parts.picker.calls, ['allow true', 'allow false', 'allow false']);
+  parts.model.info = undefined;
+  session.allow();
+  const why = ['', 'page.whyBusy', 'page.notEngravable', 'page.whyNoModel'];
+  assert.deepEqual(
+    parts.workPanel.calls.slice(1),
+    why.map((key) => `allowEngrave ${key}`),
+  );
+  assert.deepEqual(
+    parts.picker.calls,
+    why.map((key) => `allow ${key}`),
+  );
 });
 
 test('Engraving waits for the spot that is being proposed', async () => {

@@ -96,9 +96,9 @@ export class SpotFinding {
     }
   }
 
-  /** Enables or disables the search. @param {boolean} allowed */
-  allow(allowed) {
-    this.panel_.allow(allowed);
+  /** @param {import('../dom/allow.js').Key} [why]  the search is disabled; absent: enabled */
+  allow(why) {
+    this.panel_.allow(why);
   }
 
   /** Drops the spots of another model. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo of all inputs of the carving, and of the carving itself.
 import { text } from '../i18n/catalogue.js';
+import { allow } from '../dom/allow.js';
 import { byId } from '../dom/dom.js';
 import { History } from './history.js';
 import { sameCentre, sameModel, sameWork } from './work.js';
@@ -38,6 +39,7 @@ export class Undo {
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
     this.redo_.addEventListener('click', () => this.redo());
+    this.allow();
     options.store.applied.on((field) => this.record(field));
     options.carving.finished.on(() => this.record());
     options.placing.proposed.on(() => this.amend_());
@@ -74,9 +76,10 @@ export class Undo {
 
   /** Enables the buttons when idle. */
   allow() {
-    const idle = !this.options_.jobs.busy && this.pauses_ === 0;
-    this.undo_.disabled = !(idle && this.history_.canUndo);
-    this.redo_.disabled = !(idle && this.history_.canRedo);
+    const isBusy = this.options_.jobs.busy || this.pauses_ > 0;
+    const { canUndo, canRedo } = this.history_;
+    allow(this.undo_, !canUndo ? 'page.whyNoUndo' : isBusy ? 'page.whyBusy' : undefined);
+    allow(this.redo_, !canRedo ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
   }
 
   undo() {

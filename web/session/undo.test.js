@@ -13,6 +13,11 @@ import { centredAt, chosenCentre } from './work.js';
 
 class FakeElement extends EventTarget {
   disabled = false;
+  title = '';
+  /** @type {Record<string, string>} */ dataset = {};
+  removeAttribute() {
+    this.title = '';
+  }
 }
 const {
   document: realDocument,
@@ -188,9 +193,11 @@ test('The buttons are disabled during jobs and while a state is restored', async
   store.update({ text: 'b' });
   undo.record();
   assert.equal(elements.undo.disabled, false);
+  assert.equal(elements.undo.title, '');
   busy = true;
   undo.allow();
   assert.equal(elements.undo.disabled, true);
+  assert.match(elements.undo.title, /^Wait until/);
   busy = false;
   undo.allow();
   const placed = new Pending();

@@ -2,6 +2,7 @@
 // The mode in which the next click in the view picks the face of the model that lies on the build plate.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
+import { allow } from '../dom/allow.js';
 import { byId } from '../dom/dom.js';
 
 /** @typedef {{ onPick: (picking: boolean) => void }} FacePickerListener  the mode began or ended */
@@ -12,6 +13,7 @@ export class FacePicker {
     /** @type {FacePickerListener | undefined} */ this.listener_ = undefined;
     this.view_ = view;
     this.button_ = byId('lay-face', HTMLButtonElement);
+    allow(this.button_, 'page.whyNoModel');
     this.hint_ = byId('lay-hint', HTMLElement);
     this.words_ = byId('lay-words', HTMLElement);
     this.isPicking = false;
@@ -33,10 +35,10 @@ export class FacePicker {
     this.listener_ = listener;
   }
 
-  /** @param {boolean} allowed  a model is there and no job runs */
-  allow(allowed) {
-    this.button_.disabled = !allowed;
-    if (!allowed && this.isPicking) this.pick_(false);
+  /** @param {import('../dom/allow.js').Key} [why]  no face can be picked; absent: one can */
+  allow(why) {
+    allow(this.button_, why);
+    if (why && this.isPicking) this.pick_(false);
   }
 
   /** Ends the mode if a click hit the model, else says that it missed. @param {boolean} hit */

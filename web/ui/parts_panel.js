@@ -2,6 +2,7 @@
 // All parts of a batch: starting them, their progress and their download.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
+import { allow } from '../dom/allow.js';
 import { byId } from '../dom/dom.js';
 import { PartsTable } from './parts_table.js';
 import { showStep } from './steps.js';
@@ -62,6 +63,8 @@ export class PartsPanel {
       [this.discard_, 'onDiscard'],
     ]))
       button.addEventListener('click', () => this.listener_?.[act]());
+    allow(this.begin_, 'batch.listMissing');
+    allow(this.download_, 'batch.whyNoneDone');
     onLanguage(() => this.renew_());
   }
 
@@ -75,7 +78,8 @@ export class PartsPanel {
     this.renew_ = () => this.showBegin({ count, first });
     byId('parts-begin', HTMLElement).hidden = false;
     byId('parts-run', HTMLElement).hidden = true;
-    this.begin_.disabled = count === 0 || first !== 'good';
+    const whyNot = /** @type {const} */ ({ none: 'batch.askForFirst', bad: 'batch.firstDoesNotPass', good: undefined });
+    allow(this.begin_, count === 0 ? 'batch.listMissing' : whyNot[first]);
     this.begin_.textContent = text('batch.carveAll', { count });
     write(this.how_, () =>
       text(first === 'good' ? 'batch.ready' : first === 'bad' ? 'batch.firstDoesNotPass' : 'batch.askForFirst'),
@@ -97,11 +101,11 @@ export class PartsPanel {
     this.progress_.hidden = phase === 'over';
     const focused = document.activeElement;
     this.pause_.hidden = !isUnderWay;
-    this.pause_.disabled = phase === 'pausing';
+    allow(this.pause_, phase === 'pausing' ? 'batch.whyPausing' : undefined);
     this.resume_.hidden = phase !== 'paused' && phase !== 'stopped';
     this.stop_.hidden = phase === 'stopped' || phase === 'over';
     this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || failures === 0;
-    this.download_.disabled = done === 0 || this.isSaving_;
+    allow(this.download_, done === 0 ? 'batch.whyNoneDone' : this.isSaving_ ? 'batch.whySaving' : undefined);
     if (focused instanceof HTMLElement && focused.hidden)
       [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
     const failed = failures > 0 ? text('batch.failedCount', { count: failures }) : '';

@@ -3,7 +3,7 @@
 // reports the user's edits.
 import { kSettings } from '../generated/settings.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { choiceLabel, controlName } from '../i18n/setting_names.js';
+import { choiceLabel, controlName, settingHint } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
 import { LampsField } from './lamps_field.js';
 import { SettingFields, isWhole, kFixed, kNotANumber, kOneLight, sizeKey, vectorFrom } from './setting_fields.js';
@@ -109,8 +109,17 @@ function numbersOf(key) {
     : [kFixed];
 }
 
-/** Sets a control's choices, bounds and default. @param {Control} control */
+/** Returns the element of a control's hint. @param {Control} control */
+const hintBelow = (control) => document.getElementById(`${control.id}-hint`);
+
+/** Sets a control's choices, bounds and default, and makes room for its hint. @param {Control} control */
 function prepare(control) {
+  if (kSettings[keyOf(control)].hint) {
+    const hint = make('p', { className: 'field-hint' });
+    hint.id = `${control.id}-hint`;
+    control.after(hint);
+    control.setAttribute('aria-describedby', hint.id);
+  }
   const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
     const values = kind === 'choice-or-number' ? [...choices, ...numbersOf(keyOf(control))] : choices;
@@ -147,11 +156,13 @@ function vectorLabel(key, vector) {
   return text('settings.axisUp', { axis: `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` });
 }
 
-/** Writes a control's label and the names of its choices. @param {Control} control */
+/** Writes a control's label, its hint and the names of its choices. @param {Control} control */
 function name(control) {
   const key = keyOf(control),
     label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
+  const hint = kSettings[key].hint && hintBelow(control);
+  if (hint) hint.textContent = settingHint(key);
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options) {
     const vector = vectorFrom(option.value);

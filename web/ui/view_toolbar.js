@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons over the 3D view: viewing directions, and the parts of the model to show.
+import { allow } from '../dom/allow.js';
 import { byId } from '../dom/dom.js';
 import { recall, remember } from '../storage/remembered.js';
 
@@ -50,6 +51,8 @@ export class ViewToolbar {
     this.position_.addEventListener('input', () => this.listener_?.onSection(true, this.position_.valueAsNumber));
     this.followMenu_();
     this.followBefore_();
+    this.setCarved(false, false, false);
+    this.setPlaced(false);
   }
 
   /** @param {ToolbarListener} listener */
@@ -126,17 +129,16 @@ export class ViewToolbar {
    * @param {boolean} isRelief  whether it has depths to show
    */
   setCarved(exists, isShown, isRelief) {
-    this.carved_.disabled = !exists;
+    allow(this.carved_, exists ? undefined : 'page.whyNotEngraved');
     this.carved_.setAttribute('aria-pressed', String(isShown));
-    this.before_.disabled = !isShown;
-    this.depths_.disabled = !exists || !isRelief;
+    allow(this.before_, isShown ? undefined : exists ? 'page.whyNotShown' : 'page.whyNotEngraved');
+    allow(this.depths_, !exists ? 'page.whyNotEngraved' : isRelief ? undefined : 'page.whyNoDepths');
     if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
   }
 
   /** @param {boolean} placed  whether a code is placed */
   setPlaced(placed) {
-    this.reader_.disabled = !placed;
-    this.section_.disabled = !placed;
+    for (const button of [this.reader_, this.section_]) allow(button, placed ? undefined : 'page.whyNoPlace');
     this.hint_.hidden = placed;
     if (!placed && isPressed(this.section_)) this.showSection(false);
   }

@@ -47,6 +47,11 @@ export const batch = {
     listTooLargeHint: 'Split it, or use the qrelief command',
 
     engraveFirst: 'Engrave the first part',
+    whyPausing: 'It pauses once the parts under way are done.',
+    whyNoneDone: 'No part is done yet.',
+    whySaving: 'The file is being written.',
+    whyFirstPage: 'This is the first page.',
+    whyLastPage: 'This is the last page.',
     heading: 'All parts',
     askForFirst: 'Engrave the first part and look at it, then engrave all the others like it.',
     firstDoesNotPass: 'The first part does not pass its checks. Change the settings or the spot, and engrave it again.',
@@ -151,6 +156,11 @@ export const batch = {
     listTooLargeHint: 'Sie aufteilen oder das Programm qrelief verwenden',
 
     engraveFirst: 'Erstes Teil gravieren',
+    whyPausing: 'Pausiert wird, sobald die laufenden Teile fertig sind.',
+    whyNoneDone: 'Noch ist kein Teil fertig.',
+    whySaving: 'Die Datei wird geschrieben.',
+    whyFirstPage: 'Das ist die erste Seite.',
+    whyLastPage: 'Das ist die letzte Seite.',
     heading: 'Alle Teile',
     askForFirst: 'Das erste Teil gravieren und ansehen, dann alle anderen ebenso gravieren.',
     firstDoesNotPass:

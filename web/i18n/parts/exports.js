@@ -2,6 +2,7 @@
 
 export const exports = {
   en: {
+    more: 'Save or share',
     settings: 'Save settings',
     share: 'Share link',
     symbolSvg: 'Code as SVG',
@@ -21,6 +22,7 @@ export const exports = {
     settingsOtherModel: 'Using the settings from {file}, made for {model}: choose the spot on this model.',
   },
   de: {
+    more: 'Speichern oder teilen',
     settings: 'Einstellungen speichern',
     share: 'Link teilen',
     symbolSvg: 'Code als SVG',

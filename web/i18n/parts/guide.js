@@ -77,7 +77,7 @@ export const guide = {
     lightPhone:
       'Hold the phone straight in front of the code, about 25 cm away. The code is engraved for this distance; you can set another. Seen from the side, a code on a curved surface is distorted, however deep it is: a smaller code or a flatter spot forgives more.',
     lightOne:
-      'The shallowest codes use the shadow of one lamp: under “Pattern, depth, printer”, set “Darken by” to “Shadow of one lamp”. Such a code reads reliably only while one light, such as a phone’s lamp or the sun, shines from the side that the result names. To set its position, choose “Light of one lamp” under “Light”.',
+      'The shallowest codes use the shadow of one lamp: under “For experts”, set “Darken by” to “Shadow of one lamp”. Such a code reads reliably only while one light, such as a phone’s lamp or the sun, shines from the side that the result names. To set its position, choose “Light of one lamp” under “Light”.',
 
     parts: 'A code for every part',
     partsWhat:
@@ -192,7 +192,7 @@ export const guide = {
     lightPhone:
       'Das Handy gerade vor den Code halten, etwa 25 cm entfernt. Für diesen Abstand ist der Code graviert; ein anderer lässt sich einstellen. Von der Seite gesehen verzerrt sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     lightOne:
-      'Am flachsten sind Codes mit dem Schatten einer Lampe: Unter „Muster, Tiefe, Drucker“ bei „Dunkel durch“ den „Schatten einer Lampe“ wählen. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht, etwa eine Handylampe oder die Sonne, von der Seite scheint, die das Ergebnis nennt. Wo es steht, lässt sich unter „Licht“ mit „Licht einer Lampe“ festlegen.',
+      'Am flachsten sind Codes mit dem Schatten einer Lampe: Unter „Für Fachleute“ bei „Dunkel durch“ den „Schatten einer Lampe“ wählen. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht, etwa eine Handylampe oder die Sonne, von der Seite scheint, die das Ergebnis nennt. Wo es steht, lässt sich unter „Licht“ mit „Licht einer Lampe“ festlegen.',
 
     parts: 'Ein Code je Teil',
     partsWhat:

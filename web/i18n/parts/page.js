@@ -22,6 +22,16 @@ export const page = {
     dismiss: 'Dismiss',
     clickModel: 'Click the model where the code should go',
 
+    whyNoModel: 'First open a model.',
+    whyNoPlace: 'First choose a place for the code.',
+    whyBusy: 'Wait until the work under way ends, or cancel it.',
+    whyNotEngraved: 'First engrave.',
+    whyNoDepths: 'A second colour has no depths to show.',
+    whyNotShown: 'First show the model with its code.',
+    whyNoSizes: 'First press “Suggest spots”.',
+    whyNoUndo: 'There is nothing to undo.',
+    whyNoRedo: 'There is nothing to redo.',
+
     undo: 'Undo',
     undoTitle: 'Undo (Ctrl+Z)',
     redo: 'Redo',
@@ -191,6 +201,16 @@ export const page = {
     drop: 'Modell oder Liste von Texten hier ablegen',
     dismiss: 'Schließen',
     clickModel: 'Auf das Modell klicken, wo der Code hin soll',
+
+    whyNoModel: 'Erst ein Modell öffnen.',
+    whyNoPlace: 'Erst eine Stelle für den Code wählen.',
+    whyBusy: 'Warten, bis die laufende Arbeit endet, oder sie abbrechen.',
+    whyNotEngraved: 'Erst gravieren.',
+    whyNoDepths: 'Eine zweite Farbe hat keine Tiefen.',
+    whyNotShown: 'Erst das Modell mit seinem Code zeigen.',
+    whyNoSizes: 'Erst „Stellen vorschlagen“ drücken.',
+    whyNoUndo: 'Es gibt nichts rückgängig zu machen.',
+    whyNoRedo: 'Es gibt nichts zu wiederholen.',
 
     undo: 'Rückgängig',
     undoTitle: 'Rückgängig (Strg+Z)',
