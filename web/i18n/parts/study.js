@@ -12,6 +12,7 @@ export const study = {
     contents: 'Contents',
     findings: 'Findings',
     figures: 'Figures and tables',
+    eachFigure: 'Each of them',
     figuresWhat: 'Below each figure is its table, to download. Everything is simulated, as “Procedure” says.',
 
     how: 'Procedure',
@@ -65,6 +66,7 @@ export const study = {
     contents: 'Inhalt',
     findings: 'Ergebnisse',
     figures: 'Abbildungen und Tabellen',
+    eachFigure: 'Jede einzeln',
     figuresWhat:
       'Unter jeder Abbildung steht ihre Tabelle zum Herunterladen. Alles ist simuliert, wie unter „Vorgehen“ beschrieben.',
 
