@@ -5,6 +5,7 @@ import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { formatMm } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { asSentence } from '../i18n/sentences.js';
 import { Signal } from './signal.js';
 import { centredAt, chosenCentre } from './work.js';
 
@@ -139,6 +140,12 @@ export class Placing {
         }
       }
     }
+  }
+
+  /** Says why no spot is proposed, and what helps. @param {import('../engine/message.js').Message} problem */
+  explain(problem) {
+    this.panel_.explain(problem);
+    this.messages_.say(() => `${asSentence(sentenceOf(problem))} ${text('page.askForCentre')}`);
   }
 
   /** @param {Placement | undefined} placement */

@@ -49,6 +49,15 @@ beforeEach(() => {
 });
 afterEach(() => setLanguage('en'));
 
+test('After a search without a spot, the status says why and what to do', async () => {
+  await messageWords.come();
+  placing.explain(message('larger-or-flatter'));
+  assert.equal(
+    messages.said.at(-1),
+    'Choose a larger or flatter model, or shorten the text. Click the model where the code should go.',
+  );
+});
+
 test('A model without a centre starts at the module’s proposal', async () => {
   await placing.begin();
   assert.deepEqual(store.work.centreMm, [1, 2, 3]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Searches for the best spots and lets the user choose one.
 import { isReplaced } from '../engine/client.js';
-import { isFatal } from '../engine/engine_error.js';
+import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { chosenCentre } from './work.js';
 
@@ -74,6 +74,7 @@ export class SpotFinding {
 
   async moveToBest_() {
     const model = this.model_.info;
+    /** @type {unknown} */ let failure;
     const result = await this.jobs_
       .runInBackground(async (signal) => {
         this.messages_.say(() => text('page.lookingForSpots'));
@@ -81,6 +82,7 @@ export class SpotFinding {
       })
       .catch((thrown) => {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
+        failure = thrown;
         return undefined; // the code may fit at the module's proposal; otherwise the page asks for a place
       });
     const isWanted = this.mayPropose_ && model === this.model_.info;
@@ -93,6 +95,7 @@ export class SpotFinding {
       void this.drawPictures_(result.spots.length);
     } else if (isWanted) {
       await this.placing_.place();
+      if (failure && !this.placing_.placement) this.placing_.explain(describeThrown(failure));
     }
   }
 

@@ -41,7 +41,11 @@ beforeEach(() => {
   });
   model = { info: {}, engravable: true };
   store = storeOf(centredAt([0, 0, 0], true));
-  placing = fake(Placing, { propose: async () => {}, place: async () => {} }, { moved: new Signal() });
+  placing = fake(
+    Placing,
+    { propose: async () => {}, place: async () => {} },
+    { moved: new Signal(), placement: undefined },
+  );
   panel = fake(SpotsPanel, { known: true });
   messages = new FakeMessages();
   const said = /** @type {any} */ (messages);
@@ -105,6 +109,7 @@ test('A change of settings during the search begins it again, once', async () =>
 });
 
 test('A model without a spot keeps the first proposal', async () => {
+  placing.placement = { symbolMm: 20 };
   spots.begin();
   await settled();
   search.reject(noRoom());
@@ -119,4 +124,14 @@ test('A cancelled search says so while the module is still busy', async () => {
   search.resolve(undefined);
   await suggested;
   assert.equal(messages.said.at(-1), 'Cancelled.');
+});
+
+test('A model without a spot or a fitting proposal says why', async () => {
+  /** @type {any} */ let problem;
+  placing.answers.explain = (/** @type {any} */ said) => void (problem = said);
+  spots.begin();
+  await settled();
+  search.reject(noRoom());
+  await spots.proposed;
+  assert.deepEqual([placing.calls[0], problem.code], ['place', 'no-centre']);
 });

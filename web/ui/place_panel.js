@@ -5,6 +5,7 @@ import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 import { formatMm } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { asSentence } from '../i18n/sentences.js';
 import { showSpotCost } from './carve_panel.js';
 import { showFindings } from './messages.js';
 import { showStep } from './steps.js';
@@ -67,23 +68,33 @@ export class PlacePanel {
     return showStep('place', concerns.length > 0 ? 'warn' : 'done', () => sizeInWords(placement));
   }
 
+  /** Says why no spot is proposed, until the code has one. @param {Message} problem */
+  explain(problem) {
+    this.shown_ = [problem];
+    this.showConcerns_();
+  }
+
   showConcerns_() {
     showFindings(
       this.concerns_,
       this.shown_.map((concern) => {
         const label = text('page.paintInstead');
         const paint = { label, run: () => this.onRemedy_(kPaint, label) };
-        const isThin = concern.code === 'nothing-can-be-carved';
+        const isThin = kThin.includes(concern.code);
+        const isSpotless = concern.code.startsWith(kNoSpot);
         return {
           severity: 'warning',
           found: sentenceOf(concern),
-          help: hintOf(concern),
+          help: [hintOf(concern), ...(isSpotless ? [text('page.orClick')] : [])].map(asSentence).join(' '),
           remedies: isThin ? [paint] : [],
         };
       }),
     );
   }
 }
+
+const kNoSpot = 'no-spot'; // begins the codes of the reasons why a search finds no spot
+const kThin = ['nothing-can-be-carved', 'no-spot-wall-too-thin'];
 
 /** A code that needs no wall. @type {SettingChange} */
 const kPaint = { setting: 'mark', value: 'paint' };

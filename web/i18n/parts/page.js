@@ -62,6 +62,7 @@ export const page = {
 
     place: 'Place',
     howToPlace: 'Click the model where the code should go, or choose a suggested spot.',
+    orClick: 'Or click the model to try a place.',
     suggest: 'Suggest spots',
     spots: 'Spots',
     placeNone: 'No spot yet',
@@ -242,6 +243,7 @@ export const page = {
 
     place: 'Stelle',
     howToPlace: 'Auf das Modell klicken, wo der Code hin soll, oder eine vorgeschlagene Stelle wählen.',
+    orClick: 'Oder auf das Modell klicken, um eine Stelle zu probieren.',
     suggest: 'Stellen vorschlagen',
     spots: 'Stellen',
     placeNone: 'Noch keine Stelle',
