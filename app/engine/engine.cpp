@@ -52,7 +52,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   model_ = std::move(*model);
   scene_.camera().setScene(model_->engravable->box);
   scene_.camera().fitFromDefaultSide();
-  wanted_.choose(proposedCentre(*model_, scene_.camera().view(), settings().placement.eyeDistanceMm));
+  wanted_.choose(proposedCentre(*model_, scene_.camera(), settings().placement.eyeDistanceMm));
   updateView();
   return describeModel();
 }
@@ -70,6 +70,7 @@ std::string Engine::configure(const std::string& settings) {
   if (!request) return answer(request.error());
   wanted_.configure(std::move(*request));
   scene_.setPlate(buildPlate());
+  standOnPlate();
   return done();
 }
 
@@ -95,7 +96,7 @@ std::string Engine::setCentre(const std::string& where) {
   if (const auto at = parsed->find("at"); at != parsed->end()) {
     const auto picked = surfaceAt(numberOf(at->at(0)), numberOf(at->at(1)));
     if (!picked || !takesCode() || parsed->value("exact", false)) return chooseCentre(picked);
-    const SurfacePoint centre = centreNear(*model_, wanted_, scene_.camera().skyward(), *picked);
+    const SurfacePoint centre = centreNear(*model_, wanted_, scene_.camera().modelUp(), *picked);
     return chooseCentre(centre, glm::distance(centre.position, picked->position));
   }
   const Json& mm = parsed->at("mm");

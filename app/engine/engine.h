@@ -245,6 +245,8 @@ class Engine {
   std::string describeCode(const CodeOnSurface& code) const;
 
   void setUpAxis(const std::string& axis);
+  /// Turns the camera so that the plate is below, if the printer's vertical does not depend on the code's place.
+  void standOnPlate();
   void showCarved(bool carved);
   void hidePrint();
   void showSizes(bool isShown);

@@ -37,7 +37,7 @@ std::string Engine::startEngrave(const std::string& options,
   updateView();
   if (!model_) return answer(kNoModel);
   if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message<"no-centre">());
-  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
+  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().modelUp());
   if (overridden) request = overridden(std::move(request));
   if (!isNext)
     carvings_.follow({request,
@@ -63,7 +63,7 @@ std::string Engine::startSpotSearch() {
 std::string Engine::advancePreparation() {
   bool isDone = true;
   if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
-    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
+    const EngraveRequest request = wanted_.request(scene_.camera().modelUp());
     isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()));
   }
   return textOf({{"ok", true}, {"done", isDone}});

@@ -26,7 +26,7 @@ Vec3 nearAxis(Vec3 direction) {
 
 }  // namespace
 
-PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().skyward()}; }
+PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().modelUp()}; }
 
 bool Engine::takesCode() const {
   return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();
@@ -122,7 +122,7 @@ std::string Engine::layFace(const std::string& at) const {
   const auto point = surfaceAt(numberOf(parsed->at(0)), numberOf(parsed->at(1)));
   if (!point) return textOf({{"ok", true}, {"hit", false}});
   const Vec3 up = nearAxis(-flatRegionNormal(model_->mesh(), model_->engravable->prepared.adjacency, point->triangle));
-  const bool isScenesUp = up == scene_.camera().skyward();
+  const bool isScenesUp = up == scene_.camera().modelUp();
   return textOf(
       {{"ok", true}, {"hit", true}, {"buildUp", isScenesUp ? Json(buildPoseName(BuildPose::AsModelled)) : jsonOf(up)}});
 }
@@ -165,7 +165,7 @@ ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
   const Spot& spot = offers_.spots()[index];
   const PlacementRequest& request = offers_.request();
   const ProjectionFrame upright =
-      makeFrame(spot.centreMm, spot.direction, scene_.camera().skyward(), request.eyeDistanceMm);
+      makeFrame(spot.centreMm, spot.direction, scene_.camera().modelUp(), request.eyeDistanceMm);
   const auto decal = visibleDecal(*model_, *wanted_.symbol(), turned(upright, toRadians(request.rotateDeg)),
                                   spot.symbolMm, settings());
   return decal ? scene_.picture(model_->display, *decal, upright, width, height) : ColourImage{};

@@ -77,7 +77,7 @@ Json onScreen(const BuildPlate& plate, const OrbitCamera& camera) {
 
 std::optional<BuildPlate> Engine::buildPlate() const {
   if (!model_) return {};
-  const BuildDirection build = wanted_.buildDirection(scene_.camera().skyward());
+  const BuildDirection build = wanted_.buildDirection(scene_.camera().modelUp());
   const Placement* const placement = preview_.placement();
   if (!build.up && build.pose != BuildPose::AsModelled && !placement) return {};  // the code is not placed yet
   return plateUnder(model_->mesh(), build.resolve(placement ? placement->frame : ProjectionFrame{}));
@@ -97,7 +97,14 @@ void Engine::updateView() {
 
 void Engine::setUpAxis(const std::string& axis) {
   scene_.camera().setUpAxis(axis == "y" ? UpAxis::Y : UpAxis::Z);
+  standOnPlate();
   scene_.camera().fitFromDefaultSide();
+}
+
+void Engine::standOnPlate() {
+  const BuildDirection& build = settings().print.buildUp;
+  const Vec3 up = build.up ? glm::normalize(*build.up) : scene_.camera().modelUp();
+  if (up != scene_.camera().skyward()) scene_.camera().standOn(up);
 }
 
 void Engine::zoom(double factor, double x, double y) {

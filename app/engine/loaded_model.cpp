@@ -44,17 +44,18 @@ Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass,
   return model;
 }
 
-std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& camera, double eyeDistanceMm) {
+std::optional<Vec3> proposedCentre(const LoadedModel& model, const OrbitCamera& camera, double eyeDistanceMm) {
   const Mesh& mesh = model.mesh();
   const double proposedMm = std::min(kProposedMm, kProposedFraction * boundingBox(mesh).diagonal());
   std::optional<Vec3> centre;
   double largest = 0;
+  const CameraView view = camera.view();
   const auto spots =
-      firstSpots(*model.engravable->renderer, camera.frame(), camera.widthAtTargetMm(), proposedMm, kSpotsTried);
+      firstSpots(*model.engravable->renderer, view.frame(), view.widthAtTargetMm(), proposedMm, kSpotsTried);
   for (const OrientedPoint& spot : spots ? *spots : std::vector<OrientedPoint>{}) {
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;
-    const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.skyward, eyeDistanceMm);
+    const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.modelUp(), eyeDistanceMm);
     const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, proposedMm);
     const double fits = patch ? std::min(proposedMm, freeSize(patch->silhouette)) : 0;
     if (centre && fits <= largest) continue;
@@ -63,7 +64,7 @@ std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& c
     if (fits >= kGoodFit * proposedMm) break;
   }
   if (centre) return centre;
-  const auto towardsCamera = closestPoint(mesh, camera.eye());
+  const auto towardsCamera = closestPoint(mesh, view.eye());
   return towardsCamera ? std::optional(towardsCamera->position) : std::nullopt;
 }
 

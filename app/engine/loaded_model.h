@@ -34,6 +34,6 @@ Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass,
                                 const std::string& fileName, double scaleToMm);
 
 /// Proposes a point in the camera's view where a code probably fits well; else the surface point nearest to the camera.
-std::optional<Vec3> proposedCentre(const LoadedModel& model, const CameraView& camera, double eyeDistanceMm);
+std::optional<Vec3> proposedCentre(const LoadedModel& model, const OrbitCamera& camera, double eyeDistanceMm);
 
 }  // namespace qrelief

@@ -34,6 +34,19 @@ Axes axesOf(const CameraPose& pose) {
 // Returns the same angle within half a turn of `near`, so that a glide takes the short way round.
 double wrappedNear(double angle, double near) { return angle - 2 * kPi * std::round((angle - near) / (2 * kPi)); }
 
+// Returns a pose that looks from `back` with `up` upward, in turntable space.
+CameraPose turnedTo(CameraPose pose, Vec3 back, Vec3 up) {
+  pose.pitch = std::asin(std::clamp(back.z, -1.0, 1.0));
+  // Straight from above or below, only the yaw says where up is.
+  const bool atPole = std::hypot(back.x, back.y) < 1e-9;
+  const double sign = back.z > 0 ? -1 : 1;
+  pose.yaw = atPole ? std::atan2(sign * up.y, sign * up.x) : std::atan2(back.y, back.x);
+  pose.roll = 0;
+  const Axes upright = axesOf(pose);
+  pose.roll = std::atan2(-glm::dot(up, upright.right), glm::dot(up, upright.up));
+  return pose;
+}
+
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
 // Returns the height of the visible part of the plane through the target: perceived as nearness.
@@ -58,13 +71,36 @@ void OrbitCamera::setViewport(double width, double height) {
   height_ = std::max(1.0, height);
 }
 
-void OrbitCamera::setUpAxis(UpAxis axis) { upAxis_ = axis; }
+void OrbitCamera::setUpAxis(UpAxis axis) {
+  upAxis_ = axis;
+  setSkyward(modelUp());
+}
+
+/// Turns the turntable. Its x axis is the model's x, or y where x points up, as far as it is level.
+void OrbitCamera::setSkyward(Vec3 up) {
+  const Vec3 across = std::abs(up.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 right = glm::normalize(across - up * glm::dot(across, up));
+  turntable_ = {right, glm::cross(up, right), up};
+}
+
+void OrbitCamera::standOn(Vec3 up) {
+  const CameraView now = view();
+  setSkyward(up);
+  pose_ = turnedTo(pose_, toTurntable(now.back), toTurntable(now.up));
+  CameraPose to = pose_;
+  to.pitch = std::max(to.pitch, CameraPose{}.pitch);
+  glide_ = Glide{pose_, fitted(to, scene_), {}};
+}
 
 void OrbitCamera::setScene(const Box3& box) { scene_ = box; }
 
-Vec3 OrbitCamera::fromTurntable(Vec3 v) const { return upAxis_ == UpAxis::Z ? v : Vec3(v.x, v.z, -v.y); }
+Vec3 OrbitCamera::fromTurntable(Vec3 v) const {
+  return turntable_[0] * v.x + turntable_[1] * v.y + turntable_[2] * v.z;
+}
 
-Vec3 OrbitCamera::toTurntable(Vec3 v) const { return upAxis_ == UpAxis::Z ? v : Vec3(v.x, -v.z, v.y); }
+Vec3 OrbitCamera::toTurntable(Vec3 v) const {
+  return {glm::dot(v, turntable_[0]), glm::dot(v, turntable_[1]), glm::dot(v, turntable_[2])};
+}
 
 void OrbitCamera::orbit(double dx, double dy) {
   interrupt();
@@ -161,19 +197,9 @@ void OrbitCamera::lookFrom(StandardView side) {
 }
 
 void OrbitCamera::lookThrough(const ProjectionFrame& frame, double extentMm) {
-  CameraPose to;
-  const Vec3 back = toTurntable(frame.normal);
-  const Vec3 up = toTurntable(frame.up);
+  CameraPose to = turnedTo({}, toTurntable(frame.normal), toTurntable(frame.up));
   to.target = frame.centre;
   to.distance = frame.eyeDistance;
-  to.pitch = std::asin(std::clamp(back.z, -1.0, 1.0));
-  // Straight from above or below, only the yaw says where up is.
-  const bool atPole = std::hypot(back.x, back.y) < 1e-9;
-  const double sign = back.z > 0 ? -1 : 1;
-  to.yaw = atPole ? std::atan2(sign * up.y, sign * up.x) : std::atan2(back.y, back.x);
-  to.roll = 0;
-  const Axes upright = axesOf(to);
-  to.roll = std::atan2(-glm::dot(up, upright.right), glm::dot(up, upright.up));
   const double shownHeight = extentMm * std::max(1.0, height_ / width_);
   to.fieldOfView = 2 * std::atan(shownHeight / (2 * frame.eyeDistance));
   to.yaw = wrappedNear(to.yaw, pose_.yaw);

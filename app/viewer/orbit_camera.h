@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "math/box.h"
@@ -32,7 +33,7 @@ struct CameraPose {
 struct CameraView {
   Vec3 target{0};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
-  Vec3 skyward{0, 0, 1};  ///< the up axis of the scene, model space
+  Vec3 skyward{0, 0, 1};  ///< points up on the screen unless the camera rolls; model space
   double distance = 100;
   Vec2 tanHalf{1};           ///< tangents of half the horizontal and vertical field of view
   Vec2 depthRange{1, 1000};  ///< near and far distance along the line of sight, mm
@@ -59,9 +60,12 @@ struct Ray {
 class OrbitCamera {
  public:
   void setViewport(double width, double height);
+  /// Sets the model's axis that points up, on the screen, too.
   void setUpAxis(UpAxis axis);
-  UpAxis upAxis() const { return upAxis_; }
-  Vec3 skyward() const { return fromTurntable({0, 0, 1}); }
+  Vec3 modelUp() const { return upAxis_ == UpAxis::Z ? Vec3(0, 0, 1) : Vec3(0, 1, 0); }
+  /// Glides to where another direction points up on the screen. @param up  model space, unit
+  void standOn(Vec3 up);
+  Vec3 skyward() const { return turntable_[2]; }
 
   /// Sets the box to view, which also limits panning and zooming. Does not move the camera.
   void setScene(const Box3& box);
@@ -104,6 +108,7 @@ class OrbitCamera {
     std::optional<double> startMs;  // set by the first frame
   };
   Vec3 fromTurntable(Vec3 v) const;
+  void setSkyward(Vec3 up);
   CameraPose fitted(CameraPose pose, const Box3& box) const;
   void interrupt() { glide_.reset(); }
   void keepInLimits();
@@ -112,6 +117,7 @@ class OrbitCamera {
   std::optional<Glide> glide_;
   Box3 scene_;
   UpAxis upAxis_ = UpAxis::Z;
+  std::array<Vec3, 3> turntable_ = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  // its axes in model space, z up
   double width_ = 1, height_ = 1;
 };
 

@@ -441,6 +441,17 @@ TEST_F(EngineTest, ShowsThePlateInThePoseOnThePrinter) {
   EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null());
 }
 
+TEST_F(EngineTest, AFaceOnThePlateIsBelowOnTheScreen) {
+  engine_->show(R"({"buildPlate": true})");
+  load(shapes::box({60, 50, 20}));
+  engine_->configure(R"({"text": "A", "buildUp": [1, 0, 0]})");
+  for (bool gliding = true; gliding;) gliding = engine_->draw();
+  const Json plate = Json::parse(engine_->viewState())["buildPlate"];
+  EXPECT_NEAR(plate["heightMm"].get<double>(), 60, 1e-5);
+  EXPECT_GT(plate["foot"][1].get<double>(), plate["top"][1].get<double>() + 20);
+  EXPECT_NEAR(plate["foot"][0].get<double>(), plate["top"][0].get<double>(), 20);
+}
+
 TEST_F(EngineTest, TheHeightOverThePlateStandsAtTheLeft) {
   engine_->show(R"({"buildPlate": true})");
   load(shapes::box({60, 50, 20}));

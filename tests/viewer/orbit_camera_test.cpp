@@ -63,6 +63,25 @@ TEST(OrbitCamera, TheChosenAxisPointsUpOnTheScreen) {
   expectNear(glm::cross(camera.view().right, camera.view().up), camera.view().back, 1e-12);
 }
 
+TEST(OrbitCamera, AnotherDirectionComesUprightByAGlide) {
+  for (const Vec3 up : {Vec3(1, 0, 0), Vec3(0, 0, -1), glm::normalize(Vec3(1, -2, 0.5))}) {
+    OrbitCamera camera = cameraOver({100, 60, 40});
+    const CameraView before = camera.view();
+    camera.standOn(up);
+    expectNear(camera.view().up, before.up, 1e-12);
+    expectNear(camera.view().back, before.back, 1e-12);
+    camera.finishGlide();
+    const CameraView after = camera.view();
+    EXPECT_NEAR(glm::dot(after.right, up), 0, 1e-12) << "no roll";
+    EXPECT_GT(glm::dot(after.up, up), 0) << "upright";
+    EXPECT_GT(glm::dot(after.back, up), 0.3) << "from above";
+    expectNear(glm::cross(after.right, after.up), after.back, 1e-12);
+    expectNear(camera.modelUp(), {0, 0, 1}, 1e-15);
+    camera.orbit(30, 0);
+    EXPECT_NEAR(glm::dot(camera.view().right, up), 0, 1e-12);
+  }
+}
+
 TEST(OrbitCamera, OrbitingStopsAtThePolesAndNeverTurnsOver) {
   OrbitCamera camera = cameraOver({80, 80, 80});
   camera.orbit(0, 1e5);
