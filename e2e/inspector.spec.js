@@ -71,6 +71,11 @@ test('The inspector covers only the view, shows an engraving, and closes without
     expect(dark.G).toBeLessThanOrEqual(1e-4);
     expect(dark.depthMm).toBeGreaterThan(0);
     expect(dark.limitMm).toBeGreaterThanOrEqual(/** @type {number} */ (dark.depthMm));
+    await page.getByText('What it shows, as text').click();
+    const figures = page.getByRole('region', { name: 'What it shows, as text' });
+    const depth = `depth ${dark.depthMm?.toFixed(4)} mm`;
+    await expect(figures.getByRole('row', { name: depth, exact: true })).toBeVisible();
+    await expect(figures).toContainText(`Submodule row ${dark.row}, column ${dark.column}: finder, carved`);
   });
 
   await test.step('every pass shows its own depths', async () => {
@@ -83,6 +88,7 @@ test('The inspector covers only the view, shows an engraving, and closes without
     await poll(async () => (await inspector.picture(clip)).equals(last)).toBe(false);
     await inspector.openTab('Search');
     await inspector.openTab('Timing');
+    await expect(page.getByRole('region', { name: 'What it shows, as text' })).toContainText(/depthSearch[\d.]+ ms/);
   });
 
   await test.step('a click on the model does the same', async () => {
@@ -116,6 +122,7 @@ test('The inspector’s settings apply only to its own Engrave, can be typed, st
   const inspector = new Inspector(page);
   await app.open('?sample=bumpy-sphere&lang=de&process=none');
   await expect(app.status).toHaveText('Bereit.');
+  await app.openSettings();
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');
   await inspector.press('contrast', { x: 0.97, y: 0.5 }); // the field's plus button

@@ -228,6 +228,7 @@ void Inspector::beginFrame() {
   buildFont();
   takeInput();
   controls_.clear();
+  figures_.clear();
   ImGui::NewFrame();
 }
 
@@ -316,6 +317,7 @@ std::string Inspector::state() const {
                  {"keyboard", io.WantTextInput},
                  {"cursor", io.WantCaptureMouse ? cursorName() : ""},
                  {"window", {windowMin_.x, windowMin_.y, windowMax_.x - windowMin_.x, windowMax_.y - windowMin_.y}},
+                 {"figures", figures_},
                  {"controls", controls}});
 }
 

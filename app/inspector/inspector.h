@@ -48,6 +48,20 @@ class Inspector : public InspectorWindow {
     std::string key;
     bool control = false, shift = false;
   };
+  /// Writes translated text and notes it as a figure. ImGui takes printf formats; these formats are checked at compile
+  /// time.
+  template <class... Args>
+  void write(fmt::format_string<Args...> format, Args&&... args) {
+    figures_.push_back({phrase(format, std::forward<Args>(args)...)});
+    writeWrapped(figures_.back().front(), false);
+  }
+  /// Writes the same in the soft ink.
+  template <class... Args>
+  void writeSoftly(fmt::format_string<Args...> format, Args&&... args) {
+    figures_.push_back({phrase(format, std::forward<Args>(args)...)});
+    writeWrapped(figures_.back().front(), true);
+  }
+  void fact(const char* name, const std::string& value);
   void buildFont();
   void takeInput();
   void beginFrame();
@@ -112,6 +126,7 @@ class Inspector : public InspectorWindow {
   std::optional<PictureKey> pictureKey_;
   int engraveAsked_ = 0;
   ControlAreas controls_;
+  std::vector<std::vector<std::string>> figures_;  // rows of texts of the last frame, for those who cannot see it
 };
 
 }  // namespace qrelief

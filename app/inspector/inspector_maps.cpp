@@ -21,13 +21,6 @@ ImTextureID textureId(const gl::Texture& texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
 }
 
-void fact(const char* name, const std::string& value) {
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", translated(name));
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(value.c_str());
-}
-
 std::string known(const std::optional<float>& value, const char* unit = "") {
   return value ? numberText(static_cast<double>(*value), unit) : "-";
 }
@@ -207,6 +200,14 @@ void Inspector::drawMap(const ValueMap& map) {
   drawMapMarks(map, corner, edge);
 }
 
+void Inspector::fact(const char* name, const std::string& value) {
+  if (!value.empty()) figures_.push_back({translated(name), value});
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", translated(name));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(value.c_str());
+}
+
 void Inspector::drawFacts() {
   const auto facts = model_.selected();
   if (!facts) {
@@ -252,7 +253,10 @@ void Inspector::drawMaps(const Engine& engine) {
   drawMap(*map);
   drawZoom(*map);
   const bool asDirections = showsDirections_ && !map->directions.empty();
-  if (!asDirections) colourBar(scale_, range_, infoOf(static_cast<MapChannel>(channel_)).unit, palette_);
+  const ChannelInfo& info = infoOf(static_cast<MapChannel>(channel_));
+  if (!asDirections) colourBar(scale_, range_, info.unit, palette_);
+  figures_.push_back(
+      {translated(info.name), numberText(range_.lowest, info.unit) + " … " + numberText(range_.highest, info.unit)});
   drawFacts();
   ImGui::Separator();
   chooseRange(*map);

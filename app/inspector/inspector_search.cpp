@@ -23,11 +23,6 @@ void swatch(ImU32 colour) {
   ImGui::SameLine();
 }
 
-void cell(const std::string& text) {
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(text.c_str());
-}
-
 }  // namespace
 
 void Inspector::drawRuns() {
@@ -41,8 +36,13 @@ void Inspector::drawRuns() {
     writeSoftly("Engrave with another solver (Settings) to compare them here.");
   const auto plot = [&](const char* name, const char* unit, auto value) {
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      if (runs[i]) curves.push_back({valuesOf(runs[i]->passes, value), palette_.curves[i]});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!runs[i]) continue;
+      curves.push_back({valuesOf(runs[i]->passes, value), palette_.curves[i]});
+      std::vector<std::string> figures = {fmt::format("{}, {}", translated(name), runs[i]->name)};
+      for (const double one : curves.back().values) figures.push_back(numberText(one, unit));
+      figures_.push_back(std::move(figures));
+    }
     const int pointed = plotCurves(name, curves, unit, model_.pass(), palette_);
     noteControl(controls_, name);
     if (pointed >= 0 && ImGui::IsMouseClicked(0)) model_.setPass(pointed);
@@ -117,10 +117,12 @@ void Inspector::drawTimings(const Engine& engine) {
   double longest = 1;
   for (const auto& [name, ms] : stages) longest = std::max(longest, ms);
   ImGui::TextUnformatted(translated("Stages, named as in the report"));
-  for (const auto& [name, ms] : stages)
-    if (ms > 0)
-      ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
-                         fmt::format("{} {:.1f} ms", name, ms).c_str());
+  for (const auto& [name, ms] : stages) {
+    if (ms <= 0) continue;
+    const std::string time = fmt::format("{:.1f} ms", ms);
+    figures_.push_back({std::string(name), time});
+    ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0), fmt::format("{} {}", name, time).c_str());
+  }
   ImGui::Separator();
   const gl::PassTimings* timings = engine.carvings().passTimings();
   if (!timings || timings->times().empty()) {
@@ -134,13 +136,18 @@ void Inspector::drawTimings(const Engine& engine) {
         "This browser has no timer queries. CPU time ends when the calls return; the GPU's remaining work then "
         "counts as read-back.");
   if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH)) return;
-  for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"}) ImGui::TableSetupColumn(translated(name));
+  std::vector<std::string> heads;
+  for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"})
+    ImGui::TableSetupColumn(heads.emplace_back(translated(name)).c_str());
+  figures_.push_back(std::move(heads));
   ImGui::TableHeadersRow();
   for (const gl::PassTime& pass : timings->times()) {
-    cell(std::string(pass.name));
-    cell(std::to_string(pass.count));
-    cell(fmt::format("{:.1f}", pass.cpuMs));
-    cell(pass.gpuCount ? fmt::format("{:.1f}", pass.gpuMs) : "-");
+    figures_.push_back({std::string(pass.name), std::to_string(pass.count), fmt::format("{:.1f}", pass.cpuMs),
+                        pass.gpuCount ? fmt::format("{:.1f}", pass.gpuMs) : "-"});
+    for (const std::string& cell : figures_.back()) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(cell.c_str());
+    }
   }
   ImGui::EndTable();
 }

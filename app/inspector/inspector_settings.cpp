@@ -51,6 +51,7 @@ void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
   const bool changed = edit(tunable, value);
   noteControl(controls_, tunable.key);
   if (changed) overrides.set(index, value, page);
+  figures_.push_back({name, valueText(tunable, value)});
   if (isSet) {
     if (ImGui::SmallButton(label("reset").c_str())) overrides.reset(index);
     noteControl(controls_, fmt::format("Reset {}", tunable.key));

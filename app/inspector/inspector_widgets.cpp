@@ -103,6 +103,14 @@ void noteControl(ControlAreas& areas, std::string_view name) {
   areas[std::string(name)] = {min.x, min.y, max.x - min.x, max.y - min.y};
 }
 
+void writeWrapped(const std::string& text, bool isSoft) {
+  if (isSoft) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  if (isSoft) ImGui::PopStyleColor();
+}
+
 std::string label(const char* english) { return fmt::format("{}###{}", translated(english), english); }
 
 std::string numberText(double value, const char* unit) {

@@ -33,22 +33,8 @@ using ControlAreas = std::map<std::string, std::array<float, 4>>;
 /// Adds the last item to the control areas.
 void noteControl(ControlAreas& areas, std::string_view name);
 
-/// Writes translated text, wrapped at the window's edge. ImGui takes printf formats; these formats are checked at
-/// compile time.
-template <class... Args>
-void write(fmt::format_string<Args...> format, Args&&... args) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(phrase(format, std::forward<Args>(args)...).c_str());
-  ImGui::PopTextWrapPos();
-}
-
-/// Writes the same in the soft ink.
-template <class... Args>
-void writeSoftly(fmt::format_string<Args...> format, Args&&... args) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  write(format, std::forward<Args>(args)...);
-  ImGui::PopStyleColor();
-}
+/// Writes text, wrapped at the window's edge. @param isSoft  in the soft ink
+void writeWrapped(const std::string& text, bool isSoft);
 
 /// Returns a translated label that ImGui identifies by its English text, whatever the language.
 std::string label(const char* english);

@@ -50,9 +50,9 @@ class InspectorWindow {
   virtual bool draw(const Engine& engine) = 0;
 
   /// Returns JSON: {tab, channel, pass, passes, selected: null | {row, column, role, carved, LS, AL, G, depthMm,
-  /// limitMm}, overridden, overrides, engraveAsked, keyboard, cursor, window: [x, y, width, height], controls: {name:
-  /// [x, y, width, height]}}. `engraveAsked` counts the presses of "Engrave again"; `keyboard` is true while keys go to
-  /// the inspector.
+  /// limitMm}, overridden, overrides, engraveAsked, keyboard, cursor, window: [x, y, width, height], figures:
+  /// [[text]], controls: {name: [x, y, width, height]}}. `engraveAsked` counts the presses of "Engrave again";
+  /// `keyboard` is true while keys go to the inspector; `figures` are the texts and numbers drawn last, in rows.
   virtual std::string state() const = 0;
   virtual const RequestOverrides& overrides() const = 0;
 };

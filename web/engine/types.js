@@ -297,6 +297,7 @@
  * @property {number} engraveAsked   number of times "Engrave again" was pressed
  * @property {boolean} keyboard      true: it takes keyboard input
  * @property {string} cursor         CSS cursor; empty while the pointer is elsewhere
+ * @property {string[][]} figures    the texts and numbers that it shows, in rows
  * @property {Box} window
  * @property {Record<string, Box>} controls
  * @property {boolean} still         true: its layout has settled

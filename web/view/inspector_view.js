@@ -2,6 +2,7 @@
 // The page's side of the inspector, which the engine draws on the canvas: the area where it may open, the keys that it
 // takes, and its state in words for those who cannot see it.
 import { freeArea, obstaclesOver } from './free_area.js';
+import { InspectorFigures } from './inspector_figures.js';
 
 /** @typedef {import('../engine/types.js').InspectorState} InspectorState */
 /** @typedef {import('../engine/types.js').ViewAction} ViewAction */
@@ -22,6 +23,7 @@ export class InspectorView {
     this.stage_ = stage;
     this.view_ = view;
     /** @type {InspectorListener | undefined} */ this.listener_ = undefined;
+    this.figures_ = new InspectorFigures();
     this.takesKeys_ = false;
     this.engraveAsked_ = 0;
     // Capture the keys before the view and the page, both of which have shortcuts.
@@ -42,6 +44,7 @@ export class InspectorView {
   /** @param {InspectorState | undefined} state  undefined: the inspector was closed, or its engine is gone */
   update(state) {
     this.takesKeys_ = state?.keyboard ?? false;
+    this.figures_.show(state?.figures);
     const canvas = this.view_.querySelector('canvas');
     if (canvas) canvas.style.cursor = state?.cursor ?? '';
     if (!state) {
