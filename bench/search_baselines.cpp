@@ -22,7 +22,7 @@
 
 #include "base/clock.h"
 #include "carving/embed.h"
-#include "depth/depth_search.h"
+#include "depth/paper_step_search.h"
 #include "depth/submodule_luminances.h"
 #include "depth/wall_limit.h"
 #include "io/read_model.h"
@@ -85,7 +85,7 @@ Result<Row> runRedrawing(const Spot& spot) {
   DepthSearchOptions options;
   options.contrast = spot.request.depth.contrastAsked();
   const auto start = Clock::now();
-  DepthSearch search(spot.target(), options);
+  PaperStepSearch search(spot.target(), options);
   while (!search.finished()) {
     const auto mesh = carved(spot, search.depths());
     if (!mesh) return tl::unexpected(mesh.error());

@@ -14,7 +14,7 @@
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
-#include "pipeline/depth_solver_of.h"
+#include "pipeline/choose_depth_solver.h"
 #include "pipeline/engrave.h"
 #include "support/shapes.h"
 

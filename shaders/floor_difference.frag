@@ -5,7 +5,7 @@ precision highp int;        // the defaults are mediump and lowp, for which Mesa
 precision highp sampler2D;
 
 #include "floors.glsl"
-#include "moved.glsl"
+#include "changed_submodules.glsl"
 
 uniform sampler2D u_luminance;
 uniform int u_all;      // 1: all floors were measured; 0: those that are due

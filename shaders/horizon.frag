@@ -1,5 +1,5 @@
 #version 300 es
-// Horizon of the uncarved surface, near and far, on a coarse grid of points, so that the march in occlusion.frag need
+// Horizon of the uncarved surface, near and far, on a coarse grid of points, so that the march in hbao.frag need
 // not find it again. Sixteen directions a point, in four texels side by side.
 //
 // Output: cotangents of the angle between the line of sight and the horizon in four directions, turning anticlockwise.

@@ -8,7 +8,7 @@ precision highp sampler2D;
 
 #include "interreflection.glsl"
 
-uniform sampler2D u_received;  // as written by occlusion.frag
+uniform sampler2D u_received;  // as written by hbao.frag
 uniform float u_albedo;
 uniform float u_openIrradiance;  // of sky and lamps in the QR plane
 

@@ -64,7 +64,7 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
   };
   const std::array<Source, 7> sources = {{
       {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
-      {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_occlusion_frag},
+      {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_hbao_frag},
       {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
       {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
       {&Viewer::decalProgram_, "view decal", shaders::fullscreen_vert, shaders::view_decal_frag},

@@ -21,7 +21,7 @@ struct FastSearchOptions {
   int sweepsPerPass = 3;  ///< of the solver on the plane; more come closer to its solution
 };
 
-/// Reaches the same target as the paper's search (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
+/// Reaches the same target as the paper's search (PaperStepSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
 /// rendering and no greater depths.
 ///
 /// It solves for the depths on a plane without rendering (PocketSky), neighbours included. Each pass then measures how

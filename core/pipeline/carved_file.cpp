@@ -5,7 +5,7 @@
 #include "io/write_checked.h"
 #include "message_codes/files.h"
 #include "pipeline/carved_objects.h"
-#include "pipeline/carved_runs.h"
+#include "pipeline/changed_3mf_runs.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {
@@ -16,7 +16,7 @@ Result<std::vector<std::uint8_t>> writeAgain(const PreparedModel& before, const 
   const ThreeMfSource& source = *before.source;
   if (before.scaleToMm != source.unitMm) return fail(ErrorKind::NoSolution, message<"rewrite-scaled">());
   if (options.palette) return fail(ErrorKind::NoSolution, message<"rewrite-palette">());
-  return rewrite3mf(source, carvedRuns(before, result, withInlay), options.slicer, filamentMaterials(),
+  return rewrite3mf(source, changed3mfRuns(before, result, withInlay), options.slicer, filamentMaterials(),
                     result.request.print.buildUp.resolve(result.placement.frame));
 }
 

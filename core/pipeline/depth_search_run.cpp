@@ -7,7 +7,7 @@
 #include "base/clock.h"
 #include "depth/fast_search.h"
 #include "depth/submodule_luminances.h"
-#include "pipeline/depth_solver_of.h"
+#include "pipeline/choose_depth_solver.h"
 
 namespace qrelief {
 namespace {

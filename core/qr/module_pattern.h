@@ -25,9 +25,10 @@ enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, Thick
 /// Edge of a finder pattern, in modules.
 inline constexpr int kFinderModules = 7;
 
-/// The carved submodules of the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus, the four corner modules of
-/// the ring become a Square, shifted by one submodule towards the finder's centre along both axes so that it touches
-/// its neighbours. ThickPlusSharp keeps its corners whole: more decoders found it in simulated pictures.
+/// The carved submodules of the 7×7 finder patterns, the paper's position markers [figure 9]. With Diamond and
+/// ThickPlus, the four corner modules of the ring become a Square, shifted by one submodule towards the finder's centre
+/// along both axes so that it touches its neighbours. ThickPlusSharp keeps its corners whole: more decoders found it in
+/// simulated pictures.
 enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus, ThickPlusSharp };
 
 /// The submodules to carve: `size × size`, row-major from the symbol's top left, 1 = carved.

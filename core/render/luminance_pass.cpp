@@ -40,8 +40,8 @@ Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
   auto programs = std::make_shared<LuminancePrograms>();
   for (const Status& status :
        {makeProgram(programs->horizon, "horizon", shaders::fullscreen_vert, shaders::horizon_frag),
-        makeProgram(programs->occlusion, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
-        makeProgram(programs->reduction, "reduction", shaders::cells_vert, shaders::reduction_frag),
+        makeProgram(programs->occlusion, "occlusion", shaders::fullscreen_vert, shaders::hbao_frag),
+        makeProgram(programs->reduction, "reduction", shaders::listed_submodules_vert, shaders::reduction_frag),
         makeProgram(programs->lighting, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
         makeProgram(programs->floorDifference, "floor-difference", shaders::fullscreen_vert,
                     shaders::floor_difference_frag),

@@ -22,7 +22,7 @@ namespace qrelief {
 
 /// Criterion for a sufficient depth.
 enum class DepthObjective : std::uint8_t {
-  Contrast,  ///< every submodule darker than its surroundings, as published: depth/depth_search.h
+  Contrast,  ///< every submodule darker than its surroundings, as published: depth/paper_step_search.h
   OneLight   ///< every submodule darker than its surroundings under one lamp: depth/one_light_search.h
 };
 
@@ -37,7 +37,7 @@ inline constexpr DirectionalLight kOneLight = {.azimuthDeg = 135, .elevationDeg 
 /// Method that finds the depths for DepthObjective::Contrast.
 enum class ContrastSolver : std::uint8_t {
   Fast,       ///< depth/fast_search.h
-  PaperSteps  ///< as published: depth/depth_search.h
+  PaperSteps  ///< as published: depth/paper_step_search.h
 };
 
 /// The surface that has to be dark enough.

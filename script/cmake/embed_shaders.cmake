@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # embed_shaders(TARGET file...): resolves the #include lines of shader files and compiles the files into TARGET as
-# `qrelief::shaders::<name>_<kind>` (occlusion.frag → occlusion_frag), declared in "shaders.h".
+# `qrelief::shaders::<name>_<kind>` (hbao.frag → hbao_frag), declared in "shaders.h".
 set(EMBED_SHADERS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders_script.cmake)
 
 function(embed_shaders target)

@@ -24,7 +24,7 @@ struct ReadingOptions {
 /// which says little about a pattern that leaves two thirds of a module uncarved.
 ///
 /// The luminance M of a module is taken at its middle in the map blurred by a Gaussian. The surroundings A are the mean
-/// of the four darkest light modules around it, likewise blurred, as in DepthSearch. The goal is M = (1 − c)·A for
+/// of the four darkest light modules around it, likewise blurred, as in PaperStepSearch. The goal is M = (1 − c)·A for
 /// every dark module. All pockets of a module share one depth, so their floor stays one facet. Each pass moves the
 /// depth along the secant of the last two passes, between the depths found too bright and dark enough.
 class ReadingSearch final : public DepthSolver {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-#include "depth/depth_search.h"
+#include "depth/paper_step_search.h"
 #include "depth/submodule_luminances.h"
 #include "support/pocket_light.h"
 
@@ -67,7 +67,7 @@ class FastSearchTest : public testing::Test {
 
 TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasurementsAndNoMoreDepth) {
   FastSearch fast(target(5), {.contrast = kContrast});
-  DepthSearch paper(target(5), {.contrast = kContrast});
+  PaperStepSearch paper(target(5), {.contrast = kContrast});
   const std::size_t measured = run(fast), measuredByPaper = run(paper);
   EXPECT_EQ(tooBright(fast.depths()), 0);
   EXPECT_EQ(tooBright(paper.depths()), 0);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-#include "depth/depth_search.h"
+#include "depth/paper_step_search.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {
@@ -111,7 +111,8 @@ TEST_F(SearchViewTest, SummarisesThePasses) {
 }
 
 TEST_F(SearchViewTest, CountsLikeTheSearch) {
-  DepthSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.carved.size(), 3.0)}, {.contrast = kContrast});
+  PaperStepSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.carved.size(), 3.0)},
+                         {.contrast = kContrast});
   SearchRecord record = record_;
   record.passes.resize(1);
   // Light modules differ, so AL differs, too.

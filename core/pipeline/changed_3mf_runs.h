@@ -14,6 +14,6 @@ struct EngraveResult;
 /// bodies that repairs changed. Facets and their pieces keep their attributes, except under the code.
 /// Cost: O(T).
 /// @param before   model before carving, with its 3MF source
-std::vector<ChangedRun> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
+std::vector<ChangedRun> changed3mfRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay);
 
 }  // namespace qrelief

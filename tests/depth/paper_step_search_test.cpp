@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/depth_search.h"
+#include "depth/paper_step_search.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@ TEST(DepthIncrease, MatchesThePapersFormula) {
 }
 
 /// Fixture with a symbol of `size` modules in which only the given modules are dark.
-class DepthSearchTest : public testing::Test {
+class PaperStepSearchTest : public testing::Test {
  protected:
-  DepthSearchTest() {
+  PaperStepSearchTest() {
     symbol_.size = 21;
     symbol_.dark.assign(21 * 21, 0);
     symbol_.roles.assign(21 * 21, ModuleRole::Data);
@@ -31,12 +31,12 @@ class DepthSearchTest : public testing::Test {
     for (int k = 0; k < 25; ++k)
       mask_.carved[static_cast<std::size_t>((row * 5 + k / 5) * 105 + column * 5 + k % 5)] = 1;
   }
-  DepthSearch start(double limit = 5, DepthSearchOptions options = {}) {
+  PaperStepSearch start(double limit = 5, DepthSearchOptions options = {}) {
     return {CarvingTarget{&symbol_, &mask_, 21, std::vector<double>(105 * 105, limit)}, options};
   }
   /// Returns luminances: 1 on light modules, `carved(depth)` on carved submodules.
   template <class Function>
-  std::vector<double> luminances(const DepthSearch& search, Function carved) {
+  std::vector<double> luminances(const PaperStepSearch& search, Function carved) {
     const int edge = 5 * 29;
     std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
     for (int row = 0; row < 105; ++row)
@@ -50,17 +50,17 @@ class DepthSearchTest : public testing::Test {
   SubmoduleMask mask_;
 };
 
-TEST_F(DepthSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUncarved) {
+TEST_F(PaperStepSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUncarved) {
   darken(10, 10);
-  const DepthSearch search = start();
+  const PaperStepSearch search = start();
   for (int row = 0; row < 105; ++row)
     for (int column = 0; column < 105; ++column)
       EXPECT_DOUBLE_EQ(search.depths().depth(row, column), mask_.isCarved(row, column) ? 0.1 : 0);
 }
 
-TEST_F(DepthSearchTest, StopsOnceEverySubmoduleIsDarkEnough) {
+TEST_F(PaperStepSearchTest, StopsOnceEverySubmoduleIsDarkEnough) {
   darken(10, 10);
-  DepthSearch search = start(5, {.contrast = 0.3});
+  PaperStepSearch search = start(5, {.contrast = 0.3});
   // Luminance falls linearly with depth and reaches 0.7 at 0.6 mm.
   while (!search.finished()) search.update(luminances(search, [](int, int, double depth) { return 1 - 0.5 * depth; }));
   for (const double depth : search.depths().depthMm) {
@@ -72,9 +72,9 @@ TEST_F(DepthSearchTest, StopsOnceEverySubmoduleIsDarkEnough) {
   EXPECT_LE(search.worstExcess(), 0);
 }
 
-TEST_F(DepthSearchTest, JudgesEverySubmoduleSeparately) {
+TEST_F(PaperStepSearchTest, JudgesEverySubmoduleSeparately) {
   darken(10, 10);
-  DepthSearch search = start();
+  PaperStepSearch search = start();
   while (!search.finished())
     search.update(
         luminances(search, [](int row, int, double depth) { return 1 - (row % 5 == 0 ? 2.0 : 0.5) * depth; }));
@@ -82,9 +82,9 @@ TEST_F(DepthSearchTest, JudgesEverySubmoduleSeparately) {
   EXPECT_GE(search.depths().depth(52, 50), 0.6 - 1e-9);
 }
 
-TEST_F(DepthSearchTest, NeverExceedsALimitAndCountsIt) {
+TEST_F(PaperStepSearchTest, NeverExceedsALimitAndCountsIt) {
   darken(10, 10);
-  DepthSearch search = start(0.333);
+  PaperStepSearch search = start(0.333);
   while (!search.finished()) search.update(luminances(search, [](int, int, double) { return 0.95; }));
   for (const double depth : search.depths().depthMm) EXPECT_LE(depth, 0.333);
   EXPECT_NEAR(search.depths().depth(52, 52), 0.33, 1e-12);  // on the depth grid
@@ -92,9 +92,9 @@ TEST_F(DepthSearchTest, NeverExceedsALimitAndCountsIt) {
   EXPECT_NEAR(search.worstExcess(), 0.25, 1e-12);
 }
 
-TEST_F(DepthSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
+TEST_F(PaperStepSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
   darken(10, 10);
-  DepthSearch search = start(5, {.maxIterations = 3});
+  PaperStepSearch search = start(5, {.maxIterations = 3});
   while (!search.finished()) {
     EXPECT_EQ(search.unfinishedCount(), 0u);
     search.update(luminances(search, [](int, int, double) { return 0.95; }));
@@ -104,9 +104,9 @@ TEST_F(DepthSearchTest, CountsSubmodulesThatTheLastPassLeavesTooBright) {
   EXPECT_EQ(search.limitedCount(), 25u);
 }
 
-TEST_F(DepthSearchTest, TakesLargerStepsWhileTheLuminanceStalls) {
+TEST_F(PaperStepSearchTest, TakesLargerStepsWhileTheLuminanceStalls) {
   darken(10, 10);
-  DepthSearch search = start(1000);
+  PaperStepSearch search = start(1000);
   std::vector<double> depths;
   for (int i = 0; i < 12; ++i) {
     search.update(luminances(search, [](int, int, double) { return 0.9; }));
@@ -116,9 +116,9 @@ TEST_F(DepthSearchTest, TakesLargerStepsWhileTheLuminanceStalls) {
   EXPECT_NEAR(depths[6] - depths[5], depthIncrease(6), kDepthQuantumMm);
 }
 
-TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
+TEST_F(PaperStepSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
   darken(10, 10);
-  DepthSearch search = start(5, {.contrast = 0.3});
+  PaperStepSearch search = start(5, {.contrast = 0.3});
   const int edge = 5 * 29;
   std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
   const auto setModule = [&](int row, int column, double value) {
@@ -133,12 +133,12 @@ TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
   EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
 }
 
-TEST_F(DepthSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModules) {
+TEST_F(PaperStepSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModules) {
   for (int row = 0; row < 21; ++row)
     for (int column = 0; column < 21; ++column) darken(row, column);
   symbol_.dark[3 * 21 + 3] = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11
   for (int k = 0; k < 25; ++k) mask_.carved[static_cast<std::size_t>((15 + k / 5) * 105 + 15 + k % 5)] = 0;
-  DepthSearch search = start(5, {.contrast = 0.5});
+  PaperStepSearch search = start(5, {.contrast = 0.5});
   const int edge = 5 * 29;
   std::vector<double> all(static_cast<std::size_t>(edge * edge), 0.0);
   const auto setModule = [&](int row, int column, double value) {
@@ -155,9 +155,9 @@ TEST_F(DepthSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModules)
   EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
 }
 
-TEST_F(DepthSearchTest, EndsAfterTheGivenNumberOfIterations) {
+TEST_F(PaperStepSearchTest, EndsAfterTheGivenNumberOfIterations) {
   darken(10, 10);
-  DepthSearch search = start(1e6, {.maxIterations = 7});
+  PaperStepSearch search = start(1e6, {.maxIterations = 7});
   int updates = 0;
   while (!search.finished()) {
     search.update(luminances(search, [](int, int, double) { return 1.0; }));

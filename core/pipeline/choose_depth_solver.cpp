@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/depth_solver_of.h"
+#include "pipeline/choose_depth_solver.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "depth/depth_search.h"
 #include "depth/one_light_search.h"
+#include "depth/paper_step_search.h"
 #include "settings/engrave_request.h"
 
 namespace qrelief {
@@ -45,7 +45,7 @@ std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, Carv
   DepthSearchOptions options;
   options.contrast = request.depth.contrastAsked();
   options.initialDepthMm = std::min(request.print.printer.layerMm, kDepthStepMm);
-  return std::make_unique<DepthSearch>(std::move(target), options);
+  return std::make_unique<PaperStepSearch>(std::move(target), options);
 }
 
 }  // namespace qrelief

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/carved_runs.h"
+#include "pipeline/changed_3mf_runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ std::vector<KeptAttributes> keptAttributes(const PreparedModel& before, const En
 
 }  // namespace
 
-std::vector<ChangedRun> carvedRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay) {
+std::vector<ChangedRun> changed3mfRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay) {
   const ThreeMfSource& source = *before.source;
   const std::vector<KeptAttributes> attributes = keptAttributes(before, result);
   std::vector<std::uint32_t> runs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/depth_search.h"
+#include "depth/paper_step_search.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,7 +20,7 @@ double depthIncrease(int x) {
   return c0 - c0 * e * (std::tanh(1 / d - f) + std::tanh(f - x / d));
 }
 
-DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options)
+PaperStepSearch::PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options)
     : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
   const std::size_t count = target_.mask->carved.size();
   assert(target_.limitMm.size() == count);
@@ -35,7 +35,7 @@ DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options
   }
 }
 
-void DepthSearch::update(std::span<const double> luminance) {
+void PaperStepSearch::update(std::span<const double> luminance) {
   const int m = target_.symbol->size;
   const SubmoduleLuminances seen(luminance, m);
   const std::vector<double> moduleLuminance = seen.moduleMeans();
@@ -71,7 +71,7 @@ void DepthSearch::update(std::span<const double> luminance) {
   finished_ = !deepened || iterations_ >= options_.maxIterations;
 }
 
-double DepthSearch::doneFraction() const {
+double PaperStepSearch::doneFraction() const {
   std::size_t carved = 0, done = 0;
   for (const DepthState state : states_) {
     carved += state != DepthState::Light;
@@ -80,11 +80,11 @@ double DepthSearch::doneFraction() const {
   return carved ? static_cast<double>(done) / static_cast<double>(carved) : 1;
 }
 
-std::size_t DepthSearch::limitedCount() const {
+std::size_t PaperStepSearch::limitedCount() const {
   return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Limited)) + unfinishedCount();
 }
 
-std::size_t DepthSearch::unfinishedCount() const {
+std::size_t PaperStepSearch::unfinishedCount() const {
   return finished_ ? static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Searching)) : 0;
 }
 

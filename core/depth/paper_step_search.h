@@ -27,9 +27,9 @@ enum class DepthState : std::uint8_t { Light, Searching, DarkEnough, Limited };
 ///
 /// It carves a submodule deeper while G = AL·(c − 1) + LS > 0. LS is the submodule's luminance, AL the mean of its
 /// module's four darkest light neighbours (light_neighbours.h).
-class DepthSearch final : public DepthSolver {
+class PaperStepSearch final : public DepthSolver {
  public:
-  DepthSearch(CarvingTarget target, const DepthSearchOptions& options);
+  PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options);
 
   void update(std::span<const double> luminance) override;
 

@@ -1,5 +1,5 @@
 #version 300 es
-// Horizon-based ambient occlusion of the engraved surface [Bavoil 2008; Papp 2022, §7], cosine-weighted [Jimenez 2016].
+// HBAO: horizon-based ambient occlusion of the engraved surface [Bavoil 2008; Papp 2022, §7], cosine-weighted [Jimenez 2016].
 //
 // Because every wall runs along a ray from the eye, the engraved surface is the distance map plus the depth of each
 // texel's cell: single-valued along the rays. So everything below the horizon of a slice through the eye is blocked,
@@ -16,7 +16,7 @@ precision highp int;        // the defaults are mediump and lowp, for which Mesa
 precision highp sampler2D;
 
 #include "distance_map.glsl"
-#include "moved.glsl"
+#include "changed_submodules.glsl"
 #include "pi.glsl"
 #include "visible_arc.glsl"
 
