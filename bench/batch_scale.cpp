@@ -77,7 +77,7 @@ Status measure(const std::string& path, std::size_t rows, std::size_t shares) {
   Stages stages;
   const std::string text = listOf(rows);
   auto list = readBatchList({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  if (!list) return tl::unexpected(list.error());
+  QRELIEF_TRY(list);
   stages.end("list");
   const BatchPlan plan = BatchPlan::make(std::move(*list), {});
   if (!plan.problems().empty()) return badInput(plan.problems().front());
@@ -85,15 +85,14 @@ Status measure(const std::string& path, std::size_t rows, std::size_t shares) {
   const std::string input = sha256(path);
   for (std::size_t index = 0; index < shares; ++index) {
     auto folder = BatchFolder::open(path, {index, shares});
-    if (!folder) return tl::unexpected(folder.error());
-    for (std::size_t i = index; i < rows; i += shares)
-      if (const Status added = folder->append(recorded(plan.row(i), input)); !added) return added;
+    QRELIEF_TRY(folder);
+    for (std::size_t i = index; i < rows; i += shares) QRELIEF_TRY(folder->append(recorded(plan.row(i), input)));
   }
   stages.end("append");
-  if (const auto again = BatchFolder::open(path, {0, shares}); !again) return tl::unexpected(again.error());
+  QRELIEF_TRY(BatchFolder::open(path, {0, shares}));
   stages.end("open again");
   const auto folder = BatchFolder::open(path, {});
-  if (!folder) return tl::unexpected(folder.error());
+  QRELIEF_TRY(folder);
   stages.end("merge: open");
   std::size_t visited = 0;
   const Status read = folder->forEach([&](const ManifestEntry&) -> Status { return ++visited, Status(); });

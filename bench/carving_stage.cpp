@@ -66,7 +66,7 @@ Result<nlohmann::ordered_json> measure(const PreparedModel& model, const bench::
       const auto start = Clock::now();
       auto result = embedDepthField(model.mesh, spot.frame, spot.patch.triangles, depths, {.surface = surface});
       times.push_back(millisecondsSince(start));
-      if (!result) return tl::unexpected(result.error());
+      QRELIEF_TRY(result);
       last = std::move(*result);
     }
     std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
@@ -74,7 +74,7 @@ Result<nlohmann::ordered_json> measure(const PreparedModel& model, const bench::
         {"ms", times[kRuns / 2]}, {"triangles", last.mesh.triangles.size()}, {"volumeMm3", signedVolume(last.mesh)}};
   }
   const auto carved = embedDepthField(model.mesh, spot.frame, spot.patch.triangles, depths, {.inlay = true});
-  if (!carved) return tl::unexpected(carved.error());
+  QRELIEF_TRY(carved);
   write(path + ".pockets", stickingOut(carved->inlay, spot.frame));
   return json;
 }

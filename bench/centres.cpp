@@ -19,10 +19,10 @@ Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, dou
   std::ifstream stream(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
   const auto soup = readModel(bytes, path);
-  if (!soup) return tl::unexpected(soup.error());
+  QRELIEF_TRY(soup);
   auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
-  if (!prepared) return tl::unexpected(prepared.error());
-  if (const Status engravable = prepared->engravable(); !engravable) return tl::unexpected(engravable.error());
+  QRELIEF_TRY(prepared);
+  QRELIEF_TRY(prepared->engravable());
   return EngravableModel::upload(std::move(*prepared));
 }
 
@@ -86,7 +86,7 @@ Result<Placement> place(const EngravableModel& model, int modules, const Placeme
   PlacementSearch search(model.prepared, *model.renderer, modules, request);
   for (;;) {
     const Result<bool> done = search.step();
-    if (!done) return tl::unexpected(done.error());
+    QRELIEF_TRY(done);
     if (*done) return search.placement();
   }
 }

@@ -39,7 +39,7 @@ Result<bool> reads(const EngravableModel& model, const Symbol& symbol, const Pla
   const int texels = kModulesAcross * kPixelsPerModule;
   const MapWindow window{kModulesAcross * placement.moduleMm, texels};
   const auto surface = model.renderer->render(camera, window);
-  if (!surface) return tl::unexpected(surface.error());
+  QRELIEF_TRY(surface);
   const std::vector<float> distances = rayDistances(*surface, camera, window);
   std::vector<float> luminance;
   for (int row = 0; row < texels; ++row)
@@ -62,12 +62,12 @@ using Counts = std::array<int, kTiltsDeg.size()>;
 Result<Counts> countSides(const EngravableModel& model, const Placement& placement) {
   const std::string text = "https://example.com/qrelief";
   const auto symbol = encodeSymbol(text, {.version = 3});
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   Counts counts{};
   for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
     for (int side = 0; side < kSides; ++side) {
       const auto read = reads(model, *symbol, placement, text, kTiltsDeg[t], side * 360.0 / kSides);
-      if (!read) return tl::unexpected(read.error());
+      QRELIEF_TRY(read);
       counts[t] += *read;
     }
     if (counts[t] == 0) break;  // nothing decodes at larger tilts, either
@@ -87,9 +87,9 @@ int run(const bench::TableArguments& arguments) {
     if (centre.widthWithQuietZoneMm)
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
     const auto placement = bench::place(*model, kModules, request);
-    if (!placement) return tl::unexpected(placement.error());
+    QRELIEF_TRY(placement);
     const auto counts = countSides(*model, *placement);
-    if (!counts) return tl::unexpected(counts.error());
+    QRELIEF_TRY(counts);
     fmt::print("| {} | {:.1f} | {:.2f} | {:.0f} | {} |\n", centre.name, placement->symbolMm,
                placement->bendMm / placement->moduleMm,
                std::floor(aimToleranceDeg(placement->bendMm, placement->moduleMm)), fmt::join(*counts, " | "));

@@ -70,7 +70,7 @@ Result<EngraveResult> engraveBy(const MakeSearch& makeSearch, const std::shared_
   EngraveJob::Known known;
   known.makeSearch = makeSearch;
   auto job = EngraveJob::create(model, request, known);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   return runToEnd(**job);
 }
 
@@ -240,7 +240,7 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
   const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
     const EngraveRequest request = requestFor(centre, number);
     const auto engraved = engraveAt(model, request, number++);
-    if (!engraved) return tl::unexpected(engraved.error());
+    QRELIEF_TRY(engraved);
     std::vector<Cell> cells = drawCells(*engraved, cellCount, centre.modelNumber);
     trace(*engraved, paths, cells);
     printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(*request.code.modulePattern)]),

@@ -24,13 +24,13 @@ struct Judged {
 Result<Judged> judge(const EngravableModel& model, PlacementRequest request, DirectionMethod method, double sizeMm) {
   request.directionMethod = method;
   const auto placed = bench::place(model, kModules, request);
-  if (!placed) return tl::unexpected(placed.error());
+  QRELIEF_TRY(placed);
   DirectionOptions options;
   options.sizeMm = sizeMm;
   const ProjectionFrame frame =
       makeFrame(placed->frame.centre, placed->frame.normal, request.upHint, request.eyeDistanceMm);
   const auto looked = lookFrom(*model.renderer, frame, options);
-  if (!looked) return tl::unexpected(looked.error());
+  QRELIEF_TRY(looked);
   return Judged{looked->measure, toDegrees(looked->worstAngle), placed->guaranteedMm};
 }
 
@@ -40,12 +40,12 @@ Status printRow(const EngravableModel& model, const bench::Centre& centre) {
   request.sizeMode = SizeMode::Free;
   request.maxSizeMm = kMostMm;
   const auto balanced = bench::place(model, kModules, request);
-  if (!balanced) return tl::unexpected(balanced.error());
+  QRELIEF_TRY(balanced);
   std::array<Judged, 4> judged;
   for (const DirectionMethod method :
        {DirectionMethod::MeanNormal, DirectionMethod::DepthBalanced, DirectionMethod::Pca, DirectionMethod::Optimal}) {
     const auto result = judge(model, request, method, balanced->symbolMm);
-    if (!result) return tl::unexpected(result.error());
+    QRELIEF_TRY(result);
     judged[static_cast<std::size_t>(method)] = *result;
   }
   request.direction = balanced->frame.normal;

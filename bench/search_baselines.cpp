@@ -63,7 +63,7 @@ struct Spot {
 Result<Mesh> carved(const Spot& spot, const DepthField& depths) {
   auto embedded =
       embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, depths, {});
-  if (!embedded) return tl::unexpected(embedded.error());
+  QRELIEF_TRY(embedded);
   return std::move(embedded->mesh);
 }
 
@@ -71,14 +71,14 @@ Result<Row> runOnMap(const Spot& spot, ContrastSolver solver, const char* name) 
   EngraveRequest request = spot.request;
   request.depth.solver = solver;
   const auto result = engrave(spot.model, request);
-  if (!result) return tl::unexpected(result.error());
+  QRELIEF_TRY(result);
   return Row{name, result->searchIterations, summarise(result->depths).meanMm, result->timingsMs.depthSearch};
 }
 
 /// Searches as in the paper: carve, redraw, light, compare.
 Result<Row> runRedrawing(const Spot& spot) {
   const auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
+  QRELIEF_TRY(pass);
   const int cells = spot.edge() + 2 * kN * kOcclusionMarginModules, cellTexels = 4,
             border = kN * kOcclusionMarginModules;
   const MapWindow window{spot.placement.moduleMm * cells / kN, cellTexels * cells};
@@ -88,10 +88,10 @@ Result<Row> runRedrawing(const Spot& spot) {
   PaperStepSearch search(spot.target(), options);
   while (!search.finished()) {
     const auto mesh = carved(spot, search.depths());
-    if (!mesh) return tl::unexpected(mesh.error());
+    QRELIEF_TRY(mesh);
     const GpuMesh gpu(*mesh, vertexNormals(*mesh));
     const auto maps = pass->render(gpu, spot.placement.frame, window);
-    if (!maps) return tl::unexpected(maps.error());
+    QRELIEF_TRY(maps);
     LuminanceOptions light;
     light.cellTexels = cellTexels;
     light.sampling = {4, 2};
@@ -101,7 +101,7 @@ Result<Row> runRedrawing(const Spot& spot) {
     light.horizonSamples = 1;
     light.horizonStartMm = light.radiusMm;
     auto lightPass = LuminancePass::create(*maps, nullptr, spot.placement.frame.eyeDistance, light);
-    if (!lightPass) return tl::unexpected(lightPass.error());
+    QRELIEF_TRY(lightPass);
     lightPass->run();
     const std::vector<float> means = lightPass->readLuminance();
     std::vector<double> luminance;
@@ -131,7 +131,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
   double noise = 0;
   for (bool deepened = true; deepened; ++iterations) {
     const auto mesh = carved(spot, depths);
-    if (!mesh) return tl::unexpected(mesh.error());
+    QRELIEF_TRY(mesh);
     const RayTree tree(*mesh);
     const auto light = traceCells(tree, spot.placement.frame, cells,
                                   {.paths = rays, .albedo = static_cast<double>(spot.request.depth.albedo)});
@@ -153,9 +153,9 @@ Result<Row> runTracing(const Spot& spot, int rays) {
 Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::string& name, double scale, Vec3 centre,
                         double sizeMm) {
   const auto soup = readModel(bytes, name);
-  if (!soup) return tl::unexpected(soup.error());
+  QRELIEF_TRY(soup);
   auto prepared = prepareModel(*soup, {.scaleToMm = scale});
-  if (!prepared) return tl::unexpected(prepared.error());
+  QRELIEF_TRY(prepared);
   Spot spot;
   spot.model = EngravableModel::upload(std::move(*prepared));
   EngraveRequest& request = spot.request;
@@ -165,7 +165,7 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
   request.placement.sizeMode = sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
   request.placement.sizeMm = sizeMm;
   auto result = engrave(spot.model, request);
-  if (!result) return tl::unexpected(result.error());
+  QRELIEF_TRY(result);
   request = std::move(result->request);  // with the settings that it left open
   spot.placement = std::move(result->placement);
   spot.symbol = std::move(result->symbol);

@@ -83,7 +83,7 @@ Result<Counts> count(const std::shared_ptr<const EngravableModel>& model, Engrav
       return std::make_unique<Counted>(std::move(target), fastSearchOptions(request), counts.measured);
     };
   auto job = EngraveJob::create(model, request, known);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   gl::PassTimings timings(false);
   for (bool done = false; !done;) {
     const bool searches = (*job)->progress().stage.code == "finding-depth";
@@ -92,7 +92,7 @@ Result<Counts> count(const std::shared_ptr<const EngravableModel>& model, Engrav
     else
       timings.stopListening();
     const auto progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
+    QRELIEF_TRY(progress);
     done = progress->done;
   }
   for (const gl::PassTime& time : timings.times()) {

@@ -86,7 +86,7 @@ Status compareWithGpu() {
 
   const GpuMesh gpuMesh(mesh, vertexNormals(mesh));
   const auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
+  QRELIEF_TRY(pass);
   const double gpu = bestMs(20, [&] {
     const auto maps = pass->render(gpuMesh, frame, {110, 128});
     if (maps) (void)maps->framebuffer.readRgba(1);

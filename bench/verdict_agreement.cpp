@@ -55,9 +55,9 @@ int run(const bench::TableArguments& arguments) {
           VerifyRequest verification = verifyRequestOf(request, *result);
           verification.isTraced = true;
           auto job = VerifyJob::create(result->mesh, verification, zxingDecoders());
-          if (!job) return tl::unexpected(job.error());
+          QRELIEF_TRY(job);
           const auto verified = runToEnd(**job);
-          if (!verified) return tl::unexpected(verified.error());
+          QRELIEF_TRY(verified);
           const bool engraves = judge(request, *result, reading).passed(),
                      verifies = judge(verification, *verified).passed();
           agreeing += engraves == verifies;

@@ -3,6 +3,7 @@
 import { expect, test } from '@playwright/test';
 import { decodePath } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
+import { untilKept } from './support/kept.js';
 import { poll } from './support/poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -42,6 +43,21 @@ const choose = (page, kind) => page.getByRole('combobox', { name: 'Kind of conte
 async function fillIn(page, kind, values) {
   const group = page.getByRole('group', { name: kind, exact: true });
   for (const [name, value] of Object.entries(values)) await group.getByLabel(name, { exact: true }).fill(value);
+}
+
+/** Tells whether every edge of a binary STL has two triangles, one in each direction. @param {Uint8Array} bytes */
+function isClosedStl(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  /** @type {Set<string>} */ const open = new Set();
+  const corner = (/** @type {number} */ at) => [0, 4, 8].map((part) => view.getFloat32(at + part, true)).join();
+  for (let triangle = 0; triangle < view.getUint32(80, true); ++triangle) {
+    const corners = [12, 24, 36].map((at) => corner(84 + 50 * triangle + at));
+    corners.forEach((from, k) => {
+      const to = corners[(k + 1) % 3];
+      if (!open.delete(`${to} ${from}`)) open.add(`${from} ${to}`);
+    });
+  }
+  return open.size === 0;
 }
 
 test.use({ timezoneId: 'America/New_York' }); // to see that an event is written in UTC
@@ -118,6 +134,46 @@ test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
   await expect(page.getByText('The settings contain the Wi-Fi password')).toBeVisible();
   const stored = await page.evaluate(() => JSON.stringify({ ...localStorage }) + JSON.stringify({ ...sessionStorage }));
   expect(stored).not.toContain('word');
+});
+
+test('A text alone is shown, engraved and saved as a solid; the code comes back', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=vase');
+  await app.expectReady();
+  const link = await app.text.inputValue();
+  await choose(page, 'Text alone');
+  const letters = page.getByRole('textbox', { name: 'Text; each line is a line of letters' });
+  await expect(letters).toHaveValue('');
+  await app.engraveButton.click();
+  await expect(letters).toBeFocused();
+  await expect(app.alert).toHaveCount(0);
+  await letters.fill('Rev B\n2026');
+  await expect(page.getByRole('img', { name: 'The text Rev B 2026' })).toBeVisible();
+  await expect(page.locator('#symbol-facts')).toContainText(/^[\d.]+ mm across, capitals [\d.]+ mm high$/);
+  await expect(page.locator('#code-state')).toHaveText(/^Text alone, capitals [\d.]+ mm high$/);
+  await expect(app.setting('How deep')).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Phone view' })).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Code as SVG' })).toBeHidden();
+
+  await app.engrave();
+  await expect(app.result).toContainText(/A person can read it: capitals [\d.]+ mm high, strokes [\d.]+ mm wide/);
+  await expect(app.result).toContainText('Solid');
+  await expect(page.locator('#grades')).toBeHidden();
+  const report = await app.report();
+  expect(report.content).toBe('text');
+  expect(report.symbol).toBeNull();
+  expect(report.verification.verdict.passed).toBe(true);
+  const { name, bytes } = await app.download();
+  expect(name).toMatch(/^vase-text-Rev-B-2026-\d+mm\.stl$/);
+  expect(isClosedStl(bytes)).toBe(true);
+
+  await untilKept(page, (work) => work?.text === 'Rev B\n2026' && work.values.content === 'text');
+  await choose(page, 'Link or text');
+  await expect(app.text).toHaveValue(link);
+  await expectSymbol(page, link);
+  await app.expectReady();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(letters).toHaveValue('Rev B\n2026');
 });
 
 test('Every other kind writes its payload to the textbox and the symbol; a contact is shorter as a MeCard', async ({

@@ -102,8 +102,8 @@ Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shar
   if (folder.file_ < 0) return notWritten(own);
   if (::flock(folder.file_, LOCK_EX | LOCK_NB) != 0)
     return fail(ErrorKind::BadInput, message<"batch-folder-in-use">(with::quoted<"name">(own)));
-  if (const Status dropped = dropUnfinishedLine(folder.file_, own); !dropped) return tl::unexpected(dropped.error());
-  if (const Status read = folder.readManifests(shard); !read) return tl::unexpected(read.error());
+  QRELIEF_TRY(dropUnfinishedLine(folder.file_, own));
+  QRELIEF_TRY(folder.readManifests(shard));
   return folder;
 }
 
@@ -170,7 +170,7 @@ void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
 
 Status BatchFolder::append(const ManifestEntry& entry) {
   const std::string line = manifestLine(entry) + "\n";
-  if (const Status written = writeWhole(file_, line, pathOf(own_)); !written) return written;
+  QRELIEF_TRY(writeWhole(file_, line, pathOf(own_)));
   manifests_[own_].read(line);
   return {};
 }
@@ -194,8 +194,8 @@ Status BatchFolder::forEach(const std::function<Status(const ManifestEntry&)>& v
     for (const std::size_t number = it->number; it != all.end() && it->number == number; ++it)
       if (best->line.status != RowStatus::Done) best = it;
     const auto entry = entryAt(*best->name, best->line);
-    if (!entry) return tl::unexpected(entry.error());
-    if (const Status visited = visit(*entry); !visited) return visited;
+    QRELIEF_TRY(entry);
+    QRELIEF_TRY(visit(*entry));
   }
   return {};
 }
@@ -214,14 +214,14 @@ std::vector<std::size_t> BatchFolder::doubles() const {
 Status BatchFolder::writeManifest(std::size_t lastNumber) const {
   auto lines = AtomicFile::create(pathOf(kWhole)), table = AtomicFile::create(pathOf(kTable));
   if (!lines || !table) return tl::unexpected((lines ? table : lines).error());
-  if (const Status begun = table->write(manifestCsvHeader()); !begun) return begun;
+  QRELIEF_TRY(table->write(manifestCsvHeader()));
   const Status written = forEach([&](const ManifestEntry& entry) -> Status {
     if (entry.number > lastNumber) return {};
-    if (const Status added = lines->write(manifestLine(entry) + "\n"); !added) return added;
+    QRELIEF_TRY(lines->write(manifestLine(entry) + "\n"));
     return table->write(manifestCsvLine(entry));
   });
   if (!written) return written;
-  if (const Status finished = lines->finish(); !finished) return finished;
+  QRELIEF_TRY(lines->finish());
   return table->finish();
 }
 

@@ -7,6 +7,7 @@
 #include "message_codes/stages.h"
 #include "native/read_carving.h"
 #include "pipeline/best_spot.h"
+#include "pipeline/requested_symbol.h"
 #include "pipeline/verify.h"
 
 namespace qrelief {
@@ -20,7 +21,7 @@ Result<Engraver> Engraver::create(std::shared_ptr<const EngravableModel> model) 
   Engraver engraver;
   if (model->usesShaders(Device::Faster)) {
     auto programs = LuminancePrograms::create();
-    if (!programs) return tl::unexpected(programs.error());
+    QRELIEF_TRY(programs);
     engraver.programs_ = std::move(*programs);
   }
   engraver.model_ = std::move(model);
@@ -34,7 +35,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
   PlacementSearch search(model_->prepared, *model_->renderer, modules, placement);
   for (;;) {
     const Result<bool> done = search.step();
-    if (!done) return tl::unexpected(done.error());
+    QRELIEF_TRY(done);
     if (*done) break;
   }
   places_.push_front({modules, placement, std::move(search), nullptr});
@@ -43,16 +44,16 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
 }
 
 Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
-  const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  const auto symbol = requestedSymbol(request.code);
+  QRELIEF_TRY(symbol);
   tell({message<"finding-direction-and-size">(), 0});
-  if (const Status good = checkEngraving(*model_, request, *symbol); !good) return tl::unexpected(good.error());
+  QRELIEF_TRY(checkEngraving(*model_, request, *symbol));
   const auto place = placeOf(request, symbol->size);
-  if (!place) return tl::unexpected(place.error());
+  QRELIEF_TRY(place);
   Place& known = **place;
   auto job = EngraveJob::create(
       model_, request, {.placed = &known.found, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   Carving carving;
   const Status ended = advanceToEnd(**job, [&](const Progress& progress) {
     tell(progress);
@@ -60,7 +61,7 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
     if (looksAtPrint && written && !carving.print.valid())
       carving.print = std::async(std::launch::async, printed, verifyRequestOf(request, *written), written->mesh);
   });
-  if (!ended) return tl::unexpected(ended.error());
+  QRELIEF_TRY(ended);
   EngraveResult result = (*job)->takeResult();
   known.measured = (*job)->placementMeasurement();
   const auto start = Clock::now();
@@ -75,7 +76,7 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
 Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Mesh& carved) {
   const auto start = Clock::now();
   auto evidence = readPrinted(request, carved, [](const Progress&) {});
-  if (!evidence) return tl::unexpected(evidence.error());
+  QRELIEF_TRY(evidence);
   return Print{std::move(*evidence), millisecondsSince(start)};
 }
 
@@ -86,7 +87,7 @@ Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
   auto print = carving.print.valid()
                    ? carving.print.get()
                    : printed(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh);
-  if (!print) return tl::unexpected(print.error());
+  QRELIEF_TRY(print);
   engraved.printed = std::move(print->evidence);
   engraved.result.timingsMs.print = print->ms;
   engraved.verdict = judge(engraved.request, engraved.result, engraved.reading, &engraved.printed.value());
@@ -95,7 +96,7 @@ Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
 
 Result<PlacementRequest> Engraver::spotFor(const EngraveRequest& request, const Tell& tell) const {
   const auto spot = bestSpot(model_, request, {.scaleToMm = model_->prepared.scaleToMm, .tell = tell});
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   return placedAt(*spot, request.placement);
 }
 
@@ -111,7 +112,7 @@ Result<Engraved> Engraver::follow(EngravePlan plan, const Tell& tell) const {
     const int attempt = plan.attempt();
     if (plan.step() == EngravePlan::Step::Print) {
       Carving& carving = carvings.at(attempt);
-      if (const Status added = addPrint(carving, tell); !added) return tl::unexpected(added.error());
+      QRELIEF_TRY(addPrint(carving, tell));
       plan.printed(carving.engraved.verdict, *carving.engraved.printed);
     } else if (plan.step() == EngravePlan::Step::Place) {
       const auto start = Clock::now();

@@ -35,7 +35,7 @@ Result<std::ifstream> openFile(const std::string& path) {
 
 Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   Result<std::ifstream> stream = openFile(path);
-  if (!stream) return tl::unexpected(stream.error());
+  QRELIEF_TRY(stream);
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
@@ -91,7 +91,7 @@ Status AtomicFile::write(std::string_view bytes) {
 }
 
 Status AtomicFile::finish() {
-  if (const Status flushed = flush(); !flushed) return flushed;
+  QRELIEF_TRY(flush());
   if (::fsync(file_) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) return failed();
   ::close(std::exchange(file_, -1));
   return {};
@@ -99,8 +99,8 @@ Status AtomicFile::finish() {
 
 Status writeFileAtomically(const std::string& path, std::string_view text) {
   auto file = AtomicFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (const Status written = file->write(text); !written) return written;
+  QRELIEF_TRY(file);
+  QRELIEF_TRY(file->write(text));
   return file->finish();
 }
 

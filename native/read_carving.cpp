@@ -8,17 +8,18 @@
 namespace qrelief {
 
 ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& result) {
+  if (result.readerView.luminance.empty()) return {};  // a text alone
   return evidenceOf(readFrontal(result.readerView), request.code.text);
 }
 
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
                                                    const std::function<void(const Progress&)>& progress) {
   const auto order = printedViewOf(request);
-  if (!order) return tl::unexpected(order.error());
+  QRELIEF_TRY(order);
   if (!*order) return std::nullopt;
   auto job = PrintedViewJob::create(carved, **order);
-  if (!job) return tl::unexpected(job.error());
-  if (const Status ended = advanceToEnd(**job, progress); !ended) return tl::unexpected(ended.error());
+  QRELIEF_TRY(job);
+  QRELIEF_TRY(advanceToEnd(**job, progress));
   const PrintedView view = (*job)->takeResult();
   return PrintedEvidence{evidenceOf(readFrontal(view.seen), request.text),
                          std::string(namedPrinters()[*request.process].name), view.facingDeg};

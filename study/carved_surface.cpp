@@ -14,7 +14,7 @@ namespace qrelief::study {
 Result<CarvedSurface> CarvedSurface::make(const StudyPlacement& spot, const DepthField& depths) {
   auto carved =
       embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, depths);
-  if (!carved) return tl::unexpected(carved.error());
+  QRELIEF_TRY(carved);
   CarvedSurface surface;
   surface.mesh_ = std::make_unique<Mesh>(std::move(carved->mesh));
   surface.tree_ = std::make_unique<RayTree>(*surface.mesh_);

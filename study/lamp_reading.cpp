@@ -15,7 +15,7 @@ constexpr int kPixelsPerModule = 8, kMarginModules = 6;
 Result<int> readsUnder(const StudyPlacement& spot, const CarvedCode& code,
                        const std::vector<DirectionalLight>& lights) {
   const auto surface = CarvedSurface::make(spot, code.depths);
-  if (!surface) return tl::unexpected(surface.error());
+  QRELIEF_TRY(surface);
   const GpuMesh carved(surface->mesh(), vertexNormals(surface->mesh()));
   const int across = code.symbol.size + 2 * kMarginModules;
   ReaderViewOptions options;
@@ -25,7 +25,7 @@ Result<int> readsUnder(const StudyPlacement& spot, const CarvedCode& code,
   options.radiusMm = 8 * options.reliefMm;
   options.lights = lights;
   auto view = renderReaderView(*spot.pass, carved, spot.placement.frame, options);
-  if (!view) return tl::unexpected(view.error());
+  QRELIEF_TRY(view);
   view->pixelsPerModule = kPixelsPerModule;
   return evidenceOf(readFrontal(*view), spot.request.code.text).count.reads;
 }

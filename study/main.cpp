@@ -65,7 +65,7 @@ struct Chosen {
 Status run(const Experiment& experiment, const std::string& path, const Chosen& chosen, StudyContext& context) {
   const Shard& shard = chosen.shard;
   auto table = Table::open(experiment, fileOf(path, shard));
-  if (!table) return tl::unexpected(table.error());
+  QRELIEF_TRY(table);
   std::vector<std::string> parts;
   if (shard.isWhole()) {
     const std::filesystem::path whole(path);
@@ -76,7 +76,7 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
   }
   for (const std::string& part : parts) {
     const auto other = Table::open(experiment, part);
-    if (!other) return tl::unexpected(other.error());
+    QRELIEF_TRY(other);
     table->take(*other);
   }
   std::vector<const Row*> missing = chosen.of(experiment.cases);
@@ -89,7 +89,7 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
     if (isTerminal)
       fmt::print(stderr, "\r\033[K{}: {} of {}{} ", experiment.name, i + 1, missing.size(),
                  i == 0 ? "" : ", " + durationInWords(left) + " left");
-    if (const Status added = table->add(*missing[i], measured(experiment, *missing[i], context)); !added) return added;
+    QRELIEF_TRY(table->add(*missing[i], measured(experiment, *missing[i], context)));
   }
   fmt::print(stderr, "{}{}: {} rows, {} of them measured now, {}\n", isTerminal ? "\r\033[K" : "", experiment.name,
              experiment.cases.size(), missing.size(), durationInWords(millisecondsSince(start) / 1000));

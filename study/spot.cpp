@@ -14,9 +14,9 @@ std::vector<double> StudyPlacement::limitsMm(const SubmoduleMask& mask, double m
 Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const EngravableModel> model,
                                 const EngraveRequest& request) {
   auto symbol = encodeSymbol(request.code.text, request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
+  QRELIEF_TRY(pass);
   StudyPlacement spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
   spot.pass = std::make_shared<const GeometryPass>(std::move(*pass));
   const int modules = spot.symbol.size;
@@ -24,7 +24,7 @@ Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const Engravab
                                                         searchedPlacement(request, modules));
   for (;;) {
     const auto done = search->step();
-    if (!done) return tl::unexpected(done.error());
+    QRELIEF_TRY(done);
     if (*done) break;
   }
   spot.placement = search->placement();

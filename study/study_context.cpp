@@ -47,7 +47,7 @@ Result<Vec3> StudyContext::centreOf(const std::string& modelName) {
     if (modelName == one.name) return one.centreMm;
   if (centres_.empty()) {
     const auto bytes = readFile(samplesFolder_ + "/manifest.json");
-    if (!bytes) return tl::unexpected(bytes.error());
+    QRELIEF_TRY(bytes);
     for (const auto& sample : nlohmann::json::parse(*bytes)) {
       const auto& at = sample["centreMm"];
       centres_[sample["id"]] = {at[0].get<double>(), at[1].get<double>(), at[2].get<double>()};
@@ -67,19 +67,19 @@ Result<std::shared_ptr<const EngravableModel>> StudyContext::model(const std::st
   } else {
     const std::string file = name + ".stl";
     const auto bytes = readFile(samplesFolder_ + "/" + file);
-    if (!bytes) return tl::unexpected(bytes.error());
+    QRELIEF_TRY(bytes);
     auto read = readModel(*bytes, file);
-    if (!read) return tl::unexpected(read.error());
+    QRELIEF_TRY(read);
     soup = std::move(*read);
   }
   auto prepared = prepareModel(soup, {.scaleToMm = scale});
-  if (!prepared) return tl::unexpected(prepared.error());
+  QRELIEF_TRY(prepared);
   return models_[key] = EngravableModel::upload(std::move(*prepared));
 }
 
 Result<EngraveRequest> StudyContext::usualRequest(const std::string& modelName) {
   const auto centre = centreOf(modelName);
-  if (!centre) return tl::unexpected(centre.error());
+  QRELIEF_TRY(centre);
   EngraveRequest request;
   request.code.text = kText;
   request.code.symbol.version = kVersion;
@@ -95,15 +95,15 @@ Result<const StudyPlacement*> StudyContext::spotFor(const std::string& modelName
                                                     double scale, const std::string& key) {
   if (const auto known = spots_.find(key); known != spots_.end()) return &known->second;
   auto loaded = model(modelName, scale);
-  if (!loaded) return tl::unexpected(loaded.error());
+  QRELIEF_TRY(loaded);
   auto spot = findSpot(modelName, *loaded, request);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   return &spots_.emplace(key, std::move(*spot)).first->second;
 }
 
 Result<const StudyPlacement*> StudyContext::usualSpot(const std::string& modelName, DirectionMethod direction) {
   auto request = usualRequest(modelName);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   request->placement.directionMethod = direction;
   return spotFor(modelName, *request, 1, modelName + " " + directionMethodName(direction));
 }
@@ -111,7 +111,7 @@ Result<const StudyPlacement*> StudyContext::usualSpot(const std::string& modelNa
 Result<const StudyPlacement*> StudyContext::spotOfWidth(const std::string& modelName, double moduleMm,
                                                         DirectionMethod direction) {
   auto request = usualRequest(modelName);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   const double scale = moduleMm / kUsualModuleMm;
   request->placement.sizeMm *= scale;
   request->placement.centreMm *= scale;
@@ -134,7 +134,7 @@ Result<Judged> StudyContext::judge(const StudyPlacement& spot, const CarvedCode&
   judged.depth = depthOf(code);
   const auto carved =
       embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, code.depths);
-  if (!carved) return tl::unexpected(carved.error());
+  QRELIEF_TRY(carved);
   EngraveResult result;
   result.placement = spot.placement;
   result.symbol = code.symbol;
@@ -142,12 +142,12 @@ Result<Judged> StudyContext::judge(const StudyPlacement& spot, const CarvedCode&
   request.ranges = false;
   request.oneLight = code.readUnder;
   auto job = VerifyJob::create(carved->mesh, request, zxingDecoders());
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   const auto verified = runToEnd(**job);
-  if (!verified) return tl::unexpected(verified.error());
+  QRELIEF_TRY(verified);
   judged.designed = verified->reading.frontal;
   const auto printed = readPrinted(request, carved->mesh, [](const Progress&) {});
-  if (!printed) return tl::unexpected(printed.error());
+  QRELIEF_TRY(printed);
   if (*printed) judged.printed = (*printed)->reading.count;
   return judged;
 }

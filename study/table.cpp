@@ -43,7 +43,7 @@ Result<Table> Table::open(const Experiment& experiment, std::string path) {
   table.version_ = experiment.version;
   if (!std::filesystem::exists(table.path_)) return table;
   const auto bytes = readFile(table.path_);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   std::string text(bytes->begin(), bytes->end());
   text.resize(text.rfind('\n') + 1);
   std::istringstream lines(text);

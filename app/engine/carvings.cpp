@@ -28,7 +28,7 @@ constexpr int kNormalTexels = 768;  // for the smooth normals of a carved surfac
 
 /// Returns the number of steps of an engraving to do ahead: the surface, and the first passes of the search if there is
 /// one.
-int preparedSteps(const EngraveRequest& request) { return request.marking.isInColour() ? 1 : 5; }
+int preparedSteps(const EngraveRequest& request) { return request.needsLight() ? 5 : 1; }
 
 /// Returns the colours of a carved model's triangles; empty if the model has none. Walls have the colour at the code's
 /// centre.
@@ -46,7 +46,7 @@ std::vector<std::optional<Colour>> carvedColours(const EngraveResult& result, co
 Status Carvings::compilePrograms() {
   if (programs_) return {};
   auto compiled = LuminancePrograms::create();
-  if (!compiled) return tl::unexpected(compiled.error());
+  QRELIEF_TRY(compiled);
   programs_ = std::move(*compiled);
   return {};
 }
@@ -55,8 +55,7 @@ Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, cons
                                                       const PlacementSearch* placed,
                                                       std::shared_ptr<PlacementMeasurement> measured) {
   const Device device = timerQueries_ ? Device::Gpu : Device::Faster;  // timed passes need shaders
-  if (ground.model.engravable->usesShaders(device))
-    if (const Status compiled = compilePrograms(); !compiled) return tl::unexpected(compiled.error());
+  if (ground.model.engravable->usesShaders(device)) QRELIEF_TRY(compilePrograms());
   return EngraveJob::create(
       ground.model.engravable, request,
       {.placed = placed, .programs = programs_, .measured = std::move(measured), .device = device});
@@ -219,6 +218,7 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
 GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg) {
   if (!ground.pass || !compilePrograms()) return {};
   const EngraveResult& result = *current_.result;
+  if (result.readerView.luminance.empty()) return {};  // a text alone
   const ProjectionFrame frame = tilted(result.placement.frame, tiltDeg, azimuthDeg);
   const bool isInColour = current_.request.marking.isInColour();
   // A code in colour lies in the surface of the model.
@@ -250,7 +250,7 @@ Verdict Carvings::verdict() const {
 Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
   auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
   const auto changes = parseJson(changed);
-  if (!changes) return tl::unexpected(changes.error());
+  QRELIEF_TRY(changes);
   if (changes->contains("process"))  // a process has its own
     for (const char* key : {"nozzleMm", "layerMm", "lineWidthMm"}) settings.erase(key);
   settings.update(*changes);
@@ -259,14 +259,14 @@ Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
 
 Result<std::optional<PrintedViewRequest>> Carvings::printedView(const std::string& changed) const {
   const auto request = printedAs(changed);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   return printedViewOf(verifyRequestOf(*request, *printable()));
 }
 
 Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vector<std::string>& texts,
                                     double facingDeg) const {
   const auto request = printedAs(changed);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   const PrintedEvidence printed{evidenceOf(texts, request->code.text, true), {}, facingDeg};
   return judge(*request, *current_.result, current_.reading, &printed).prints;
 }
@@ -309,7 +309,7 @@ std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
 bool Carvings::fillPockets(const LoadedModel& model, Carving& carving) {
   EngraveResult& result = *carving.result;
   if (result.inlay) return true;
-  return addInlay(*model.engravable, carving.request.depth.surface, result) && result.inlaySolidity.solid();
+  return addInlay(*model.engravable, result) && result.inlaySolidity.solid();
 }
 
 /// Returns the finished carving of that number; null: it is gone.

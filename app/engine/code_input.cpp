@@ -4,14 +4,15 @@
 #include <utility>
 
 #include "pipeline/engravable_model.h"
+#include "pipeline/requested_symbol.h"
 
 namespace qrelief {
 
-CodeInput::CodeInput() : symbol_(encodeSymbol(settings_.code.text, settings_.code.symbol)) {}
+CodeInput::CodeInput() : symbol_(requestedSymbol(settings_.code)) {}
 
 void CodeInput::configure(EngraveRequest settings) {
   settings_ = std::move(settings);
-  symbol_ = encodeSymbol(settings_.code.text, settings_.code.symbol);
+  symbol_ = requestedSymbol(settings_.code);
 }
 
 void CodeInput::choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction) {

@@ -32,6 +32,11 @@ EstimatedSurface estimatedSurface(const LoadedModel& model) {
   return {model.mesh(), *model.engravable->raster, model.engravable->box.diagonal()};
 }
 
+/// People read a text at any angle.
+bool isForgiving(double bendMm, double moduleMm, const EngraveRequest& request) {
+  return request.code.isText() || aimToleranceDeg(bendMm, moduleMm) >= kForgivingTiltDeg;
+}
+
 }  // namespace
 
 bool CodeOnSurface::covers(const Mesh& mesh, const SurfacePoint& at) const {
@@ -67,13 +72,13 @@ Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& i
   const Symbol& symbol = *input.symbol();
   auto estimate =
       estimateCode(estimatedSurface(model), at, symbol.size, input.placementAt(at.position, upHint), expectedMm);
-  if (!estimate) return tl::unexpected(estimate.error());
+  QRELIEF_TRY(estimate);
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;
   code.modules = symbol.size;
   code.rotationDeg = estimate->rotationDeg;
   code.missingFraction = estimate->missingFraction;
-  code.isForgiving = aimToleranceDeg(estimate->bendMm, code.moduleMm()) >= kForgivingTiltDeg;
+  code.isForgiving = isForgiving(estimate->bendMm, code.moduleMm(), input.settings());
   code.reach = estimate->reach;
   code.decal = symbolDecal(symbol, estimate->frame, estimate->symbolMm, input.settings());
   code.decal.reach = estimate->reach;
@@ -87,13 +92,13 @@ Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, 
   code.symbolMm = placement.symbolMm;
   code.modules = symbol.size;
   code.rotationDeg = placement.rotationDeg;
-  code.isForgiving = aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg;
+  code.isForgiving = isForgiving(placement.bendMm, placement.moduleMm, request);
   code.isExact = true;
   auto concerns = concernsAt(*model.engravable, placement, spotSearchFor(request, symbol));
-  if (!concerns) return tl::unexpected(concerns.error());
+  QRELIEF_TRY(concerns);
   code.concerns = std::move(concerns->reasons);
   auto reach = reachAround(model, code.decal);
-  if (!reach) return tl::unexpected(reach.error());
+  QRELIEF_TRY(reach);
   code.decal.reach = trusted(*reach);
   code.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
   return code;
@@ -106,7 +111,7 @@ Result<Decal> visibleDecal(const LoadedModel& model, const Symbol& symbol, const
 
 Result<Decal> onVisibleSurface(const LoadedModel& model, Decal decal) {
   auto reach = reachAround(model, decal);
-  if (!reach) return tl::unexpected(reach.error());
+  QRELIEF_TRY(reach);
   decal.reach = trusted(std::move(*reach));
   return decal;
 }

@@ -65,6 +65,7 @@ std::vector<GreyImage> Engine::pictures(const std::string& of) {
   const ReaderView& seen = carvings_.result()->readerView;
   if (of == "reader") return {seen.picture};
   assert(of == "reading");
+  if (seen.luminance.empty()) return {};  // a text alone
   return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
 }
 

@@ -6,6 +6,7 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "message_codes/engine.h"
+#include "pipeline/requested_symbol.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
@@ -45,7 +46,7 @@ std::string Engine::startEngrave(const std::string& options,
                        .mayChange = !overridden,
                        .offersMarks = parsed->value("offers", false),
                        .fixed = parsed->value("fixed", std::vector<std::string>())}});
-  const Result<Symbol> symbol = isNext ? encodeSymbol(request.code.text, request.code.symbol) : wanted_.symbol();
+  const Result<Symbol> symbol = isNext ? requestedSymbol(request.code) : wanted_.symbol();
   const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, symbol);
   const auto started = carvings_.start(ground(), std::move(request), placed);
   return started ? answer(*started) : answer(started.error());

@@ -8,6 +8,7 @@
 #include "math/angle.h"
 #include "mesh/flat_region.h"
 #include "message_codes/engine.h"
+#include "pipeline/label_pockets.h"
 #include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 
@@ -24,6 +25,11 @@ Vec3 nearAxis(Vec3 direction) {
   return direction;
 }
 
+/// Returns the height of the capitals of a text alone, mm; none for a code.
+std::optional<double> capitalMmAt(const EngraveRequest& request, int modules, double moduleMm) {
+  return request.code.isText() ? labelCapitalMm(request.code.lettering(), modules, moduleMm) : std::nullopt;
+}
+
 }  // namespace
 
 PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().modelUp()}; }
@@ -35,7 +41,7 @@ bool Engine::takesCode() const {
 Status Engine::placeCode() {
   if (!model_) return tl::unexpected(kNoModel);
   if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message<"no-centre">());
-  if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
+  QRELIEF_TRY(model_->engravable->prepared.engravable());
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
   return preview_.place(task());
 }
@@ -50,6 +56,9 @@ std::string Engine::placement() {
 std::string Engine::describePlacement() const {
   const Placement& placement = *preview_.placement();
   const Symbol& symbol = *wanted_.symbol();
+  const auto capitalMm = capitalMmAt(settings(), symbol.size, placement.moduleMm);
+  const bool isForgiving =
+      settings().code.isText() || aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg;
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement.frame.centre)},
@@ -62,14 +71,16 @@ std::string Engine::describePlacement() const {
                    {"sizeMode", sizeModeName(settings().placement.sizeMode)},
                    {"concerns", jsonOf(std::span(preview_.code()->concerns))},
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
-                   {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
+                   {"forgiving", isForgiving},
                    {"rotationDeg", placement.rotationDeg},
                    {"colourLayers", layersOfCode(placement, symbol.size, colouredCodeOf(settings()))},
+                   {"capitalMm", capitalMm ? Json(*capitalMm) : Json()},
                    {"version", symbol.version},
                    {"modules", symbol.size}}}});
 }
 
 std::string Engine::describeCode(const CodeOnSurface& code) const {
+  const auto capitalMm = capitalMmAt(settings(), code.modules, code.moduleMm());
   return textOf({{"ok", true},
                  {"hit", true},
                  {"done", true},
@@ -77,6 +88,7 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
                  {"code",
                   {{"symbolMm", code.symbolMm},
                    {"moduleMm", code.moduleMm()},
+                   {"capitalMm", capitalMm ? Json(*capitalMm) : Json()},
                    {"missingShare", code.missingFraction},
                    {"forgiving", code.isForgiving},
                    {"concerns", jsonOf(std::span(code.concerns))},

@@ -157,8 +157,8 @@ std::string Engine::show(const std::string& what) {
   updateView();
   const EngraveResult* const result = carvings_.result();
   return textOf({{"ok", true},
-                 {"topMm", result ? depthColoursTopMm(result->depths) : 0},
-                 {"deepestMm", result ? summarise(result->depths).maxMm : 0}});
+                 {"topMm", result ? depthColoursTopMm(*result) : 0},
+                 {"deepestMm", result ? pocketDepths(*result).maxMm : 0}});
 }
 
 std::string Engine::showPrint(std::vector<std::uint8_t> picture, int size) {

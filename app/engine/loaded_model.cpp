@@ -25,7 +25,7 @@ constexpr double kGoodFit = 0.7;  // part of the square that makes a spot good e
 Result<LoadedModel> loadedModel(const std::shared_ptr<const GeometryPass>& pass, std::vector<std::uint8_t> bytes,
                                 const std::string& fileName, double scaleToMm) {
   auto file = readModelFile(std::move(bytes), fileName, scaleToMm);
-  if (!file) return tl::unexpected(file.error());
+  QRELIEF_TRY(file);
   LoadedModel model;
   model.fileName = fileName;
   model.format = std::move(file->format);

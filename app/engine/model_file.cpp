@@ -16,7 +16,7 @@ Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::stri
     return fail(ErrorKind::BadUsage, message<"scale-unusable">(with::number<"scale">(scaleToMm)));
   const auto start = Clock::now();
   auto soup = readModel(bytes, fileName);
-  if (!soup) return tl::unexpected(soup.error());
+  QRELIEF_TRY(soup);
   bytes = {};  // frees the file: file and model need not be in memory at once
   ModelFile file;
   file.format = soup->format;
@@ -27,7 +27,7 @@ Result<ModelFile> readModelFile(std::vector<std::uint8_t> bytes, const std::stri
 
   const auto preparing = Clock::now();
   auto prepared = prepareModel(*soup, {.scaleToMm = file.scaleToMm});
-  if (!prepared) return tl::unexpected(prepared.error());
+  QRELIEF_TRY(prepared);
   file.prepared = std::move(*prepared);
   file.prepareMs = millisecondsSince(preparing);
   return file;

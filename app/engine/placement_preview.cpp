@@ -20,7 +20,7 @@ Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& r
   PlacementSearch search(model.prepared, *model.renderer, symbol->size, placement);
   for (bool done = false; !done;) {
     const Result<bool> step = search.step();
-    if (!step) return tl::unexpected(step.error());
+    QRELIEF_TRY(step);
     done = *step;
   }
   found_ = {placement, symbol->size, std::move(search)};
@@ -37,7 +37,7 @@ Status PlacementPreview::place(const PlacementTask& task) {
     return status;
   }
   auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->search.placement());
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   placement_ = found_->search.placement();
   code_ = std::move(*code);
   return {};
@@ -50,7 +50,7 @@ void PlacementPreview::take(const Placement& placement, Result<CodeOnSurface> co
 
 Status PlacementPreview::move(const PlacementTask& task, const SurfacePoint& to) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, to);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   endHover();
   placement_.reset();
   code_ = std::move(*code);
@@ -64,7 +64,7 @@ void PlacementPreview::adjust(double rotateDeg, double symbolMm, double outer) {
 Status PlacementPreview::hover(const PlacementTask& task, const SurfacePoint& at) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, at,
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   hoveredAt_ = at;
   hovered_ = std::move(*code);
   return {};
@@ -94,7 +94,7 @@ Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   };
   auto code = isSettled ? settled(settling_->placement()) : tl::unexpected(isSettled.error());
   settling_.reset();
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   hovered_ = std::move(*code);
   return true;
 }

@@ -69,9 +69,10 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
                {"columns", columnsOf(plan.list())},
                {"warnings", std::move(warnings)}};
   if (problems.empty()) {
-    const int version = *plan.row(0).request.code.symbol.version;
-    json["version"] = version;
-    json["modules"] = 17 + 4 * version;
+    if (const CodeRequest code = plan.row(0).request.code; !code.isText()) {
+      json["version"] = *code.symbol.version;
+      json["modules"] = 17 + 4 * *code.symbol.version;
+    }
     plan_ = std::move(plan);
   }
   json["problems"] = std::move(problems);

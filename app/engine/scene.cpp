@@ -50,7 +50,7 @@ ColourImage readColours(const gl::Framebuffer& target, int width, int height) {
 
 Status Scene::open(const ViewQuality& quality) {
   auto viewer = Viewer::create(quality);
-  if (!viewer) return tl::unexpected(viewer.error());
+  QRELIEF_TRY(viewer);
   viewer_ = std::make_unique<Viewer>(std::move(*viewer));
   return {};
 }

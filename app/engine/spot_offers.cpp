@@ -21,7 +21,7 @@ Status SpotOffers::start(const PlacementTask& task) {
   request_.placement.upHint = task.upHint;
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   job_ = std::move(*job);
   return {};
 }

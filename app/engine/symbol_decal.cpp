@@ -13,9 +13,11 @@ namespace qrelief {
 namespace {
 
 constexpr int kTexelsWithLabel = 2;  // along a submodule's edge: letters are finer than submodules
+constexpr int kTexelsWithText = 4;   // the same for a text alone
+constexpr double kTextMargin = 1;    // round a text alone, in modules
 
 SubmoduleMask maskOf(const Symbol& symbol, double symbolMm, const EngraveRequest& request) {
-  if (request.marking.isInColour()) return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
+  if (!request.needsLight()) return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
   return submodulesToCarve(symbol, *carved.code.modulePattern, *carved.code.finderPattern);
 }
@@ -24,9 +26,10 @@ SubmoduleMask maskOf(const Symbol& symbol, double symbolMm, const EngraveRequest
 
 Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm, const EngraveRequest& request) {
   const SubmoduleMask mask = maskOf(symbol, symbolMm, request);
-  const LabelOptions& label = request.code.label;
-  const int scale = label.empty() ? 1 : kTexelsWithLabel;
-  const double margin = std::max<double>(kQuietZoneModules, labelMarginModules(label, symbol.size));
+  const LabelOptions label = request.code.lettering();
+  const int scale = label.isAlone ? kTexelsWithText : label.empty() ? 1 : kTexelsWithLabel;
+  const double margin =
+      label.isAlone ? kTextMargin : std::max<double>(kQuietZoneModules, labelMarginModules(label, symbol.size));
   const int border = static_cast<int>(std::ceil(margin * scale * kSubmodulesPerModule));
   Decal decal;
   if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/symbol_facts.h"
 
+#include <fmt/format.h>
+#include <vector>
+
 #include "engine/answers.h"
+#include "label/label_layout.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/requested_symbol.h"
 #include "qr/codewords.h"
 #include "qr/segmentation.h"
 #include "settings/engrave_request.h"
@@ -43,12 +48,36 @@ int roomIn(int version, ErrorCorrection level, bool hasEci, const std::string& t
 
 bool isSize(double mm) { return mm > 0 && mm < 1000; }
 
+/// Returns the outlines as an SVG path, in modules from the top left of the square.
+std::string pathOf(const std::vector<Ring>& rings, int modules) {
+  std::string path;
+  for (const Ring& ring : rings) {
+    char command = 'M';
+    for (const Vec2 corner : ring) {
+      path += fmt::format("{}{:.2f} {:.2f}", command, modules / 2.0 + corner.x, modules / 2.0 - corner.y);
+      command = 'L';
+    }
+    path += 'Z';
+  }
+  return path;
+}
+
+Json describeLetters(const EngraveRequest& request, const Symbol& symbol, bool isPrinter) {
+  const auto layout = layOutLabel(request.code.lettering(), symbol.size);
+  return {{"size", symbol.size},
+          {"path", pathOf(layout->rings, symbol.size)},
+          {"capital", layout->capitalModules},
+          {"leastMm", isPrinter ? Json(symbol.size * leastPrintableModuleMm(symbol, request)) : Json()}};
+}
+
 }  // namespace
 
 std::string describeSymbol(const EngraveRequest& request) {
-  const Result<Symbol> symbol = encodeSymbol(request.code.text, request.code.symbol);
+  const Result<Symbol> symbol = requestedSymbol(request.code);
   if (!symbol) return answer(symbol.error());
   const bool isPrinter = isSize(request.print.printer.nozzleMm) && isSize(request.print.printer.layerMm);
+  if (request.code.isText())
+    return textOf({{"ok", true}, {"symbol", {{"letters", describeLetters(request, *symbol, isPrinter)}}}});
   return textOf(
       {{"ok", true},
        {"symbol",

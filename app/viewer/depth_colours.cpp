@@ -20,16 +20,22 @@ double depthAt(const DepthField& depths, Vec2 onPlane) {
   return depths.depth(row, column);
 }
 
+/// Returns the depth of a new facet that is no wall. @param middle  of it
+double depthOf(const EngraveResult& result, std::size_t triangle, Vec3 middle) {
+  if (!result.request.code.isText()) return depthAt(result.depths, result.placement.frame.project(middle));
+  return result.origins[triangle].kind == FacetOrigin::Kind::Floor ? result.label.depthMm : 0;
+}
+
 }  // namespace
 
-double depthColoursTopMm(const DepthField& depths) {
-  return std::max(kTopStepMm, std::ceil(summarise(depths).p95Mm / kTopStepMm - 1e-6) * kTopStepMm);
+double depthColoursTopMm(const EngraveResult& result) {
+  return std::max(kTopStepMm, std::ceil(pocketDepths(result).p95Mm / kTopStepMm - 1e-6) * kTopStepMm);
 }
 
 std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& display) {
   const ProjectionFrame& frame = result.placement.frame;
   const Mesh& mesh = result.mesh;
-  const double topMm = depthColoursTopMm(result.depths);
+  const double topMm = depthColoursTopMm(result);
   std::vector<float> values(display.mesh.positions.size(), 0);
   struct Floor {
     std::size_t triangle;
@@ -46,8 +52,7 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
       walls.push_back(t);
       continue;
     }
-    const auto value =
-        isKept ? 0.0f : static_cast<float>(std::min(1.0, depthAt(result.depths, frame.project(middle)) / topMm));
+    const auto value = isKept ? 0.0f : static_cast<float>(std::min(1.0, depthOf(result, t, middle) / topMm));
     if (value == 0) {
       others.push_back(t);
       continue;

@@ -12,7 +12,7 @@ struct EngraveResult;
 
 /// Returns the depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre.
 /// Single pockets can be several times as deep; a scale up to their depth would show all the others in one colour.
-double depthColoursTopMm(const DepthField& depths);
+double depthColoursTopMm(const EngraveResult& result);
 
 /// Returns the depth of every vertex of the display mesh, 0 … 1, for the viewer; 0: not carved. The floor of a pocket
 /// has the depth of its submodule; a wall goes from the depth on one side to the depth on the other.

@@ -76,7 +76,7 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
   viewer.mostScale_ = quality.movingScale;
   for (const Source& source : sources) {
     auto program = gl::Program::create(source.name, source.vertex, source.fragment);
-    if (!program) return tl::unexpected(program.error());
+    QRELIEF_TRY(program);
     viewer.*source.program = std::move(*program);
   }
   return viewer;
@@ -163,7 +163,7 @@ Result<Viewer::Stage> Viewer::makeStage(int width, int height, bool colourOnly) 
     texture = gl::Texture(width, height, target.format);
     const gl::Texture* const colours[] = {&texture};
     auto framebuffer = gl::Framebuffer::create(colours, target.withDepth);
-    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    QRELIEF_TRY(framebuffer);
     stage.*target.framebuffer = std::move(*framebuffer);
     if (colourOnly) break;
   }
@@ -179,7 +179,7 @@ Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colo
   if (stage && stage->width == width && stage->height == height) return {};
   stage.reset();  // before making the new one: two sets of full size may not fit
   auto created = makeStage(width, height, colourOnly);
-  if (!created) return tl::unexpected(created.error());
+  QRELIEF_TRY(created);
   stage = std::move(*created);
   return {};
 }
@@ -396,7 +396,7 @@ Status Viewer::makePlain(const CameraView& camera) {
     plain_ = gl::Texture(width_, height_, gl::Format::RGBA8);
     const gl::Texture* const colours[] = {&plain_};
     auto framebuffer = gl::Framebuffer::create(colours, false);
-    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    QRELIEF_TRY(framebuffer);
     plainTarget_ = std::move(*framebuffer);
   }
   presentPicture(camera, &plainTarget_);
@@ -409,7 +409,7 @@ Status Viewer::makePlain(const CameraView& camera) {
 /// Does the same as `present`, more cheaply if only decals have changed.
 Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
   uploadPrints();
-  if (const Status status = makePlain(camera); !status) return status;
+  QRELIEF_TRY(makePlain(camera));
   bindCanvas(target);
   copy_.use();
   copy_.setTexture("u_picture", 0, plain_);
@@ -438,7 +438,7 @@ void Viewer::adaptToInterval(double nowMs) {
 
 Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target) {
   adaptToInterval(nowMs);
-  if (auto ready = prepareStage(moving_, quality_.movingScale, false); !ready) return tl::unexpected(ready.error());
+  QRELIEF_TRY(prepareStage(moving_, quality_.movingScale, false));
   Sample sample;
   sample.steps = quality_.movingSteps;
   sample.blur = true;
@@ -452,8 +452,8 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
 }
 
 Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always) {
-  if (auto ready = prepareStage(still_, 1, false); !ready) return tl::unexpected(ready.error());
-  if (auto ready = prepareStage(sum_, 1, true); !ready) return tl::unexpected(ready.error());
+  QRELIEF_TRY(prepareStage(still_, 1, false));
+  QRELIEF_TRY(prepareStage(sum_, 1, true));
   const auto index = static_cast<std::uint32_t>(++statistics_.samples);
   const auto [x, y] = halton23(index);
   Sample sample;
@@ -487,7 +487,7 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
   const bool finished = statistics_.samples >= quality_.stillSamples;
   if (settled && !finished) return drawStill(camera, target, always);
   if (printsChanged_) {
-    if (const Status drawn = presentPrints(camera, target); !drawn) return tl::unexpected(drawn.error());
+    QRELIEF_TRY(presentPrints(camera, target));
   } else if (always) {
     present(camera, target);
   }

@@ -54,7 +54,7 @@ class JobStages {
   Result<Progress> advance(State& state) {
     if (done()) return advancedAfterDone();
     const Result<StageStep> step = (state.*stages_[current_].step)();
-    if (!step) return tl::unexpected(step.error());
+    QRELIEF_TRY(step);
     if (step->isLast) ++current_;
     fraction_ = done() ? 1 : std::max(fraction_, fractionAfter(*step));
     return progress();

@@ -21,7 +21,7 @@ Status advanceToEnd(Job& job, const Tell& tell) {
   tell(job.progress());
   for (;;) {
     const Result<Progress> progress = job.advance();
-    if (!progress) return tl::unexpected(progress.error());
+    QRELIEF_TRY(progress);
     tell(*progress);
     if (progress->done) return {};
   }
@@ -31,7 +31,7 @@ Status advanceToEnd(Job& job, const Tell& tell) {
 /// @param job  has progress(), advance() and takeResult()
 template <class Job>
 auto runToEnd(Job& job) -> Result<decltype(job.takeResult())> {
-  if (const Status ended = advanceToEnd(job, [](const Progress&) {}); !ended) return tl::unexpected(ended.error());
+  QRELIEF_TRY(advanceToEnd(job, [](const Progress&) {}));
   return job.takeResult();
 }
 

@@ -34,3 +34,13 @@ inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
 inline tl::unexpected<Error> badInput(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
 
 }  // namespace qrelief
+
+/// Returns the error of a Result or Status from the function, if it has one. The value stays in the Result:
+///
+///     auto mesh = readMesh(bytes);
+///     QRELIEF_TRY(mesh);
+///     QRELIEF_TRY(check(*mesh));
+#define QRELIEF_TRY(result)                                                                                       \
+  do {                                                                                                            \
+    if (auto&& tried_ = (result); !tried_) return tl::unexpected(std::forward<decltype(tried_)>(tried_).error()); \
+  } while (false)

@@ -154,7 +154,7 @@ class CsvReader {
     csv_set_delim(&parser_, static_cast<unsigned char>(named ? *named : separatorOf(firstLine(text))));
     for (std::uint32_t line = named ? 2 : 1; !text.empty(); ++line) {
       const std::string_view whole = firstLine(text);
-      if (const Status good = checkLine(withoutEnd(whole), line); !good) return tl::unexpected(good.error());
+      QRELIEF_TRY(checkLine(withoutEnd(whole), line));
       if (parser_.pstate == kBetweenRows) rowLine_ = line;
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
       if (problem_) return badInput(std::move(*problem_));
@@ -321,7 +321,7 @@ class JsonRows {
   }
 
   Result<BatchList> list() && {
-    if (const Status good = checkColumns(columns_); !good) return tl::unexpected(good.error());
+    QRELIEF_TRY(checkColumns(columns_));
     BatchList list(columns_);
     for (auto& [line, cells] : rows_) {
       cells.resize(columns_.size());
@@ -340,9 +340,9 @@ Result<BatchList> readJsonLines(std::string_view text) {
   for (std::uint32_t number = 1; !text.empty(); ++number) {
     const std::string_view whole = firstLine(text), line = withoutEnd(whole);
     text.remove_prefix(whole.size());
-    if (const Status good = checkLine(line, number); !good) return tl::unexpected(good.error());
+    QRELIEF_TRY(checkLine(line, number));
     if (line.find_first_not_of(" \t") == line.npos) continue;
-    if (const Status added = rows.add(line, number); !added) return tl::unexpected(added.error());
+    QRELIEF_TRY(rows.add(line, number));
   }
   return std::move(rows).list();
 }
@@ -374,7 +374,7 @@ Result<BatchList> readJsonArray(std::string_view text) {
   for (std::uint32_t number = 1; !left.empty(); ++number) {
     const std::string_view whole = firstLine(left);
     left.remove_prefix(whole.size());
-    if (const Status good = checkLine(withoutEnd(whole), number); !good) return tl::unexpected(good.error());
+    QRELIEF_TRY(checkLine(withoutEnd(whole), number));
   }
   const auto skip = [&](std::size_t count) {
     line +=
@@ -390,7 +390,7 @@ Result<BatchList> readJsonArray(std::string_view text) {
     skipSpace();
     if (isFirst && text.starts_with(']')) break;
     const std::size_t length = jsonValueLength(text);
-    if (const Status added = rows.add(text.substr(0, length), line); !added) return tl::unexpected(added.error());
+    QRELIEF_TRY(rows.add(text.substr(0, length), line));
     skip(length);
     if (text.starts_with(']')) break;
     if (!text.starts_with(',')) return broken();
@@ -436,7 +436,7 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes, const Batch
     if (!narrow) return badInput(message<"list-encoding">(with::term<"encoding">(wide)));
     text = *narrow;
   }
-  if (const Status good = checkIsText(text); !good) return tl::unexpected(good.error());
+  QRELIEF_TRY(checkIsText(text));
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char start = first == text.npos ? '\0' : text[first];

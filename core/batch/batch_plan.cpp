@@ -13,6 +13,7 @@
 #include "io/write_files.h"
 #include "message_codes/batch.h"
 #include "pipeline/carved_objects.h"
+#include "pipeline/requested_symbol.h"
 #include "qr/link_advice.h"
 #include "settings/setting_text.h"
 
@@ -97,8 +98,7 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
 
 /// Finds the use of each column.
 Status BatchPlan::prepare() {
-  for (const TextTemplate* text : {&text_, &name_, &label_})
-    if (const Status known = checkNames(*text); !known) return known;
+  for (const TextTemplate* text : {&text_, &name_, &label_}) QRELIEF_TRY(checkNames(*text));
   const std::vector<std::string>& columns = list_.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto names = [&](const TextTemplate& in) {
@@ -175,14 +175,14 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   if (row.id.empty()) return badInput(message<"row-without-id">());
   const auto value = [&](std::string_view name) { return valueOf(index, name); };
   auto text = text_.filled(value);
-  if (!text) return tl::unexpected(text.error());
+  QRELIEF_TRY(text);
   if (text->empty()) return badInput(message<"row-without-text">());
   row.request.code.text = std::move(*text);
   auto label = label_.filled(value);
-  if (!label) return tl::unexpected(label.error());
+  QRELIEF_TRY(label);
   row.request.code.label.text = std::move(*label);
   auto file = name_.filled(value);
-  if (!file) return tl::unexpected(file.error());
+  QRELIEF_TRY(file);
   if (auto why = whyNoPlainName(*file)) return badInput(std::move(*why));
   row.file = std::move(*file);
   if (const auto model = list_.find(kModel)) row.model = list_.cell(index, *model);
@@ -190,8 +190,8 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
     const std::string cell(list_.cell(index, column));
     if (cell.empty()) continue;
     const auto parsed = valueFromText(*setting, std::span(&cell, 1));
-    if (!parsed) return tl::unexpected(parsed.error());
-    if (const Status good = checkValue(*setting, *parsed); !good) return tl::unexpected(good.error());
+    QRELIEF_TRY(parsed);
+    QRELIEF_TRY(checkValue(*setting, *parsed));
     setting->write(row.request, *parsed);
   }
   return row;
@@ -216,31 +216,37 @@ void BatchPlan::checkRows() {
   std::vector<TextTrace> traces;
   std::map<std::pair<ErrorCorrection, EciUse>, VersionsByLength> versions;
   int largest = 1;
+  const auto checkCode = [&](const BatchRow& row) {
+    for (TextAdvice& advice : adviseText(row.request.code.text)) {
+      if (advice.severity != TextAdvice::Severity::Warning) continue;
+      const auto same = std::find_if(traces.begin(), traces.end(),
+                                     [&](const TextTrace& trace) { return trace.message.code == advice.message.code; });
+      if (same == traces.end())
+        traces.push_back({std::move(advice.message), row.line, 1});
+      else
+        ++same->count;
+    }
+    const SymbolOptions& symbol = row.request.code.symbol;
+    const auto [known, isNew] =
+        versions.try_emplace({symbol.errorCorrection, symbol.eci}, symbol.errorCorrection, symbol.eci);
+    const int needed = known->second.smallest(row.request.code.text);
+    if (needed == 0 || (symbol.version && needed > *symbol.version)) {
+      const auto encoded = encodeSymbol(row.request.code.text, symbol);
+      if (!encoded) add(row.line, encoded.error().message);
+    } else if (!symbol.version) {
+      largest = std::max(largest, needed);
+    }
+  };
   for (std::size_t i = 0; i < size(); ++i) {
     const auto row = made(i);
     if (!row) {
       add(list_.line(i), row.error().message);
       continue;
     }
-    for (TextAdvice& advice : adviseText(row->request.code.text)) {
-      if (advice.severity != TextAdvice::Severity::Warning) continue;
-      const auto same = std::find_if(traces.begin(), traces.end(),
-                                     [&](const TextTrace& trace) { return trace.message.code == advice.message.code; });
-      if (same == traces.end())
-        traces.push_back({std::move(advice.message), row->line, 1});
-      else
-        ++same->count;
-    }
-    const SymbolOptions& symbol = row->request.code.symbol;
-    const auto [known, isNew] =
-        versions.try_emplace({symbol.errorCorrection, symbol.eci}, symbol.errorCorrection, symbol.eci);
-    const int needed = known->second.smallest(row->request.code.text);
-    if (needed == 0 || (symbol.version && needed > *symbol.version)) {
-      const auto encoded = encodeSymbol(row->request.code.text, symbol);
-      if (!encoded) add(row->line, encoded.error().message);
-    } else if (!symbol.version) {
-      largest = std::max(largest, needed);
-    }
+    if (!row->request.code.isText())
+      checkCode(*row);
+    else if (const auto letters = requestedSymbol(row->request.code); !letters)
+      add(row->line, letters.error().message);
     if (row->request.marking.isInColour() && !holdsColoursOf(row->request, formatOfName(row->file)))
       add(row->line, message<"colour-has-no-file">(with::quoted<"name">(row->file)));
     if (!row->request.code.label.text.empty())
@@ -251,7 +257,8 @@ void BatchPlan::checkRows() {
   warnOfTexts(traces);
   if (!problems_.empty()) return;
   if (!all_.code.symbol.version) all_.code.symbol.version = largest;
-  checkTwice([](const BatchRow& row) { return row.request.code.text; },
+  // Parts may share a text without a code, such as a name.
+  checkTwice([](const BatchRow& row) { return row.request.code.isText() ? std::string() : row.request.code.text; },
              [](const BatchRow& row, std::uint32_t other) {
                return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::count<"other">(other));
              });
@@ -278,7 +285,7 @@ void BatchPlan::checkTwice(std::string (*of)(const BatchRow&),
   for (std::size_t i = 1; i < hashes.size(); ++i) {
     if (hashes[i].first != hashes[i - 1].first) continue;
     const auto row = made(hashes[i].second), before = made(hashes[i - 1].second);
-    if (of(*row) == of(*before)) add(row->line, problem(*row, before->line));
+    if (of(*row) == of(*before) && !of(*row).empty()) add(row->line, problem(*row, before->line));
   }
 }
 

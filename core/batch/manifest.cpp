@@ -12,6 +12,7 @@
 #include "base/parse_json.h"
 #include "base/version.h"
 #include "pipeline/engrave.h"
+#include "pipeline/label_pockets.h"
 #include "settings/setting_json.h"
 
 namespace qrelief {
@@ -122,21 +123,28 @@ std::string describeRow(const CarvedRow& row) {
   const auto counted = [](const ReadingEvidence& evidence) {
     return Json{{"tries", evidence.count.tries}, {"reads", evidence.count.reads}, {"traced", evidence.traced}};
   };
-  const DepthSummary depth = summarise(result.depths);
-  const SymbolGrades grades =
-      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.depth.albedo));
-  Json details = {{"symbol",
-                   {{"version", result.symbol.version},
-                    {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
-                    {"mask", result.symbol.mask},
-                    {"symbolMm", result.placement.symbolMm}}},
-                  {"reading", counted(reading)}};
+  const DepthSummary depth = pocketDepths(result);
+  Json details;
+  if (request.code.isText())
+    details["letters"] = {{"capitalMm", rounded(capitalMmOf(result).value_or(0))},
+                          {"sizeMm", result.placement.symbolMm}};
+  else
+    details = {{"symbol",
+                {{"version", result.symbol.version},
+                 {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
+                 {"mask", result.symbol.mask},
+                 {"symbolMm", result.placement.symbolMm}}},
+               {"reading", counted(reading)}};
   if (printed) details["printed"] = counted(printed->reading);
   details["verdict"] = {{"passed", verdict.passed()},
                         {"reads", levelName(verdict.reads.level)},
                         {"prints", levelName(verdict.prints.level)},
                         {"solid", levelName(verdict.solid.level)}};
-  details["grades"] = {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}};
+  if (!request.code.isText()) {
+    const SymbolGrades grades =
+        gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.depth.albedo));
+    details["grades"] = {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}};
+  }
   details["depth"] = {{"meanMm", rounded(depth.meanMm)},
                       {"maxMm", rounded(depth.maxMm)},
                       {"p95Mm", rounded(depth.p95Mm)},

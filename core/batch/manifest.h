@@ -74,7 +74,7 @@ struct CarvedRow {
 };
 
 /// Describes a row as {"symbol", "reading", "printed", "verdict", "grades", "depth", "timingsMs"}; "printed" only if
-/// its print was simulated.
+/// its print was simulated. A text alone has "letters" in place of "symbol", "reading", "printed" and "grades".
 std::string describeRow(const CarvedRow& row);
 
 }  // namespace qrelief

@@ -298,7 +298,7 @@ Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const O
   addPieces(constraints, result, graph);
 
   const auto cdt = triangulate(result, constraints, replaced);
-  if (!cdt) return tl::unexpected(cdt.error());
+  QRELIEF_TRY(cdt);
   const Labels labels = labelTriangles(*cdt, constraints, result.points.size());
   if (auto leak = findLeak(*cdt, labels, constraints, result.points)) return tl::unexpected(std::move(*leak));
   if (!labels.consistent) return fail(ErrorKind::Internal, message<"arrangement-contradicts-itself">());

@@ -258,23 +258,22 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
                                     const EmbedOptions& options) {
   assert(!options.paint || options.surface == SurfaceMode::Preserved);
   const DepthLevels levels = quantise(depths);
-  if (options.label.empty() &&
-      std::none_of(levels.level.begin(), levels.level.end(), [](int level) { return level > 0; }))
-    return unchanged(mesh);
+  const bool isLabelAlone = std::none_of(levels.level.begin(), levels.level.end(), [](int level) { return level > 0; });
+  if (isLabelAlone && options.label.empty()) return unchanged(mesh);
   const double snapMm = std::min(options.snapMm, levels.submoduleMm() / 20);
   const double chamferMm = std::min(options.chamferMm, levels.submoduleMm() / 4);
 
   const Result<Footprint> footprint =
       findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4, options.label);
-  if (!footprint) return tl::unexpected(footprint.error());
+  QRELIEF_TRY(footprint);
   if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message<"nothing-under-code">());
   const int longest = longestOutline(*footprint, levels.submoduleMm(), snapMm);
   OutlineGraph graph = options.surface == SurfaceMode::Resampled ? buildGridOutlines(levels, chamferMm)
                                                                  : buildOutlines(levels, chamferMm, longest);
   addOutlines(graph, options.label, longest * levels.submoduleMm());
   const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm, options.paint);
-  if (!carving) return tl::unexpected(carving.error());
-  EmbedResult result = assemble(mesh, *footprint, *carving, levels.symbolMm, options.paint);
+  QRELIEF_TRY(carving);
+  EmbedResult result = assemble(mesh, *footprint, *carving, isLabelAlone ? 0 : levels.symbolMm, options.paint);
   if (options.inlay) result.inlay = inlayMesh(carving->arrangement, carving->surface);
   return result;
 }

@@ -22,7 +22,8 @@ struct FacetOrigin {
     Wall    ///< of a pocket
   };
   Kind kind = Kind::Kept;
-  bool isOfLabel = false;          ///< a floor or wall of the label or the frame, outside the symbol's square
+  bool isOfLabel =
+      false;  ///< a floor or wall of the label or the frame: outside the symbol's square, or without a symbol
   std::uint32_t facet = kNoFacet;  ///< of the model; over a floor; none for walls and the grid of a resampled surface
 };
 
@@ -42,7 +43,7 @@ struct EmbedOptions {
   /// ones lie on the facets, up to the rounding of 32-bit floats, so the solid keeps its shape. Needs a preserved
   /// surface.
   bool paint = false;
-  OutlinedPockets label = {};  ///< pockets outside the symbol's square
+  OutlinedPockets label = {};  ///< pockets outside the symbol's square, or anywhere if no submodule is carved
   /// Largest move of an outline to keep it clear of the model's vertices and edges, mm, > 0. Only where many edges meet
   /// in one point may it be up to an eighth of a submodule.
   double snapMm = 0.01;

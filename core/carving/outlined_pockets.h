@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Pockets of one depth with outlines of their own, such as letters, outside the symbol's square.
+/// Pockets of one depth with outlines of their own, such as letters, clear of all carved submodules.
 struct OutlinedPockets {
   std::vector<Ring> rings;         ///< plane coordinates, mm; the pocket on their left; none cross
   std::vector<Rectangle> covered;  ///< rectangles that together cover all pockets, mm

@@ -64,7 +64,7 @@ Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target,
                                      .quantumMm = static_cast<float>(kDepthQuantumMm),
                                      .records = kMostRecords},
                                     light.programs());
-  if (!passes) return tl::unexpected(passes.error());
+  QRELIEF_TRY(passes);
   search->passes_ = std::move(*passes);
   search->passes_.start(static_cast<float>(kFirstDepthModules * ownTarget.symbolMm / ownTarget.symbol->size),
                         static_cast<float>(firstDifference(options.albedo)));

@@ -177,7 +177,7 @@ void VertexArray::bind() const { glBindVertexArray(id_); }
 
 Result<Program> Program::create(const char* name, const char* vertexSource, const char* fragmentSource) {
   const Result<GLuint> vertex = compile(name, GL_VERTEX_SHADER, vertexSource);
-  if (!vertex) return tl::unexpected(vertex.error());
+  QRELIEF_TRY(vertex);
   const Result<GLuint> fragment = compile(name, GL_FRAGMENT_SHADER, fragmentSource);
   if (!fragment) {
     glDeleteShader(*vertex);
@@ -282,7 +282,7 @@ Result<Capabilities> queryCapabilities() {
   const Texture probe(4, 4, Format::R32F);
   const Texture* const colours[] = {&probe};
   const Result<Framebuffer> framebuffer = Framebuffer::create(colours, false);
-  if (!framebuffer) return tl::unexpected(framebuffer.error());
+  QRELIEF_TRY(framebuffer);
   return capabilities;
 }
 

@@ -55,7 +55,7 @@ class HeaderReader {
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
         status = failHere(message<"ply-unknown-keyword">(with::quoted<"word">(excerpt(keyword))));
       }
-      if (!status) return tl::unexpected(status.error());
+      QRELIEF_TRY(status);
       scanner_.restOfLine();
     }
     if (!anyFormat) return failHere(message<"ply-no-format">());
@@ -110,14 +110,14 @@ class HeaderReader {
     const TextScanner before = scanner_;
     if (scanner_.wordOnLine() == "list") {
       const Result<PlyType> countType = readType();
-      if (!countType) return tl::unexpected(countType.error());
+      QRELIEF_TRY(countType);
       if (isFloating(*countType)) return failHere(message<"ply-list-type">());
       property.countType = *countType;
     } else {
       scanner_ = before;
     }
     const Result<PlyType> type = readType();
-    if (!type) return tl::unexpected(type.error());
+    QRELIEF_TRY(type);
     property.type = *type;
     property.name = scanner_.wordOnLine();
     if (property.name.empty()) return failHere(message<"ply-property-name">());

@@ -79,7 +79,7 @@ Status PolygonList::add(std::span<const std::uint32_t> polygon) {
 Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
   assert(std::all_of(list.corners.begin(), list.corners.end(),
                      [&](std::uint32_t v) { return v < list.positions.size(); }));
-  if (Status s = checkPositions(list.positions, format); !s) return tl::unexpected(s.error());
+  QRELIEF_TRY(checkPositions(list.positions, format));
   if (list.triangles == 0)
     return badInput(message<"file-no-face">(with::term<"format">(format), with::count<"count">(list.positions.size())));
 

@@ -88,9 +88,8 @@ class Package {
     if (!entry) return badInput(message<"3mf-no-relationships">());
     RelationshipHandler handler;
     Result<ZipStream> stream = open(*entry);
-    if (!stream) return tl::unexpected(stream.error());
-    if (const Status read = readXml(*stream, std::string(kRelationships), handler); !read)
-      return tl::unexpected(read.error());
+    QRELIEF_TRY(stream);
+    QRELIEF_TRY(readXml(*stream, std::string(kRelationships), handler));
     if (handler.targets.empty()) return badInput(message<"3mf-no-start">());
     if (handler.targets.size() > 1)
       return badInput(message<"3mf-several-starts">(with::count<"count">(handler.targets.size())));
@@ -100,7 +99,7 @@ class Package {
     if (handler.external || target.find(':') != std::string::npos)
       return badInput(message<"3mf-external">(with::quoted<"target">(excerpt(target, kLongestTarget))));
     if (!name) return badInput(message<"3mf-leaves-package">(with::quoted<"target">(excerpt(target, kLongestTarget))));
-    if (const Status read = readModels(*name); !read) return tl::unexpected(read.error());
+    QRELIEF_TRY(readModels(*name));
     return *name;
   }
 
@@ -113,8 +112,8 @@ class Package {
       if (models_.count(name)) continue;
       if (models_.size() == kMaxParts) return badInput(message<"3mf-too-many-parts">(with::count<"limit">(kMaxParts)));
       Result<ThreeMfModel> model = readPart(name);
-      if (!model) return tl::unexpected(model.error());
-      if (const Status resolved = resolvePaths(*model, name, paths); !resolved) return resolved;
+      QRELIEF_TRY(model);
+      QRELIEF_TRY(resolvePaths(*model, name, paths));
       models_.emplace(name, std::move(*model));
     }
     return {};
@@ -139,7 +138,7 @@ class Package {
     const ZipEntry* entry = archive_.find(name);
     if (!entry) return badInput(message<"3mf-part-missing">(with::quoted<"part">(excerpt(name, kLongestTarget))));
     Result<ZipStream> stream = open(*entry);
-    if (!stream) return tl::unexpected(stream.error());
+    QRELIEF_TRY(stream);
     ReadLimits left = limits_;
     left.maxTriangles -= triangles_;
     Result<ThreeMfModel> model = readThreeMfModel(*stream, name, left);
@@ -166,8 +165,7 @@ class Package {
       }
       return {};
     };
-    for (auto& [id, object] : model.objects)
-      if (const Status resolved = resolve(object.components); !resolved) return resolved;
+    for (auto& [id, object] : model.objects) QRELIEF_TRY(resolve(object.components));
     return resolve(model.items);
   }
 
@@ -216,8 +214,8 @@ class Builder {
       if (!find(item)) return objectMissing(item, start);
       if (whyNoModel(item)) continue;
       const Result<Extent> extent = measure(item, start);
-      if (!extent) return tl::unexpected(extent.error());
-      if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
+      QRELIEF_TRY(extent);
+      QRELIEF_TRY(add(total, *extent));
     }
     for (const ThreeMfInstance& item : model.items) addItem(item, model.unitMm);
     Result<PolygonSoup> soup = finish(model);
@@ -279,7 +277,7 @@ class Builder {
     for (const ThreeMfInstance& component : object->components) {
       const Result<Extent> extent = measure(component, instance.path);
       if (!extent) return extent;
-      if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
+      QRELIEF_TRY(add(total, *extent));
     }
     --depth_;
     extents_[key] = total;
@@ -480,10 +478,10 @@ class Builder {
 
 Result<PolygonSoup> read3mf(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   Result<ZipArchive> archive = ZipArchive::open(bytes);
-  if (!archive) return tl::unexpected(archive.error());
+  QRELIEF_TRY(archive);
   Package package(std::move(*archive), limits);
   const Result<std::string> start = package.readStart();
-  if (!start) return tl::unexpected(start.error());
+  QRELIEF_TRY(start);
   return Builder(package, limits).build(*start, bytes);
 }
 

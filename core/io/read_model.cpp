@@ -85,7 +85,7 @@ Result<PolygonSoup> readPackage(const ZipArchive& archive, std::span<const std::
 /// Reads a 3MF, or the only model of another ZIP archive.
 Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const Result<ZipArchive> archive = ZipArchive::open(bytes);
-  if (!archive) return tl::unexpected(archive.error());
+  QRELIEF_TRY(archive);
   for (const auto& [file, format, isCad] : kArchiveFormats)
     if (archive->find(file))
       return badInput(isCad ? message<"format-of-cad">(with::term<"format">(format))
@@ -104,7 +104,7 @@ Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimit
     return badInput(
         message<"zip-several-models">(with::count<"count">(models.size()), with::quoted<"files">(listed(models))));
   const auto content = unpacked(*models[0], std::min<std::uint64_t>(limits.maxBytes, limits.maxExpandedBytes));
-  if (!content) return tl::unexpected(content.error());
+  QRELIEF_TRY(content);
   // A ZIP within a ZIP may be a 3MF only: an archive can contain itself.
   const ModelFormat format = formatOfContent(*content);
   Result<PolygonSoup> soup =

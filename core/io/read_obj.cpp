@@ -237,7 +237,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   if (statements.vertices() == 0) return badInput(message<"obj-no-vertex">());
   Collector collector{statements, {}, {}, {}};
   collector.list.maxTriangles = limits.maxTriangles;
-  if (Status s = collector.list.reserve(statements.vertices(), 0); !s) return tl::unexpected(s.error());
+  QRELIEF_TRY(collector.list.reserve(statements.vertices(), 0));
 
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = takeVertex;

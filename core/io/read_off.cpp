@@ -22,8 +22,8 @@ class OffReader {
       : text_(text), scanner_(text, '#'), maxTriangles_(limits.maxTriangles) {}
 
   Result<PolygonSoup> read() {
-    if (Status s = readKeyword(); !s) return tl::unexpected(s.error());
-    if (Status s = readCounts(); !s) return tl::unexpected(s.error());
+    QRELIEF_TRY(readKeyword());
+    QRELIEF_TRY(readCounts());
     const TextScanner data = scanner_;
     const Status byLines = readData({});
     if (!isPlain_ || (byLines && isAtEnd())) return finished(byLines);
@@ -42,7 +42,7 @@ class OffReader {
   }
 
   Result<PolygonSoup> finished(const Status& read) {
-    if (!read) return tl::unexpected(read.error());
+    QRELIEF_TRY(read);
     return triangulated(std::move(list_), "OFF");
   }
 
@@ -84,7 +84,7 @@ class OffReader {
       return facesWord.empty() ? failHere(message<"off-face-count-missing">())
                                : failHere(message<"off-face-count">(with::quoted<"word">(excerpt(facesWord))));
     skipEdgeCount();
-    if (Status s = checkSizeBound(*vertices, *faces); !s) return s;
+    QRELIEF_TRY(checkSizeBound(*vertices, *faces));
     vertexCount_ = static_cast<std::size_t>(*vertices);
     faceCount_ = static_cast<std::size_t>(*faces);
     return {};
@@ -103,11 +103,9 @@ class OffReader {
   Status readData(OffLayout layout) {
     list_ = {};
     list_.maxTriangles = maxTriangles_;
-    if (Status s = list_.reserve(vertexCount_, faceCount_); !s) return s;
-    for (std::size_t v = 0; v < vertexCount_; ++v)
-      if (Status s = readVertex(v + 1, layout.vertexOnLine); !s) return s;
-    for (std::size_t f = 0; f < faceCount_; ++f)
-      if (Status s = readFace(f + 1, layout.faceOnLine); !s) return s;
+    QRELIEF_TRY(list_.reserve(vertexCount_, faceCount_));
+    for (std::size_t v = 0; v < vertexCount_; ++v) QRELIEF_TRY(readVertex(v + 1, layout.vertexOnLine));
+    for (std::size_t f = 0; f < faceCount_; ++f) QRELIEF_TRY(readFace(f + 1, layout.faceOnLine));
     return {};
   }
 

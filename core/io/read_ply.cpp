@@ -42,8 +42,7 @@ class TextValues {
   }
 
   Status skip(PlyType type, std::uint64_t count) {
-    for (; count > 0; --count)
-      if (const Result<double> value = next(type); !value) return tl::unexpected(value.error());
+    for (; count > 0; --count) QRELIEF_TRY(next(type));
     return {};
   }
 
@@ -120,13 +119,13 @@ class PlyReader {
   }
 
   Result<PolygonSoup> read() {
-    if (Status s = checkElements(); !s) return tl::unexpected(s.error());
+    QRELIEF_TRY(checkElements());
     for (const PlyElement& element : header_.elements) {
-      if (Status s = checkSizeBound(element); !s) return tl::unexpected(s.error());
+      QRELIEF_TRY(checkSizeBound(element));
       const Status s = element.name == "vertex" ? readVertices(element)
                        : element.name == "face" ? readFaces(element)
                                                 : skipElement(element);
-      if (!s) return tl::unexpected(s.error());
+      QRELIEF_TRY(s);
     }
     return triangulated(std::move(list_), "PLY");
   }
@@ -169,7 +168,7 @@ class PlyReader {
   /// makes the parser skip or store anything.
   Result<std::uint64_t> readListLength(const PlyProperty& list) {
     const Result<double> length = values_.next(*list.countType);
-    if (!length) return tl::unexpected(length.error());
+    QRELIEF_TRY(length);
     if (!(*length >= 0) || *length != std::floor(*length) || *length > 4294967295.0)
       return values_.failHere(message<"ply-list-length">(with::term<"length">(fmt::format("{}", *length))));
     const auto items = static_cast<std::uint64_t>(*length);
@@ -183,7 +182,7 @@ class PlyReader {
   Status skipProperty(const PlyProperty& property) {
     if (!property.countType) return values_.skip(property.type, 1);
     const Result<std::uint64_t> length = readListLength(property);
-    if (!length) return tl::unexpected(length.error());
+    QRELIEF_TRY(length);
     return values_.skip(property.type, *length);
   }
 
@@ -222,7 +221,7 @@ class PlyReader {
     }
     const std::vector<int> channelOf = channelsOf(element);
     const bool isColoured = std::count(channelOf.begin(), channelOf.end(), -1) + 3 == std::ssize(channelOf);
-    if (Status s = list_.reserve(element.count, 0); !s) return s;
+    QRELIEF_TRY(list_.reserve(element.count, 0));
     for (std::uint64_t i = 0; i < element.count; ++i) {
       Vec3 p(0);
       Colour colour{};
@@ -249,25 +248,24 @@ class PlyReader {
     const std::optional<std::size_t> at = plural ? plural : element.find("vertex_index");
     if (!at || !element.properties[*at].countType || isFloating(element.properties[*at].type))
       return badInput(message<"ply-no-index-list">());
-    if (Status s = list_.reserve(0, element.count); !s) return s;
+    QRELIEF_TRY(list_.reserve(0, element.count));
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         const Status s = k == *at ? readPolygon(property) : skipProperty(property);
         if (!s) return failAt(element, i, s.error());
-        if (k == *at)
-          if (const Status added = list_.add(polygon_); !added) return added;
+        if (k == *at) QRELIEF_TRY(list_.add(polygon_));
       }
     return {};
   }
 
   Status readPolygon(const PlyProperty& property) {
     const Result<std::uint64_t> length = readListLength(property);
-    if (!length) return tl::unexpected(length.error());
+    QRELIEF_TRY(length);
     polygon_.clear();
     for (std::uint64_t k = 0; k < *length; ++k) {
       const Result<double> index = values_.next(property.type);
-      if (!index) return tl::unexpected(index.error());
+      QRELIEF_TRY(index);
       if (*index != std::floor(*index) || !(std::abs(*index) <= 4294967295.0))
         return values_.failHere(
             message<"ply-index">(with::count<"corner">(k + 1), with::term<"index">(fmt::format("{}", *index))));
@@ -290,7 +288,7 @@ class PlyReader {
 Result<PolygonSoup> readPly(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const std::string_view text = textOf(bytes);
   const Result<PlyHeader> header = parsePlyHeader(text);
-  if (!header) return tl::unexpected(header.error());
+  QRELIEF_TRY(header);
   if (header->format == PlyFormat::Ascii) return PlyReader(*header, TextValues(text, *header), limits).read();
   return PlyReader(*header, BinaryValues(text, *header), limits).read();
 }

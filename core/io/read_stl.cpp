@@ -93,7 +93,7 @@ Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& li
 }
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
-  if (Status s = checkBinarySize(bytes, limits); !s) return tl::unexpected(s.error());
+  QRELIEF_TRY(checkBinarySize(bytes, limits));
   const std::uint64_t announced = announcedFacets(bytes);
   const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
   const bool isWrong = announced == 0 || announced > present;
@@ -142,7 +142,7 @@ class AsciiReader {
         scanner_.restOfLine();
         insideSolid = false;
       } else if (equalsIgnoringCase(word, "facet")) {
-        if (Status s = readFacet(); !s) return tl::unexpected(s.error());
+        QRELIEF_TRY(readFacet());
       } else if (isKeywordOfFacets(word)) {
         return unexpected(word, message<"stl-wants-facet">());
       } else {  // colours or attributes, which some programs write
@@ -192,7 +192,7 @@ class AsciiReader {
   }
 
   Result<Vec3> readCorner() {
-    if (Status s = expect("vertex"); !s) return tl::unexpected(s.error());
+    QRELIEF_TRY(expect("vertex"));
     Vec3 p(0);
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
@@ -214,15 +214,15 @@ class AsciiReader {
     for (int i = 0; i < 4 && !equalsIgnoringCase(word, "outer"); ++i)
       word = scanner_.word();  // skip "normal x y z": it follows from the corners
     if (!equalsIgnoringCase(word, "outer")) return unexpected(word, wantsKeyword("outer loop"));
-    if (Status s = expect("loop"); !s) return s;
+    QRELIEF_TRY(expect("loop"));
     std::array<Vec3, 3> corners;
     for (Vec3& corner : corners) {
       const Result<Vec3> p = readCorner();
-      if (!p) return tl::unexpected(p.error());
+      QRELIEF_TRY(p);
       corner = *p;
     }
-    if (Status s = expect("endloop"); !s) return s;
-    if (Status s = expect("endfacet"); !s) return s;
+    QRELIEF_TRY(expect("endloop"));
+    QRELIEF_TRY(expect("endfacet"));
     addFacet(soup_, corners);
     return {};
   }

@@ -31,10 +31,10 @@ tl::unexpected<Error> anew(Message why) { return fail(ErrorKind::NoSolution, std
 template <class Use>
 Status unpack(const ZipEntry& entry, const Use& use) {
   auto stream = ZipStream::open(entry, std::numeric_limits<std::uint64_t>::max());
-  if (!stream) return tl::unexpected(stream.error());
+  QRELIEF_TRY(stream);
   for (;;) {
     const auto piece = stream->next();
-    if (!piece) return tl::unexpected(piece.error());
+    QRELIEF_TRY(piece);
     if (piece->empty()) return {};
     use(std::string_view(reinterpret_cast<const char*>(piece->data()), piece->size()));
   }
@@ -79,10 +79,9 @@ class Rewriter {
 
   Result<std::vector<std::uint8_t>> write(Slicer slicer) {
     if (isShared()) return anew(message<"rewrite-shared">());
-    if (const Status loaded = load(); !loaded) return tl::unexpected(loaded.error());
-    if (const Status prepared = prepareSecondFilament(slicer); !prepared) return tl::unexpected(prepared.error());
-    for (const auto& [mesh, changes] : byMesh())
-      if (const Status done = changeMesh(mesh, changes); !done) return tl::unexpected(done.error());
+    QRELIEF_TRY(load());
+    QRELIEF_TRY(prepareSecondFilament(slicer));
+    for (const auto& [mesh, changes] : byMesh()) QRELIEF_TRY(changeMesh(mesh, changes));
     if (pose_.pose != Affine() && !turnItem()) return anew(message<"rewrite-encoding">());
     return zipped();
   }
@@ -117,16 +116,14 @@ class Rewriter {
     std::vector<std::string> names = {source_.start, std::string(kBambuSettings), std::string(kPrusaSettings),
                                       std::string(kContentTypes)};
     for (const ChangedRun& change : changes_) names.push_back(runOf(change).part);
-    for (const std::string& name : names)
-      if (const Status loaded = load(archive_.find(name)); !loaded) return loaded;
+    for (const std::string& name : names) QRELIEF_TRY(load(archive_.find(name)));
     return {};
   }
 
   /// Unpacks all model parts, for an id that is new in the whole file: slicers look some up without their part.
   Status loadAllModels() {
     for (const ZipEntry* entry : archive_.files())
-      if (entry->name.ends_with(".model"))
-        if (const Status loaded = load(entry); !loaded) return loaded;
+      if (entry->name.ends_with(".model")) QRELIEF_TRY(load(entry));
     return {};
   }
 
@@ -135,7 +132,7 @@ class Rewriter {
     if (!entry || texts_.count(entry)) return {};
     std::string& text = texts_[entry];
     const Status unpacked = unpack(*entry, [&](std::string_view piece) { text.append(piece); });
-    if (!unpacked) return tl::unexpected(unpacked.error());
+    QRELIEF_TRY(unpacked);
     if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
       return anew(message<"rewrite-encoding">());
     return {};
@@ -210,7 +207,7 @@ class Rewriter {
     const PaintAttributes paint = painted ? paintAttributes(group) : PaintAttributes();
     edit(key.first, {mesh->begin, mesh->end, changedMesh(*mesh, source_, changes, paint, family_ == Family::Prusa)});
     changeObject(key, *changes.front());
-    if (const Status moved = moveRanges(key.second, changes, mesh->triangles.size(), inlaid); !moved) return moved;
+    QRELIEF_TRY(moveRanges(key.second, changes, mesh->triangles.size(), inlaid));
     if (!inlaid || family_ == Family::Prusa) return {};
     return family_ == Family::Bambu ? addPart(*inlaid, *mesh) : addBody(*inlaid, *mesh, group);
   }
@@ -477,7 +474,7 @@ class Rewriter {
         continue;
       }
       const Status unpacked = unpack(*entry, [&](std::string_view piece) { zip.append(piece); });
-      if (!unpacked) return tl::unexpected(unpacked.error());
+      QRELIEF_TRY(unpacked);
     }
     if (newObject_) {
       putBambuSettings(std::span(&*newObject_, 1), zip);
@@ -559,7 +556,7 @@ bool isRight(const PolygonSoup& read, const PolygonSoup& before, const ThreeMfSo
 Result<std::vector<std::uint8_t>> rewrite3mf(const ThreeMfSource& source, std::span<const ChangedRun> changes,
                                              Slicer slicer, const std::array<Material, 2>& materials, Vec3 up) {
   Result<ZipArchive> archive = ZipArchive::open(source.bytes);
-  if (!archive) return tl::unexpected(archive.error());
+  QRELIEF_TRY(archive);
   const auto before = read3mf(source.bytes, {});
   if (!before) return anew(message<"rewrite-read-differently">());
   const ItemPose turned = turnedItem(source, changes, *before, up);

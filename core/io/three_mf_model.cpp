@@ -221,9 +221,9 @@ class ModelHandler : public XmlHandler {
   }
 
   Status startObject(const XmlElement& element) {
-    if (const Status counted = countEntry(); !counted) return counted;
+    QRELIEF_TRY(countEntry());
     const Result<std::uint32_t> id = idFrom(element, "id");
-    if (!id) return tl::unexpected(id.error());
+    QRELIEF_TRY(id);
     objectId_ = *id;
     const auto [at, isNew] = model_.objects.try_emplace(*id);
     if (!isNew) return badObject(message<"3mf-two-objects">());
@@ -354,17 +354,17 @@ class ModelHandler : public XmlHandler {
   bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
 
   Status takeInstance(const XmlElement& element, std::vector<ThreeMfInstance>& instances) {
-    if (const Status counted = countEntry(); !counted) return counted;
+    QRELIEF_TRY(countEntry());
     ThreeMfInstance instance;
     const Result<std::uint32_t> id = idFrom(element, "objectid");
-    if (!id) return tl::unexpected(id.error());
+    QRELIEF_TRY(id);
     instance.object = *id;
     instance.path = element.attribute(kProduction, "path").value_or("");
     instance.partNumber = element.attribute("partnumber").value_or("");
     instance.isPrinted = switchFrom(element.attribute("printable").value_or("")).value_or(true);
     if (const auto text = element.attribute("transform")) {
       const Result<Affine> transform = transformFrom(*text);
-      if (!transform) return tl::unexpected(transform.error());
+      QRELIEF_TRY(transform);
       instance.transform = *transform;
     }
     instances.push_back(std::move(instance));
@@ -421,7 +421,7 @@ Result<Affine> transformFrom(std::string_view text) {
 
 Result<ThreeMfModel> readThreeMfModel(ZipStream& stream, const std::string& part, const ReadLimits& limits) {
   ModelHandler handler(limits);
-  if (const Status read = readXml(stream, part, handler); !read) return tl::unexpected(read.error());
+  QRELIEF_TRY(readXml(stream, part, handler));
   return handler.take();
 }
 

@@ -41,14 +41,14 @@ Result<std::vector<NamedFile>> writeCheckedFiles(std::span<const ModelObject> ob
     const std::vector<Colour> colours = coloursOf(objects);
     for (std::size_t i = 0; i < names.size(); ++i) {
       auto bytes = writeChecked(bodiesOf(objects, colours[i], i == 0), format, options);
-      if (!bytes) return tl::unexpected(bytes.error());
+      QRELIEF_TRY(bytes);
       files.push_back({names[i], std::move(*bytes)});
     }
     return files;
   }
   if (names.size() > 1) options.materialFile = names[1].substr(names[1].find_last_of("/\\") + 1);
   auto bytes = writeChecked(objects, format, options);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   files.push_back({name, std::move(*bytes)});
   if (names.size() > 1) files.push_back({names[1], writeMaterials(objects)});
   return files;

@@ -42,7 +42,7 @@ Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, co
 
 Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> objects, ModelFormat format,
                                              const WriteOptions& options) {
-  if (const Status checked = checkRequest(objects, format, options); !checked) return tl::unexpected(checked.error());
+  QRELIEF_TRY(checkRequest(objects, format, options));
   switch (format) {
     case ModelFormat::Stl:
       return options.ascii ? writeAsciiStl(joined(objects), options.title) : writeStl(joined(objects), options.title);

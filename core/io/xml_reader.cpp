@@ -131,7 +131,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_Index fed = 0;
   for (bool more = true; more;) {
     const auto piece = stream.next();
-    if (!piece) return tl::unexpected(piece.error());
+    QRELIEF_TRY(piece);
     more = !piece->empty();
     const XML_Status parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()),
                                         static_cast<int>(piece->size()), more ? XML_FALSE : XML_TRUE);

@@ -98,7 +98,7 @@ Result<Directory> findDirectory64(std::span<const std::uint8_t> bytes, std::size
 
 Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
   const Result<std::size_t> at = findEndRecord(bytes);
-  if (!at) return tl::unexpected(at.error());
+  QRELIEF_TRY(at);
   const bool has64 =
       *at >= kZip64LocatorBytes && loadBytes<std::uint32_t>(&bytes[*at - kZip64LocatorBytes]) == kZip64LocatorSignature;
   Directory directory;
@@ -253,18 +253,17 @@ std::string comparable(std::string_view name) {
 
 Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   const Result<Directory> directory = findDirectory(bytes);
-  if (!directory) return tl::unexpected(directory.error());
+  QRELIEF_TRY(directory);
   std::span<const std::uint8_t> lines =
       bytes.subspan(static_cast<std::size_t>(directory->offset), static_cast<std::size_t>(directory->size));
   std::vector<Listed> files;
   for (std::uint64_t i = 0; i < directory->entries; ++i) {
     Result<Listed> listed = readListed(lines, i);
-    if (!listed) return tl::unexpected(listed.error());
-    if (const Status located = findContent(bytes, directory->offset, *listed); !located)
-      return tl::unexpected(located.error());
+    QRELIEF_TRY(listed);
+    QRELIEF_TRY(findContent(bytes, directory->offset, *listed));
     files.push_back(std::move(*listed));
   }
-  if (const Status apart = checkOverlap(bytes, files); !apart) return tl::unexpected(apart.error());
+  QRELIEF_TRY(checkOverlap(bytes, files));
 
   ZipArchive archive;
   for (Listed& file : files) {
@@ -370,18 +369,17 @@ Result<std::span<const std::uint8_t>> ZipStream::next() {
   s.given += piece->size();
   if (s.given > s.entry->size) return s.bad(message<"zip-file-more">());
   s.crc = static_cast<std::uint32_t>(crc32_z(s.crc, piece->data(), piece->size()));
-  if (piece->empty())
-    if (const Status whole = s.checkEnd(); !whole) return tl::unexpected(whole.error());
+  if (piece->empty()) QRELIEF_TRY(s.checkEnd());
   return piece;
 }
 
 Result<std::vector<std::uint8_t>> unpacked(const ZipEntry& entry, std::uint64_t maxBytes) {
   auto stream = ZipStream::open(entry, maxBytes);
-  if (!stream) return tl::unexpected(stream.error());
+  QRELIEF_TRY(stream);
   std::vector<std::uint8_t> content;
   for (;;) {
     const auto piece = stream->next();
-    if (!piece) return tl::unexpected(piece.error());
+    QRELIEF_TRY(piece);
     if (piece->empty()) return content;
     content.insert(content.end(), piece->begin(), piece->end());
   }

@@ -16,10 +16,11 @@ enum class LabelFrame : std::uint8_t { None, Rounded, Square };
 /// Returns "none", "rounded" or "square".
 const char* labelFrameName(LabelFrame frame);
 
-/// Marks outside a code's quiet zone: a line of text under it, and a frame round both.
+/// Marks outside a code's quiet zone: a line of text under it, and a frame round both. Or a text in place of a code.
 struct LabelOptions {
-  std::string text;  ///< UTF-8, one line; empty: none
+  std::string text;  ///< UTF-8; empty: none
   LabelFrame frame = LabelFrame::None;
+  bool isAlone = false;  ///< the text takes the place of the symbol; each of its lines is a line of letters
 
   bool empty() const { return text.empty() && frame == LabelFrame::None; }
   bool operator==(const LabelOptions&) const = default;
@@ -39,11 +40,12 @@ struct LabelLayout {
 };
 
 /// Returns the width that a label needs on each side of a symbol, in modules, with the quiet zone. It is the same for
-/// all texts, so that the codes of a batch have the same size.
+/// all texts, so that the codes of a batch have the same size. A text alone needs none.
 double labelMarginModules(const LabelOptions& label, int modules);
 
 /// Lays out a label: the text centred under the code, below the quiet zone, an eighth of the symbol high but at most as
-/// wide as the symbol; the frame a module wide, outside quiet zone and text.
+/// wide as the symbol; the frame a module wide, outside quiet zone and text. A text alone fills the symbol's square in
+/// one direction, with its frame; its lines are centred.
 ///
 /// Cost: milliseconds.
 /// @param modules  along the symbol's edge

@@ -258,7 +258,7 @@ Result<TextOutline> outlineText(std::string_view text, double tolerance) {
   const Font font;
   const std::string characters = composed(text);  // the font has ü, but not u and U+0308
   const auto glyphs = glyphsOf(characters, font);
-  if (!glyphs) return tl::unexpected(glyphs.error());
+  QRELIEF_TRY(glyphs);
   const double capital = font.capitalHeight();
   TextOutline result;
   std::size_t firstOfLast = 0;  // ring of the glyph before

@@ -224,7 +224,7 @@ Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Pat
   constexpr std::size_t kMaxCrossings = 100'000;
   const auto crossings = findCrossings(filled, added, kMaxCrossings);
   if (!crossings && crossings.error().kind == ErrorKind::NoSolution) return std::vector<char>(patches.size(), 1);
-  if (!crossings) return tl::unexpected(crossings.error());
+  QRELIEF_TRY(crossings);
   if (crossings->size() == kMaxCrossings) return std::vector<char>(patches.size(), 1);
   for (const TrianglePair& pair : *crossings)
     for (const std::uint32_t t : pair) blame(t);
@@ -266,7 +266,7 @@ Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm) {
   }
   if (patches.empty()) return result;
   const auto bad = findBadPatches(mesh, patches);
-  if (!bad) return tl::unexpected(bad.error());
+  QRELIEF_TRY(bad);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const std::uint32_t corner = patches[i].triangles[0][0];
     if ((*bad)[i]) {

@@ -72,7 +72,7 @@ Result<Mesh> weldedMesh(const PolygonSoup& soup, double scaleToMm, FindingList& 
   Box3 box;
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) box.add(soup.positions[i] * scaleToMm);
-  if (Status s = checkExtent(box, scaleToMm); !s) return tl::unexpected(s.error());
+  QRELIEF_TRY(checkExtent(box, scaleToMm));
   if (const auto unused = std::count(used.begin(), used.end(), 0); unused > 0)
     findings.note(message<"unused-vertices">(with::count<"count">(unused)));
   return meshOfSoup(soup, scaleToMm);
@@ -200,14 +200,14 @@ Status PreparedModel::engravable() const {
 }
 
 Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions& options) {
-  if (Status s = checkSoup(soup, options); !s) return tl::unexpected(s.error());
+  QRELIEF_TRY(checkSoup(soup, options));
   FindingList findings(options.scaleToMm);
   Result<Mesh> welded = weldedMesh(soup, options.scaleToMm, findings);
-  if (!welded) return tl::unexpected(welded.error());
+  QRELIEF_TRY(welded);
 
   const Mesh unrepaired = soup.source ? *welded : Mesh();
   Result<Repaired> repaired = repairMesh(std::move(*welded), soup.bodyOf, options.repair);
-  if (!repaired) return tl::unexpected(repaired.error());
+  QRELIEF_TRY(repaired);
   if (repaired->mesh.triangles.empty()) return badInput(nothingLeft(soup, repaired->cleaning));
 
   PreparedModel model;

@@ -86,7 +86,7 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> bodyOfTriangle, cons
 /// Fills holes in a consistent mesh and finds its shells anew.
 Status closeHoles(Repaired& r, EdgeTable& edges) {
   Result<HoleFilling> filling = fillHoles(r.mesh, r.maxHoleMm);
-  if (!filling) return tl::unexpected(filling.error());
+  QRELIEF_TRY(filling);
   r.filling = std::move(*filling);
   if (r.filling.filled == 0) return {};
   for (const std::uint32_t t : r.filling.beside) r.origin.push_back(r.origin[t]);
@@ -109,7 +109,7 @@ Result<Untangling> countCrossings(const Mesh& mesh) {
   Untangling result;
   result.tooCrowded = !pairs && pairs.error().kind == ErrorKind::NoSolution;
   if (result.tooCrowded) return result;
-  if (!pairs) return tl::unexpected(pairs.error());
+  QRELIEF_TRY(pairs);
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCounted;
   if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);
@@ -131,8 +131,7 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTria
   if (countEdges(edges, true) > 0) closeSeams(r, bodyOfTriangle, options, edges);
   r.adjacency = buildAdjacency(r.mesh.triangles, edges);
   r.consistency = makeConsistent(r.mesh.triangles, r.adjacency);
-  if (options.fillHoles && countEdges(edges, true) > 0)
-    if (const Status closed = closeHoles(r, edges); !closed) return tl::unexpected(closed.error());
+  if (options.fillHoles && countEdges(edges, true) > 0) QRELIEF_TRY(closeHoles(r, edges));
   r.defects = findDefects(r.mesh, edges, r.adjacency);
   if (r.defects.nonManifoldVertices > 0) {
     separateTouchingShells(r.mesh, edges);
@@ -144,7 +143,7 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTria
   dropUnused(r.mesh);
   if (r.closed()) {
     Result<Untangling> untangling = options.untangle ? untangle(r.mesh) : countCrossings(r.mesh);
-    if (!untangling) return tl::unexpected(untangling.error());
+    QRELIEF_TRY(untangling);
     r.untangling = *untangling;
     if (r.consistency.shells.count > 1) {
       const auto crossing = findCrossings(r.mesh, {}, 1);

@@ -140,7 +140,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::siz
   Surroundings around = surroundingsOf(mesh, tangle);
   auto others = findSelfIntersections(around.mesh);
   if (isTooCrowded(others)) return false;
-  if (!others) return tl::unexpected(others.error());
+  QRELIEF_TRY(others);
   const auto ofTangle = [&](const TrianglePair& pair) {
     return usesAny(around.mesh.triangles[pair[0]], around.tangle) ||
            usesAny(around.mesh.triangles[pair[1]], around.tangle);
@@ -155,7 +155,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::siz
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
     const auto left = findSelfIntersections(around.mesh);
     if (isTooCrowded(left)) return false;
-    if (!left) return tl::unexpected(left.error());
+    QRELIEF_TRY(left);
     if (std::includes(others->begin(), others->end(), left->begin(), left->end()) && allHaveArea(around.mesh)) {
       mesh.positions[around.vertices[move.vertex]] = move.to;
       return true;
@@ -172,7 +172,7 @@ Result<Untangling> untangle(Mesh& mesh) {
   Untangling result;
   result.tooCrowded = isTooCrowded(pairs);
   if (result.tooCrowded) return result;
-  if (!pairs) return tl::unexpected(pairs.error());
+  QRELIEF_TRY(pairs);
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCounted;
   if (pairs->empty()) return result;

@@ -9,20 +9,20 @@
 
 namespace qrelief {
 
-Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult& result) {
+Status addInlay(const EngravableModel& model, EngraveResult& result) {
   const Placement& placement = result.placement;
   const auto embedded = embedDepthField(model.prepared.mesh, placement.frame, placement.patch.triangles, result.depths,
-                                        {.surface = surface, .inlay = true, .label = result.label});
-  if (!embedded) return tl::unexpected(embedded.error());
+                                        {.surface = result.request.surface(), .inlay = true, .label = result.label});
+  QRELIEF_TRY(embedded);
   return setInlay(embedded->inlay, result);
 }
 
 Status setInlay(const Mesh& body, EngraveResult& result) {
   const auto read = readModel(writeStl(body), "inlay.stl");
-  if (!read) return tl::unexpected(read.error());
+  QRELIEF_TRY(read);
   Mesh inlay = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
   const auto solidity = checkSolidity(inlay);
-  if (!solidity) return tl::unexpected(solidity.error());
+  QRELIEF_TRY(solidity);
   result.inlay = std::move(inlay);
   result.inlaySolidity = *solidity;
   return {};

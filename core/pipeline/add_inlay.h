@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/result.h"
-#include "carving/surface_mode.h"
 #include "mesh/mesh.h"
 
 namespace qrelief {
@@ -15,9 +14,8 @@ struct EngraveResult;
 ///
 /// Cost: carving the mesh and checking the solid, for the pockets alone.
 /// @param model   model before carving
-/// @param surface mode used for carving
 /// @returns the errors of embedDepthField(); Internal if the round trip fails
-Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult& result);
+Status addInlay(const EngravableModel& model, EngraveResult& result);
 
 /// Sets and checks an inlay that was made with the mesh. @returns Internal if the round trip fails
 Status setInlay(const Mesh& inlay, EngraveResult& result);

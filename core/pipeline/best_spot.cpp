@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "pipeline/requested_symbol.h"
+
 namespace qrelief {
 namespace {
 
@@ -14,14 +16,14 @@ constexpr std::size_t kSpots = 3;
 
 Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request,
                       const BestSpotOptions& options) {
-  const auto symbol = encodeSymbol(request.code.text, request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  const auto symbol = requestedSymbol(request.code);
+  QRELIEF_TRY(symbol);
   SpotSearchRequest search = spotSearchFor(request, *symbol);
   search.count = kSpots;
   search.scaleToMm = options.scaleToMm;
   const auto job = SpotSearchJob::create(std::move(model), search);
-  if (!job) return tl::unexpected(job.error());
-  if (const Status done = advanceToEnd(**job, options.tell); !done) return tl::unexpected(done.error());
+  QRELIEF_TRY(job);
+  QRELIEF_TRY(advanceToEnd(**job, options.tell));
   return (*job)->takeResult().spots.front();
 }
 

@@ -32,7 +32,7 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
     notKept = std::move(bytes.error().message);
   }
   auto bytes = writeChecked(carvedObjects(result, partNames, withInlay, true), ModelFormat::ThreeMf, options);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   return Carved3mf{std::move(*bytes), std::move(notKept)};
 }
 
@@ -44,12 +44,12 @@ Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResul
     return CarvedFiles{{{fileName, result.stl}}, {}};
   if (format == ModelFormat::ThreeMf) {
     auto written = writeCarved3mf(before, result, partNames, withInlay, options);
-    if (!written) return tl::unexpected(written.error());
+    QRELIEF_TRY(written);
     return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
   }
   auto files =
       writeCheckedFiles(carvedObjects(result, partNames, withInlay, format == ModelFormat::Obj), fileName, options);
-  if (!files) return tl::unexpected(files.error());
+  QRELIEF_TRY(files);
   return CarvedFiles{std::move(*files), {}};
 }
 

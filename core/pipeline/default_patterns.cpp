@@ -51,6 +51,10 @@ bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>
 }
 
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request) {
+  if (request.code.isText()) {
+    const auto layout = layOutLabel(request.code.lettering(), symbol.size);
+    return layout ? finestStrokeMm(request.print.printer) / layout->thinnestStrokeModules : 0;
+  }
   if (request.marking.isInColour()) return std::ceil(100 * lineWidthMm(request.print.printer) - 1e-6) / 100;
   return leastPrintableModuleMm(symbol, request.code.modulePattern.value_or(kModules),
                                 request.code.finderPattern.value_or(kPatternedFinders), request.print.printer);

@@ -29,7 +29,7 @@ Result<std::unique_ptr<DepthSearchRun>> DepthSearchRun::create(const EngraveRequ
   if (makeOwnSearch) {
     search->solver_ = makeOwnSearch(search->target_);
   } else if (LuminancePass* const shaders = place.light->shaders(); shaders && usesFastSearch(request)) {
-    if (const Status started = search->startOnGpu(*shaders); !started) return tl::unexpected(started.error());
+    QRELIEF_TRY(search->startOnGpu(*shaders));
   } else {
     search->solver_ = makeDepthSolver(request, search->target_);
   }
@@ -43,7 +43,7 @@ Status DepthSearchRun::startOnGpu(LuminancePass& light) {
   place.luminance = ofQuietZone<double>(place_.light->uncarvedLuminance());
   light.setRadius(static_cast<float>(reachMm(*std::max_element(target_.limitMm.begin(), target_.limitMm.end()))));
   auto shaderSearch = ShaderSearch::create(target_, fastSearchOptions(request_), std::move(place));
-  if (!shaderSearch) return tl::unexpected(shaderSearch.error());
+  QRELIEF_TRY(shaderSearch);
   onGpu_ = std::move(*shaderSearch);
   return {};
 }

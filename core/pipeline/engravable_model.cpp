@@ -3,6 +3,7 @@
 
 #include "depth/one_light_search.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/label_pockets.h"
 #include "pipeline/mark_depth.h"
 #include "pipeline/module_walls.h"
 #include "projection/size_bound.h"
@@ -14,10 +15,18 @@ namespace qrelief {
 /// The patch must also cover the walls next to the largest possible code (see wallLimits).
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
-  place.labelMarginModules = labelMarginModules(request.code.label, modules);
+  place.labelMarginModules = labelMarginModules(request.code.lettering(), modules);
+  place.isText = request.code.isText();
+  if (place.isText) place.quietZone = false;
   if (request.marking.mark == Mark::Paint) return place;  // needs no wall
   if (request.marking.mark == Mark::Inlay) {
     const double depth = request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
+    place.beyondMm = request.depth.minWallMm + depth;
+    place.pockets = {request.depth.minWallMm, 0, depth};
+    return place;
+  }
+  if (place.isText) {
+    const double depth = kLabelLayers * request.print.printer.layerMm;
     place.beyondMm = request.depth.minWallMm + depth;
     place.pockets = {request.depth.minWallMm, 0, depth};
     return place;
@@ -32,9 +41,9 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
 }
 
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
-  if (const Status checked = checkSettings(request); !checked) return checked;
-  if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
-  if (const auto label = layOutLabel(request.code.label, symbol.size); !label) return tl::unexpected(label.error());
+  QRELIEF_TRY(checkSettings(request));
+  QRELIEF_TRY(model.prepared.engravable());
+  QRELIEF_TRY(layOutLabel(request.code.lettering(), symbol.size));
   const SizeBound room{symbol.size, roomFactor(symbol.size, searchedPlacement(request, symbol.size))};
   return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
 }

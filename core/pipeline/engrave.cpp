@@ -14,6 +14,7 @@
 #include "pipeline/depth_limits.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/label_pockets.h"
+#include "pipeline/requested_symbol.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
 
@@ -31,33 +32,39 @@ DepthSummary summarise(const DepthField& depths) {
   return summary;
 }
 
+DepthSummary pocketDepths(const EngraveResult& result) {
+  if (!result.request.code.isText()) return summarise(result.depths);
+  const double depthMm = result.request.marking.mark == Mark::Paint ? 0 : result.label.depthMm;
+  return {depthMm, depthMm, depthMm};
+}
+
 CarvedFeatures featuresOf(const EngraveResult& result) {
   std::vector<std::uint8_t> carved;
   for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
   CarvedFeatures features = measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
-  features.labelCapitalMm = labelCapitalMm(result.request.code.label, result.symbol.size, result.placement.moduleMm);
+  features.labelCapitalMm = capitalMmOf(result);
   return features;
 }
 
 /// Weights are times in ms of the page's samples on a processor (--report, timingsMs).
 JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
-  const bool isForPrint = request.isForPrint(), isInColour = request.marking.isInColour();
+  const bool isForPrint = request.isForPrint(), needsLight = request.needsLight();
   return {{message<"finding-direction-and-size">(), 20, &State::place, !isPlaced},
-          {message<"measuring-surface">(), 50, &State::map, !isInColour},
-          {message<"measuring-surface">(), 10, &State::mapMark, isInColour},
+          {message<"measuring-surface">(), 50, &State::map, needsLight},
+          {message<"measuring-surface">(), 10, &State::mapMark, !needsLight},
           {message<"finding-depth">(), 70, &State::searchOnce, isForPrint},
           {message<"carving-mesh">(), 60, &State::embed, isForPrint},
           {message<"printing">(), 300, &State::print, isForPrint},
-          {message<"finding-depth">(), 200, &State::searchOnce, !isInColour},
-          {message<"carving-mesh">(), isInColour ? 4.0 : 60.0, &State::embed},
-          {message<"checking-solid">(), isInColour ? 4.0 : 10.0, &State::write},
-          {message<"checking-solid">(), isInColour ? 20.0 : 250.0, &State::check},
-          {message<"looking-at-result">(), 250, &State::view}};
+          {message<"finding-depth">(), 200, &State::searchOnce, needsLight},
+          {message<"carving-mesh">(), needsLight ? 60.0 : 4.0, &State::embed},
+          {message<"checking-solid">(), needsLight ? 10.0 : 4.0, &State::write},
+          {message<"checking-solid">(), needsLight ? 250.0 : 20.0, &State::check},
+          {message<"looking-at-result">(), 250, &State::view, !request.code.isText()}};
 }
 
 Result<StageStep> EngraveJob::State::place() {
   const Result<bool> placed = placing->step();
-  if (!placed) return tl::unexpected(placed.error());
+  QRELIEF_TRY(placed);
   if (!*placed) return StageStep();
   take(*placing);
   return kStageDone;
@@ -68,7 +75,7 @@ void EngraveJob::State::take(const PlacementSearch& placed) {
   result.timingsMs.direction = placed.directionMs();
   result.timingsMs.size = placed.sizeMs();
   asked = request;
-  if (!request.marking.isInColour()) decidePatterns(false);
+  if (request.needsLight()) decidePatterns(false);
 }
 
 void EngraveJob::State::decidePatterns(bool areWallsThin) {
@@ -90,7 +97,7 @@ Status EngraveJob::State::measurePlace(bool withLight) {
     if (withLight) measured->light().uncarve();
   } else {
     auto measurement = PlacementMeasurement::create(model, programs, place);
-    if (!measurement) return tl::unexpected(measurement.error());
+    QRELIEF_TRY(measurement);
     measured = std::move(*measurement);
   }
   isMeasured = true;
@@ -100,7 +107,7 @@ Status EngraveJob::State::measurePlace(bool withLight) {
 Result<StageStep> EngraveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
-  if (const Status known = measurePlace(true); !known) return tl::unexpected(known.error());
+  QRELIEF_TRY(measurePlace(true));
   std::vector<double> limits = limitsOfMask();
   if (!asked.code.finderPattern && request.code.finderPattern == FinderPattern::None &&
       wallsAreThinForWholeFinders(symbol, limits, placement.moduleMm)) {
@@ -111,7 +118,7 @@ Result<StageStep> EngraveJob::State::map() {
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
   auto started =
       DepthSearchRun::create(request, target, {layout, placement.moduleMm, &measured->light()}, makeOwnSearch);
-  if (!started) return tl::unexpected(started.error());
+  QRELIEF_TRY(started);
   search = std::move(*started);
   result.timingsMs.surface = millisecondsSince(start);
   return kStageDone;
@@ -119,19 +126,20 @@ Result<StageStep> EngraveJob::State::map() {
 
 Result<StageStep> EngraveJob::State::embed() {
   const auto start = Clock::now();
-  if (result.label.empty()) {
-    auto label = labelPockets(request, model->prepared.mesh, result.placement, symbol.size, result.markDepthMm);
-    if (!label) return tl::unexpected(label.error());
-    result.label = std::move(*label);
-  }
   EmbedOptions options;
   options.inlay = request.marking.mark == Mark::Inlay;
   options.paint = request.marking.mark == Mark::Paint;
-  if (!request.marking.isInColour()) options.surface = request.depth.surface;
+  if (result.label.empty()) {
+    auto label = labelPockets(request, model->prepared.mesh, result.placement, symbol.size, result.markDepthMm);
+    QRELIEF_TRY(label);
+    result.label = std::move(*label);
+    if (request.code.isText() && options.inlay) result.markDepthMm = result.label.depthMm;
+  }
+  options.surface = request.surface();
   options.label = result.label;
   auto embedding = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                                   request.marking.isInColour() ? marked : result.depths, options);
-  if (!embedding) return tl::unexpected(embedding.error());
+                                   request.needsLight() ? result.depths : marked, options);
+  QRELIEF_TRY(embedding);
   embedded = std::move(*embedding);
   result.keptTriangles = embedded.keptTriangles;
   result.timingsMs.embed += millisecondsSince(start);
@@ -145,14 +153,14 @@ Result<StageStep> EngraveJob::State::print() {
     VerifyRequest printed = verifyRequestOf(request, result);
     printed.symbol = symbol;
     auto view = printedViewOf(printed);
-    if (!view) return tl::unexpected(view.error());
+    QRELIEF_TRY(view);
     (*view)->isRough = true;
     auto job = PrintedViewJob::create(embedded.mesh, **view);
-    if (!job) return tl::unexpected(job.error());
+    QRELIEF_TRY(job);
     printing = std::move(*job);
   }
   const auto progress = printing->advance();
-  if (!progress) return tl::unexpected(progress.error());
+  QRELIEF_TRY(progress);
   if (progress->done) {
     search->restart(
         contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.depth.contrastAsked()));
@@ -173,10 +181,10 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
                                                        EngraveRequest request, const Known& known) {
-  if (const Status checked = checkSettings(request); !checked) return tl::unexpected(checked.error());
-  auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.code.text, request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
-  if (const Status good = checkEngraving(*model, request, *symbol); !good) return tl::unexpected(good.error());
+  QRELIEF_TRY(checkSettings(request));
+  auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : requestedSymbol(request.code);
+  QRELIEF_TRY(symbol);
+  QRELIEF_TRY(checkEngraving(*model, request, *symbol));
   auto state = std::make_unique<State>(State::stagesOf(request, known.placed != nullptr));
   state->model = std::move(model);
   state->request = std::move(request);
@@ -227,7 +235,7 @@ std::shared_ptr<PlacementMeasurement> EngraveJob::placementMeasurement() const {
 
 Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
   auto job = EngraveJob::create(std::move(model), request);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   return runToEnd(**job);
 }
 

@@ -90,6 +90,9 @@ struct DepthSummary {
 };
 DepthSummary summarise(const DepthField& depths);
 
+/// Summarises the pockets of a carving: of the code, or of a text alone, whose pockets have one depth.
+DepthSummary pocketDepths(const EngraveResult& result);
+
 /// Returns the symbol with the modules that are dark in a code in colour.
 Symbol markedSymbol(const EngraveResult& result);
 

@@ -54,7 +54,7 @@ Result<StageStep> EngraveJob::State::write() {
   const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
-  if (!read) return tl::unexpected(read.error());
+  QRELIEF_TRY(read);
   result.mesh = weldedAs(embedded.mesh, *read);
   result.origins = std::move(embedded.origins);
   result.bodies = model->prepared.bodies;
@@ -69,19 +69,18 @@ Result<StageStep> EngraveJob::State::write() {
 Result<StageStep> EngraveJob::State::check() {
   const auto start = Clock::now();
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
-  if (!solidity) return tl::unexpected(solidity.error());
+  QRELIEF_TRY(solidity);
   result.solidity = *solidity;
-  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound)
-    return tl::unexpected(sound.error());
+  QRELIEF_TRY(checkNewDefects(result.solidity, model->prepared));
   if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
     const auto whole = checkSolidity(result.mesh);
-    if (!whole) return tl::unexpected(whole.error());
+    QRELIEF_TRY(whole);
     result.solidity = *whole;
     result.inheritedSelfIntersections = whole->selfIntersections;
   }
   if (request.marking.hasInlay())
-    if (const Status added = request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result)
-                                                                 : addInlay(*model, request.depth.surface, result);
+    if (const Status added =
+            request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result) : addInlay(*model, result);
         !added)
       return tl::unexpected(added.error());
   result.timingsMs.verify += millisecondsSince(start);

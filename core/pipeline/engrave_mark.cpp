@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements what EngraveJob (engrave.h) does for codes in colour in place of a depth search.
+// Implements what EngraveJob (engrave.h) does for codes in colour and for text in place of a depth search.
 #include "base/clock.h"
 #include "message_codes/pipeline.h"
 #include "pipeline/depth_limits.h"
@@ -26,18 +26,21 @@ Result<StageStep> EngraveJob::State::mapMark() {
   mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   marked = paintedModules(symbol, placement.symbolMm);
   result.depths = {marked.size, marked.symbolMm, std::vector<double>(marked.depthMm.size(), 0)};
-  if (request.marking.mark == Mark::Inlay)
-    if (const Status chosen = chooseInlay(); !chosen) return tl::unexpected(chosen.error());
+  if (request.marking.mark == Mark::Inlay) QRELIEF_TRY(chooseInlay());
   result.timingsMs.surface = millisecondsSince(start);
   return kStageDone;
 }
 
 Status EngraveJob::State::chooseInlay() {
   const Placement& placement = result.placement;
-  if (const Status known = measurePlace(false); !known) return known;
+  if (!request.code.isText()) QRELIEF_TRY(measurePlace(false));
   result.opaqueDepthMm = inlayDepthMm(model->prepared.mesh, placement, request.print.buildUp.resolve(placement.frame),
                                       request.print.printer);
   const double wantedMm = request.marking.markDepthMm.value_or(result.opaqueDepthMm);
+  if (request.code.isText()) {
+    result.markDepthMm = wantedMm;  // labelPockets() leaves the walls
+    return {};
+  }
   const std::vector<double> limits =
       depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(), {wantedMm, request.depth.minWallMm});
   InlayPockets pockets = inlayPockets(symbol, placement.symbolMm, limits, wantedMm);

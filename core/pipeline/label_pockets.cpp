@@ -8,6 +8,7 @@
 #include "depth/depth_field.h"
 #include "mesh/ray_tree.h"
 #include "message_codes/text.h"
+#include "pipeline/engrave.h"
 #include "settings/engrave_request.h"
 
 namespace qrelief {
@@ -33,9 +34,10 @@ double leastThicknessMm(const Mesh& mesh, const ProjectionFrame& frame, const st
 
 Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
                                      int modules, double inlayMm) {
-  if (request.code.label.empty()) return OutlinedPockets{};
-  auto layout = layOutLabel(request.code.label, modules);
-  if (!layout) return tl::unexpected(layout.error());
+  const LabelOptions label = request.code.lettering();
+  if (label.empty()) return OutlinedPockets{};
+  auto layout = layOutLabel(label, modules);
+  QRELIEF_TRY(layout);
   OutlinedPockets pockets{std::move(layout->rings), std::move(layout->covered), 0};
   for (Ring& ring : pockets.rings)
     for (Vec2& corner : ring) corner *= placement.moduleMm;
@@ -48,10 +50,13 @@ Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& 
   const double wantedMm = request.marking.mark == Mark::Inlay ? inlayMm : kLabelLayers * layerMm;
   const double thicknessMm = leastThicknessMm(mesh, placement.frame, pockets.rings);
   pockets.depthMm = quantisedDepth(wantedMm, std::min(wantedMm, thicknessMm - request.depth.minWallMm));
-  if (pockets.depthMm < std::max(layerMm, kDepthQuantumMm) - 1e-9)
+  if (pockets.depthMm < std::max(layerMm, kDepthQuantumMm) - 1e-9) {
+    const double leftMm = std::max(0.0, thicknessMm - wantedMm);
     return fail(ErrorKind::NoSolution,
-                message<"label-too-deep">(with::lengthMm<"depth">(wantedMm),
-                                          with::lengthMm<"wall">(std::max(0.0, thicknessMm - wantedMm))));
+                label.isAlone
+                    ? message<"text-too-deep">(with::lengthMm<"depth">(wantedMm), with::lengthMm<"wall">(leftMm))
+                    : message<"label-too-deep">(with::lengthMm<"depth">(wantedMm), with::lengthMm<"wall">(leftMm)));
+  }
   return pockets;
 }
 
@@ -60,6 +65,10 @@ std::optional<double> labelCapitalMm(const LabelOptions& label, int modules, dou
   const auto layout = layOutLabel(label, modules);
   if (!layout) return std::nullopt;
   return layout->capitalModules * moduleMm;
+}
+
+std::optional<double> capitalMmOf(const EngraveResult& result) {
+  return labelCapitalMm(result.request.code.lettering(), result.symbol.size, result.placement.moduleMm);
 }
 
 }  // namespace qrelief

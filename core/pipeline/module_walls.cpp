@@ -30,9 +30,9 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const SurfaceRenderer& 
   const int cells = square.cells;
   const MapWindow window{square.edgeMm, cells};
   const auto front = surface.render(frame, window);
-  if (!front) return tl::unexpected(front.error());
+  QRELIEF_TRY(front);
   const auto behind = surface.renderBack(frame, window);
-  if (!behind) return tl::unexpected(behind.error());
+  QRELIEF_TRY(behind);
   const std::vector<float> ahead = rayDistances(*front, frame, window);
 
   SubmoduleMask all;

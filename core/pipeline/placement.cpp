@@ -47,7 +47,8 @@ class Stopwatch {
 }  // namespace
 
 Message codeInWords(const PlacementRequest& request) {
-  if (request.sizeMode != SizeMode::Fixed) return message<"any-code">();
+  if (request.sizeMode != SizeMode::Fixed) return request.isText ? message<"any-text">() : message<"any-code">();
+  if (request.isText) return message<"text-alone">(with::lengthMm<"size">(request.sizeMm));
   if (request.quietZone) return message<"code-with-quiet-zone">(with::lengthMm<"size">(request.sizeMm));
   return message<"code-alone">(with::lengthMm<"size">(request.sizeMm));
 }
@@ -94,8 +95,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
     auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
-    if (patch && model_->hasCrossings)
-      if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
+    if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch));
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette, region);
     if (size * halfDiagonal + beyond <= radius) return patch;
@@ -132,7 +132,7 @@ Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc
   const double rotation = bestSize(disc.silhouette, largestMm() * outerFactor()).rotation;
   const ProjectionFrame turnedFrame = turned(frame, rotation);
   auto square = disc.partlyHidden ? decisivePatch(turnedFrame, GrowingRegion::Square) : Result<VisiblePatch>(disc);
-  if (!square) return tl::unexpected(square.error());
+  QRELIEF_TRY(square);
   if (!disc.partlyHidden) square->silhouette = inTurnedAxes(disc.silhouette, rotation);
   Fit fit = fitIn(std::move(*square), turnedFrame, Fit::Turn::ToFit);
   fit.placement.rotationDeg = toDegrees(rotation);
@@ -144,18 +144,18 @@ Result<std::vector<PlacementSearch::Fit>> PlacementSearch::fitsFrom(const Projec
   const bool isFree = request_.sizeMode == SizeMode::Free;
   const bool needsDisc = isFree || request_.mayTurn();
   auto disc = decisivePatch(frame, needsDisc ? GrowingRegion::Disc : GrowingRegion::Square);
-  if (!disc) return tl::unexpected(disc.error());
+  QRELIEF_TRY(disc);
   auto square = disc;  // the same for both regions if nothing is partly hidden
   if (disc->partlyHidden && !isFree) {
     auto& other = needsDisc ? square : disc;
     other = decisivePatch(frame, needsDisc ? GrowingRegion::Square : GrowingRegion::Disc);
-    if (!other) return tl::unexpected(other.error());
+    QRELIEF_TRY(other);
   }
 
   std::vector<Fit> fits;
   if (request_.mayTurn()) {
     auto fit = turnedFit(*disc, frame);
-    if (!fit) return tl::unexpected(fit.error());
+    QRELIEF_TRY(fit);
     fits.push_back(std::move(*fit));
   }
   fits.insert(fits.begin(), fitIn(std::move(*disc), frame, Fit::Turn::EveryRotation));
@@ -184,27 +184,36 @@ Status PlacementSearch::measure(Vec3 normal) {
   const Stopwatch stopwatch(sizeMs_);
   const bool isFixed = request_.sizeMode == SizeMode::Fixed;
   auto fits = fitsFrom(frameFor(normal));
-  if (!fits) return tl::unexpected(fits.error());
+  QRELIEF_TRY(fits);
   placement_ = fitToTake(*fits).placement;
   fitMm_ = placement_.symbolMm;
   if (isFixed) placement_.symbolMm = request_.sizeMm;
   placement_.moduleMm = placement_.symbolMm / modules_;
   if (fitMm_ < std::min(isFixed ? request_.sizeMm : request_.maxSizeMm, kMinModuleMm * modules_))
-    if (const Status apart = checkCrossings(); !apart) return apart;
+    QRELIEF_TRY(checkCrossings());
   if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
+    if (request_.isText)
+      return fail(ErrorKind::NoSolution,
+                  message<"text-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
+                                                     with::lengthMm<"least">(kMinModuleMm * modules_)));
     return fail(ErrorKind::NoSolution,
                 message<"modules-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
                                                       with::lengthMm<"module">(placement_.moduleMm),
                                                       with::lengthMm<"least">(kMinModuleMm * modules_)));
   }
   if (placement_.moduleMm < kMinModuleMm) {
+    const Message advice =
+        roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm, message<"choose-a-wider-spot">());
+    if (request_.isText)
+      return fail(ErrorKind::NoSolution,
+                  message<"text-too-small-here">(with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                                                 with::lengthMm<"least">(kMinModuleMm * modules_),
+                                                 with::cause<"advice">(advice)));
     return fail(ErrorKind::NoSolution,
-                message<"modules-too-small-here">(
-                    with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
-                    with::lengthMm<"module">(placement_.moduleMm),
-                    with::cause<"advice">(roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
-                                                     message<"choose-a-wider-spot">()))));
+                message<"modules-too-small-here">(with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                                                  with::lengthMm<"module">(placement_.moduleMm),
+                                                  with::cause<"advice">(advice)));
   }
   if (request_.sizeMode != SizeMode::Best) fits_.clear();
   if (isFixed) *fits = {Fit{Fit::Turn::Upright, placement_}};
@@ -218,7 +227,7 @@ Status PlacementSearch::checkCrossings() const {
   if (!model_->hasCrossings) return {};
   const Vec3 centre = placement_.frame.centre;
   const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
-  if (!crossing) return tl::unexpected(crossing.error());
+  QRELIEF_TRY(crossing);
   const double leastMm = kMinModuleMm * modules_;
   if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};
   return fail(ErrorKind::NoSolution,
@@ -308,7 +317,7 @@ Result<bool> PlacementSearch::refine() {
     if (look.normal == optimal_->iterations().front().normal) break;
   }
   fits_.clear();
-  if (const Status measured = measureFirstFitting(normals); !measured) return tl::unexpected(measured.error());
+  QRELIEF_TRY(measureFirstFitting(normals));
   return true;
 }
 
@@ -324,7 +333,7 @@ Status PlacementSearch::leaveWalls(Fit& fit) const {
   const ProjectionFrame frame = isAnyWayUp ? turned(placed.frame, -toRadians(request_.rotateDeg)) : placed.frame;
   const auto walls = measureModuleWalls(model_->mesh, *surface_, frame, placed.patch, square,
                                         pockets.depth(placed.symbolMm / modules_), pockets.minWallMm);
-  if (!walls) return tl::unexpected(walls.error());
+  QRELIEF_TRY(walls);
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules, pockets.depthMm);
   if (taken >= kMinModuleMm * modules_) placed.symbolMm = taken;
   return {};
@@ -353,7 +362,7 @@ Status PlacementSearch::takeBestFit() {
   const Stopwatch stopwatch(sizeMs_);
   Fit* best = &fitToTake(fits_);
   while (!best->leavesWalls) {
-    if (const Status left = leaveWalls(*best); !left) return left;
+    QRELIEF_TRY(leaveWalls(*best));
     best = &fitToTake(fits_);
   }
   placement_ = std::move(best->placement);
@@ -379,7 +388,7 @@ Result<bool> PlacementSearch::step() {
     }
     if (!done || !*done) return done;
   }
-  if (const Status taken = takeBestFit(); !taken) return tl::unexpected(taken.error());
+  QRELIEF_TRY(takeBestFit());
   placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;
 }
@@ -387,7 +396,7 @@ Result<bool> PlacementSearch::step() {
 Result<bool> PlacementSearch::searchOnce() {
   if (!started_) {
     started_ = true;
-    if (const Status begun = start(); !begun) return tl::unexpected(begun.error());
+    QRELIEF_TRY(start());
     return request_.direction.has_value();
   }
   if (optimal_) return refine();
@@ -401,8 +410,7 @@ Result<bool> PlacementSearch::searchOnce() {
     placement_.iterations = direction_->iterations();
   }
   const double before = fitMm_;
-  if (const Status measured = measureFirstFitting(roundCandidates()); !measured)
-    return tl::unexpected(measured.error());
+  QRELIEF_TRY(measureFirstFitting(roundCandidates()));
   direction_.reset();
   ++round_;
   const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||

@@ -120,7 +120,7 @@ Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, 
   luminance.horizonStartMm = static_cast<float>(options.moduleMm);
   luminance.radiusMm = static_cast<float>(kFirstReachModules * options.moduleMm);
   auto pass = LuminancePass::create(maps, &around, eyeDistance, luminance, std::move(programs));
-  if (!pass) return tl::unexpected(pass.error());
+  QRELIEF_TRY(pass);
   auto light = std::make_unique<LightByShaders>(std::move(*pass), options);
   light->lightUncarved(options.moduleMm);
   return light;

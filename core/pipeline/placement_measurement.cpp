@@ -55,8 +55,8 @@ Result<std::shared_ptr<PlacementMeasurement>> PlacementMeasurement::create(
   place->model_ = std::move(model);
   if (!request.withLight || !place->model_->usesShaders(request.device))
     place->measureByProcessor();
-  else if (const Status measured = place->measureByShaders(std::move(programs)); !measured)
-    return tl::unexpected(measured.error());
+  else
+    QRELIEF_TRY(place->measureByShaders(std::move(programs)));
   return place;
 }
 
@@ -83,15 +83,15 @@ Status PlacementMeasurement::measureByShaders(std::shared_ptr<const LuminancePro
   const MapWindow map = window(kTexelsPerCell);
   const GpuSurface& surface = *model_->gpu;
   auto maps = surface.maps(request_.frame, map);
-  if (!maps) return tl::unexpected(maps.error());
+  QRELIEF_TRY(maps);
   maps_ = std::move(*maps);
   const auto around = surface.maps(request_.frame, surroundingsOf(map, request_.frame, model_->box));
-  if (!around) return tl::unexpected(around.error());
+  QRELIEF_TRY(around);
   auto light = lightByShaders(*maps_, *around, request_.frame.eyeDistance, lightOptions(), std::move(programs));
-  if (!light) return tl::unexpected(light.error());
+  QRELIEF_TRY(light);
   light_ = std::move(*light);
   const auto back = surface.renderBack(request_.frame, map);
-  if (!back) return tl::unexpected(back.error());
+  QRELIEF_TRY(back);
   const std::vector<float> smooth = maps_->framebuffer.readRgba(1);
   std::vector<float> front;
   for (std::size_t texel = 0; texel < smooth.size() / 4; ++texel) front.push_back(smooth[4 * texel + 3]);

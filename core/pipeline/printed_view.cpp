@@ -32,9 +32,9 @@ constexpr double kEveryPatch = 20;  // up to this distance a horizon checks ever
 }  // namespace
 
 Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& request) {
-  if (!request.process) return std::nullopt;
+  if (!request.process || request.label.isAlone) return std::nullopt;  // a text alone has nothing to decode
   const auto process = processOf(request.printer);
-  if (!process) return tl::unexpected(process.error());
+  QRELIEF_TRY(process);
   return PrintedViewRequest{.process = *process,
                             .frame = request.frame,
                             .symbol = request.symbol,
@@ -105,7 +105,7 @@ Result<StageStep> PrintedViewJob::State::print() {
                                         .extentMm = request.symbolMm / request.symbol.size * printedModules(),
                                         .buildUp = request.buildUp,
                                         .roughness = roughness()});
-  if (!surface) return tl::unexpected(surface.error());
+  QRELIEF_TRY(surface);
   printed = surface->heightMap();
   return kStageDone;
 }

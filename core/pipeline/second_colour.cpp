@@ -49,7 +49,7 @@ SecondColour secondColourOf(const EngraveResult& result) {
 
 ColouredCode colouredCodeOf(const EngraveRequest& request) {
   const Mark mark = request.marking.mark == Mark::Paint ? Mark::Paint : Mark::Inlay;
-  return {mark, request.code.label, request.print};
+  return {mark, request.code.lettering(), request.print};
 }
 
 int layersOfCode(const Placement& placement, int modules, const ColouredCode& code) {
@@ -57,7 +57,8 @@ int layersOfCode(const Placement& placement, int modules, const ColouredCode& co
   const ProjectionFrame& frame = placement.frame;
   const Printer& printer = code.print.printer;
   const Vec3 up = glm::normalize(code.print.buildUp.resolve(frame));
-  std::vector<Rectangle> marked = {{Vec2(-modules / 2.0), Vec2(modules / 2.0)}};
+  std::vector<Rectangle> marked;
+  if (!code.label.isAlone) marked.push_back({Vec2(-modules / 2.0), Vec2(modules / 2.0)});
   if (const auto label = layOutLabel(code.label, modules))
     marked.insert(marked.end(), label->covered.begin(), label->covered.end());
   const double facing = std::abs(glm::dot(up, frame.normal));

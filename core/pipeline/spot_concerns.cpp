@@ -16,7 +16,10 @@ namespace {
 
 std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchRequest& request) {
   std::vector<Message> reasons;
-  if (!concerns.prints)
+  if (!concerns.prints && request.placement.isText)
+    reasons.push_back(
+        message<"text-too-small-to-print">(with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
+  else if (!concerns.prints)
     reasons.push_back(
         message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(request.nozzleMm),
                                            with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
@@ -37,6 +40,7 @@ bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request) {
 
 double unevenLightOn(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm,
                      const SpotSearchRequest& request) {
+  if (request.placement.isText) return 0;  // people read letters in any light
   const int quietModules = static_cast<int>((request.outerFactor() - 1) * request.modules / 2);
   return unevenLight(mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
 }
@@ -46,7 +50,7 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   const Mesh& mesh = model.prepared.mesh;
   const auto walls = measureModuleWalls(mesh, *model.renderer, placement.frame, placement.patch,
                                         {placement.symbolMm, request.modules}, request.leastDepthMm, request.minWallMm);
-  if (!walls) return tl::unexpected(walls.error());
+  QRELIEF_TRY(walls);
   std::vector<double> thickness = walls->thicknessMm;
   const auto taking = static_cast<std::size_t>(std::count_if(
       walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= request.leastDepthMm; }));

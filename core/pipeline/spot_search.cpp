@@ -17,6 +17,7 @@
 #include "message_codes/settings_errors.h"
 #include "message_codes/stages.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/label_pockets.h"
 #include "pipeline/mark_depth.h"
 #include "pipeline/placement.h"
 #include "pipeline/spot_concerns.h"
@@ -53,8 +54,8 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
 
 /// Checks the settings shared with engraving by the same rules.
 Status checkRequest(const SpotSearchRequest& request) {
-  if (const Status checked = checkSettings(request.placement); !checked) return checked;
-  if (const Status checked = checkSettings(DepthRequest{.minWallMm = request.minWallMm}); !checked) return checked;
+  QRELIEF_TRY(checkSettings(request.placement));
+  QRELIEF_TRY(checkSettings(DepthRequest{.minWallMm = request.minWallMm}));
   if (request.count >= 1 && request.count <= kMaxSpots) return {};
   return fail(ErrorKind::BadUsage,
               message<"place-count">(with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
@@ -263,7 +264,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
     return {};
   }
   const auto concerns = concernsAt(*model, placement, request);
-  if (!concerns) return tl::unexpected(concerns.error());
+  QRELIEF_TRY(concerns);
   if (concerns->takesPockets || (request.offersThinWalls && !findsLargest)) {
     offered.prints = concerns->prints;
     offered.takesPockets = concerns->takesPockets;
@@ -292,7 +293,7 @@ Result<StageStep> SpotSearchJob::State::testOnce() {
   if (!placed) {
     nextTry();
   } else if (*placed) {
-    if (const Status taken = take(search->placement()); !taken) return tl::unexpected(taken.error());
+    QRELIEF_TRY(take(search->placement()));
   }
   return StageStep{testedShare()};
 }
@@ -357,11 +358,10 @@ SpotSearchJob::~SpotSearchJob() = default;
 
 Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<const EngravableModel> model,
                                                              const SpotSearchRequest& request) {
-  if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
-  if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  QRELIEF_TRY(checkRequest(request));
+  QRELIEF_TRY(model->prepared.engravable());
   const SizeBound room{request.modules, request.outerFactor()};
-  if (const Status large = checkSizeBound(model->prepared, room, request.placement.eyeDistanceMm); !large)
-    return tl::unexpected(large.error());
+  QRELIEF_TRY(checkSizeBound(model->prepared, room, request.placement.eyeDistanceMm));
 
   auto state = std::make_unique<State>();
   state->outer = request.outerFactor();
@@ -389,6 +389,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
   search.modules = symbol.size;
   search.minWallMm = request.depth.minWallMm;
   search.offersThinWalls = request.marking.isOpen;
+  if (request.code.isText()) search.leastDepthMm = kLabelLayers * request.print.printer.layerMm;
   if (request.marking.mark == Mark::Inlay)
     search.leastDepthMm =
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
@@ -402,7 +403,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
 
 Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request) {
   auto job = SpotSearchJob::create(std::move(model), request);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   return runToEnd(**job);
 }
 

@@ -52,16 +52,15 @@ Status checkShared(const VerifyRequest& request) {
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = request.symbolMm;
   placement.eyeDistanceMm = request.frame.eyeDistance;
-  if (const Status checked = checkSettings(placement); !checked) return checked;
-  if (const Status checked = checkSettings(MarkRequest{.mark = request.mark, .ink = request.ink}); !checked)
-    return checked;
+  QRELIEF_TRY(checkSettings(placement));
+  QRELIEF_TRY(checkSettings(MarkRequest{.mark = request.mark, .ink = request.ink}));
   DepthRequest depth;
   depth.minWallMm = request.minWallMm;
   if (request.oneLight) {
     depth.objective = DepthObjective::OneLight;
     depth.lights = {*request.oneLight};
   }
-  if (const Status checked = checkSettings(depth); !checked) return checked;
+  QRELIEF_TRY(checkSettings(depth));
   PrinterRequest print;
   print.process = request.process;
   print.printer = request.printer;
@@ -86,7 +85,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   verification.mark = request.marking.mark;
   verification.markDepthMm = result.markDepthMm;
   verification.ink = request.marking.ink;
-  verification.label = request.code.label;
+  verification.label = request.code.lettering();
   if (request.isForOneLight()) verification.oneLight = request.lamps().front();
   verification.ranges = false;
   verification.inheritedSelfIntersections = result.inheritedSelfIntersections;
@@ -179,7 +178,7 @@ const Mesh& VerifyJob::State::outerSurface() {
 
 Result<StageStep> VerifyJob::State::checkSolid() {
   auto solidity = checkSolidity(body ? *body : mesh);
-  if (!solidity) return tl::unexpected(solidity.error());
+  QRELIEF_TRY(solidity);
   result.solidity = *solidity;
   return kStageDone;
 }
@@ -273,7 +272,7 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   if (request.text.empty()) return fail(ErrorKind::BadUsage, message<"verify-no-text">());
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
     return fail(ErrorKind::BadUsage, message<"verify-no-direction">());
-  if (const Status checked = checkShared(request); !checked) return tl::unexpected(checked.error());
+  QRELIEF_TRY(checkShared(request));
   if (request.mark == Mark::Inlay && !(request.markDepthMm > 0))
     return fail(ErrorKind::BadUsage, message<"verify-no-inlay-depth">(with::setting<"depth">("markDepthMm")));
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));

@@ -35,7 +35,7 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
                          request.upHint, request.eyeDistanceMm, options);
   for (int i = 0; i < mostLooks; ++i) {
     const Result<bool> isDone = search.step();
-    if (!isDone) return tl::unexpected(isDone.error());
+    QRELIEF_TRY(isDone);
     if (*isDone) break;
   }
   return search.normal();
@@ -66,10 +66,10 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
   CodeEstimate estimate;
   for (int round = 0; round < kRounds; ++round) {
     const auto normal = directionAt(surface, centre, sampled, looks, request);
-    if (!normal) return tl::unexpected(normal.error());
+    QRELIEF_TRY(normal);
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
     auto reach = lookAround(surface.renderer, upright, window);
-    if (!reach) return tl::unexpected(reach.error());
+    QRELIEF_TRY(reach);
     double turn = toRadians(request.rotateDeg);
     if (request.mayTurn()) turn = bestTurn(*reach);
     const double free = reach->freeMm() / outer;

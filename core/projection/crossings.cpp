@@ -121,7 +121,7 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
 /// Finds the segments that facets of the patch share with others, some of which may also belong to the patch.
 Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   const auto pairs = findCrossings(mesh, triangles, kMaxPairs);
-  if (!pairs) return tl::unexpected(pairs.error());
+  QRELIEF_TRY(pairs);
   if (pairs->size() >= kMaxPairs)
     return fail(ErrorKind::NoSolution, message<"too-many-crossings">(with::count<"most">(kMaxPairs)));
   std::vector<Segment3> segments;
@@ -146,14 +146,14 @@ Vec3 nearestOn(const Segment3& segment, Vec3 place) {
 
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch) {
   const auto segments = crossingsOf(mesh, patch.triangles);
-  if (!segments) return tl::unexpected(segments.error());
+  QRELIEF_TRY(segments);
   for (const auto& [from, to] : *segments) patch.silhouette.push_back({frame.project(from), frame.project(to)});
   return {};
 }
 
 Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place) {
   const auto segments = crossingsOf(mesh, triangles);
-  if (!segments) return tl::unexpected(segments.error());
+  QRELIEF_TRY(segments);
   std::optional<Vec3> nearest;
   for (const Segment3& segment : *segments) {
     const Vec3 point = nearestOn(segment, place);

@@ -183,7 +183,7 @@ Result<MapSample> lookFrom(const SurfaceRenderer& surface, const ProjectionFrame
                            const DirectionOptions& options) {
   const MapWindow window{options.sizeMm, options.mapTexels};
   auto rendered = surface.render(frame, window);
-  if (!rendered) return tl::unexpected(rendered.error());
+  QRELIEF_TRY(rendered);
   // Uses facet normals where the paper interpolates vertex normals. Over a sampled square both average to the same, but
   // next to a crease interpolation leans away from the face by up to half the angle.
   std::vector<float> map = std::move(*rendered);
@@ -207,7 +207,7 @@ DirectionSearch::DirectionSearch(const SurfaceRenderer& surface, Vec3 centre, Ve
 Result<bool> DirectionSearch::step() {
   const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
   const Result<MapSample> looked = lookFrom(*surface_, frame, options_);
-  if (!looked) return tl::unexpected(looked.error());
+  QRELIEF_TRY(looked);
   const MapSample& sample = *looked;
   iterations_.push_back({current_, sample.varianceMm2, sample.outsideFraction, sample.worstAngle, sample.measure});
 

@@ -84,7 +84,7 @@ Result<std::vector<OrientedPoint>> firstSpots(const SurfaceRenderer& surface, co
                                               double widthMm, double sizeMm, std::size_t most) {
   const MapWindow window{widthMm, kTexels};
   const auto map = surface.render(view, window);
-  if (!map) return tl::unexpected(map.error());
+  QRELIEF_TRY(map);
   const std::vector<Sample> samples = visibleSamples(*map, window, view.eyeDistance);
   std::vector<Rated> ranked;
   for (std::size_t i = 0; i < samples.size(); ++i) {

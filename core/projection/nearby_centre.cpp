@@ -95,7 +95,7 @@ bool isSteady(const CodeEstimate& code, int modules, const PlacementRequest& req
 Result<NearbyCentre> nearbyCentre(const EstimatedSurface& surface, const SurfacePoint& picked, int modules,
                                   const PlacementRequest& request, double leastMm, std::optional<double> expectedMm) {
   auto here = estimateCode(surface, picked, modules, request, expectedMm);
-  if (!here) return tl::unexpected(here.error());
+  QRELIEF_TRY(here);
   NearbyCentre result{picked, std::move(*here)};
   if (isSteady(result.estimate, modules, request, leastMm)) return result;
 
@@ -107,7 +107,7 @@ Result<NearbyCentre> nearbyCentre(const EstimatedSurface& surface, const Surface
       makeFrame(picked.position, triangleNormal(surface.mesh, picked.triangle), request.upHint, request.eyeDistanceMm);
   const MapWindow window{(1 + 2 * kReachEdges) * outer * largest + 2 * kReachMm, kTexels};
   const auto map = lookAround(surface.renderer, turned(upright, toRadians(request.rotateDeg)), window);
-  if (!map) return tl::unexpected(map.error());
+  QRELIEF_TRY(map);
   const SquareFits squares(*map);
   int estimates = 0;
   for (double size = largest; size >= smallest && estimates < kEstimates; size *= kNextSize) {

@@ -48,7 +48,7 @@ Result<bool> OptimalDirection::step() {
   const Vec3 normal = turned(next_);
   const ProjectionFrame frame = makeFrame(frame_.centre, normal, upHint_, frame_.eyeDistance);
   const Result<MapSample> looked = lookFrom(*surface_, frame, options_);
-  if (!looked) return tl::unexpected(looked.error());
+  QRELIEF_TRY(looked);
   iterations_.push_back({normal, looked->varianceMm2, looked->outsideFraction, looked->worstAngle, looked->measure});
   const bool isFirst = iterations_.size() == 1;
   if (!isFirst && looked->centreIsSeen && looked->measure < iterations_[best_].measure) {

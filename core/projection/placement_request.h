@@ -47,6 +47,7 @@ struct PlacementRequest {
   double beyondMm = 0;            ///< margin of the known patch beyond the largest code, ≥ 0 (for walls)
   /// Width that a label needs on each side of the symbol, in modules, with the quiet zone; 0: no label.
   double labelMarginModules = 0;
+  bool isText = false;   ///< a text in place of the symbol; changes only the words of messages, and needs no even light
   PocketDemand pockets;  ///< for found sizes only; a fixed size is carved as deep as its walls allow
 
   /// Returns true if the search may turn the code.

@@ -350,7 +350,7 @@ Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency
                                     std::uint32_t seed, double radiusMm, GrowingRegion region) {
   assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
   Flood flood(mesh, adjacency, frame, radiusMm, region);
-  if (const Status seen = checkCentre(mesh, frame, flood.view(), seed); !seen) return tl::unexpected(seen.error());
+  QRELIEF_TRY(checkCentre(mesh, frame, flood.view(), seed));
   flood.run(seed);
   return flood.patch();
 }

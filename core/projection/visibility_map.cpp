@@ -108,7 +108,7 @@ void VisibilityMap::trust() {
 Result<VisibilityMap> lookAround(const SurfaceRenderer& surface, const ProjectionFrame& frame,
                                  const MapWindow& window) {
   const auto rendered = surface.render(frame, window);
-  if (!rendered) return tl::unexpected(rendered.error());
+  QRELIEF_TRY(rendered);
   const std::vector<float>& map = *rendered;
   VisibilityMap reach{frame, window, std::vector<float>(map.size())};
   for (std::size_t i = 0; i < map.size(); i += 4) {

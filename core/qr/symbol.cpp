@@ -197,7 +197,7 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
     return fail(ErrorKind::BadUsage, message<"no-such-mask">(with::count<"mask">(options.mask)));
-  if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
+  QRELIEF_TRY(checkCharacters(text));
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
   const Coding coding = {options.errorCorrection, options.eci};
@@ -212,6 +212,14 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
   symbol.hasEci = hasEci(text, options.eci);
   if (options.maskRule == MaskRule::Fixed) symbol = withMask(symbol, options.mask);
   if (options.maskRule == MaskRule::Shadiest) symbol = withShadiestMask(symbol);
+  return symbol;
+}
+
+Symbol blankSymbol() {
+  Symbol symbol;
+  symbol.version = 0;
+  symbol.dark.assign(static_cast<std::size_t>(symbol.size * symbol.size), 0);
+  symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
   return symbol;
 }
 

@@ -54,7 +54,7 @@ struct SymbolOptions {
 
 /// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.
 struct Symbol {
-  int version = 1;
+  int version = 1;  ///< 1 … 40; 0: blankSymbol()
   ErrorCorrection errorCorrection = ErrorCorrection::M;
   int mask = 0;                    ///< 0 … 7, as in the format information
   bool hasEci = false;             ///< the text's character set is named, as ECI 26
@@ -79,6 +79,9 @@ inline constexpr int kQuietZoneModules = 4;
 /// @returns BadInput if the text is empty, not UTF-8, or too long for the requested version and level (the error gives
 ///          its length and a symbol that holds it); BadUsage if there is no such version or mask
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
+
+/// Returns a square of light modules, for a text in place of a code.
+Symbol blankSymbol();
 
 /// Cache of the smallest version that holds a text, by the bits that the text's segments take.
 /// Cost: microseconds per text, milliseconds for a new number of bits.

@@ -20,7 +20,7 @@ Result<FloorPasses::PingPong> FloorPasses::PingPong::create(int edge, gl::Format
     pingPong.textures[i] = gl::Texture(edge, edge, format);
     const gl::Texture* const colours[] = {&pingPong.textures[i]};
     auto target = gl::Framebuffer::create(colours, false);
-    if (!target) return tl::unexpected(target.error());
+    QRELIEF_TRY(target);
     pingPong.targets[i] = std::move(*target);
   }
   return pingPong;
@@ -33,10 +33,10 @@ Result<FloorPasses> FloorPasses::create(const Setup& setup, std::shared_ptr<cons
   passes.programs_ = std::move(programs);
   const int edge = setup.cellsAlongEdge;
   auto floors = PingPong::create(edge, gl::Format::RGBA32F);
-  if (!floors) return tl::unexpected(floors.error());
+  QRELIEF_TRY(floors);
   passes.floors_ = std::move(*floors);
   auto solved = PingPong::create(edge, gl::Format::R32F);
-  if (!solved) return tl::unexpected(solved.error());
+  QRELIEF_TRY(solved);
   passes.solved_ = std::move(*solved);
   passes.steps_ = gl::Texture(kDirections, static_cast<int>(setup.steps.size()) / kDirections, gl::Format::RGBA32F,
                               setup.steps.data());
@@ -48,7 +48,7 @@ Result<FloorPasses> FloorPasses::create(const Setup& setup, std::shared_ptr<cons
   passes.records_ = gl::Texture(edge, passes.listRows() * setup.records, gl::Format::RGBA32F);
   const gl::Texture* const colours[] = {&passes.records_};
   auto target = gl::Framebuffer::create(colours, false);
-  if (!target) return tl::unexpected(target.error());
+  QRELIEF_TRY(target);
   passes.recordsTarget_ = std::move(*target);
   return passes;
 }

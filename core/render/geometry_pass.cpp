@@ -11,9 +11,9 @@ namespace qrelief {
 Result<GeometryPass> GeometryPass::create() {
   GeometryPass pass;
   auto front = gl::Program::create("geometry", shaders::geometry_vert, shaders::geometry_frag);
-  if (!front) return tl::unexpected(front.error());
+  QRELIEF_TRY(front);
   auto back = gl::Program::create("back distance", shaders::geometry_vert, shaders::back_distance_frag);
-  if (!back) return tl::unexpected(back.error());
+  QRELIEF_TRY(back);
   pass.front_ = std::move(*front);
   pass.back_ = std::move(*back);
   return pass;
@@ -58,7 +58,7 @@ Result<SurfaceMaps> GeometryPass::render(const GpuMesh& mesh, const ProjectionFr
   maps.smooth = gl::Texture(window.texels, window.texels, gl::Format::RGBA32F);
   const gl::Texture* const colours[] = {&maps.surface, &maps.smooth};
   auto framebuffer = gl::Framebuffer::create(colours, true);
-  if (!framebuffer) return tl::unexpected(framebuffer.error());
+  QRELIEF_TRY(framebuffer);
   maps.framebuffer = std::move(*framebuffer);
   maps.framebuffer.bind();
   draw(front_, GL_BACK, mesh, frame, window);
@@ -72,7 +72,7 @@ Result<BackDistanceMap> GeometryPass::renderBack(const GpuMesh& mesh, const Proj
   map.distance = gl::Texture(window.texels, window.texels, gl::Format::R32F);
   const gl::Texture* const colours[] = {&map.distance};
   auto framebuffer = gl::Framebuffer::create(colours, true);
-  if (!framebuffer) return tl::unexpected(framebuffer.error());
+  QRELIEF_TRY(framebuffer);
   map.framebuffer = std::move(*framebuffer);
   map.framebuffer.bind();
   draw(back_, GL_FRONT, mesh, frame, window);

@@ -5,13 +5,13 @@ namespace qrelief {
 
 Result<std::vector<float>> GpuSurface::render(const ProjectionFrame& frame, const MapWindow& window) const {
   const auto drawn = maps(frame, window);
-  if (!drawn) return tl::unexpected(drawn.error());
+  QRELIEF_TRY(drawn);
   return drawn->framebuffer.readRgba(0);
 }
 
 Result<std::vector<float>> GpuSurface::renderBack(const ProjectionFrame& frame, const MapWindow& window) const {
   const auto drawn = backMap(frame, window);
-  if (!drawn) return tl::unexpected(drawn.error());
+  QRELIEF_TRY(drawn);
   return drawn->framebuffer.readRed();
 }
 

@@ -19,7 +19,7 @@ Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width,
   texture = gl::Texture(width, height, format);
   const gl::Texture* const colours[] = {&texture};
   auto created = gl::Framebuffer::create(colours, false);
-  if (!created) return tl::unexpected(created.error());
+  QRELIEF_TRY(created);
   framebuffer = std::move(*created);
   framebuffer.bind();
   glClearColor(1, 1, 0, 0);
@@ -29,7 +29,7 @@ Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width,
 
 Status makeProgram(gl::Program& program, const char* name, const char* vertex, const char* fragment) {
   auto created = gl::Program::create(name, vertex, fragment);
-  if (!created) return tl::unexpected(created.error());
+  QRELIEF_TRY(created);
   program = std::move(*created);
   return {};
 }
@@ -48,7 +48,7 @@ Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
         makeProgram(programs->floorSolution, "floor-solution", shaders::fullscreen_vert, shaders::floor_solution_frag),
         makeProgram(programs->floorDepth, "floor-depth", shaders::fullscreen_vert, shaders::floor_depth_frag),
         makeProgram(programs->floorRecord, "floor-record", shaders::fullscreen_vert, shaders::floor_record_frag)})
-    if (!status) return tl::unexpected(status.error());
+    QRELIEF_TRY(status);
   return std::shared_ptr<const LuminancePrograms>(std::move(programs));
 }
 
@@ -65,7 +65,7 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
   pass.programs_ = std::move(programs);
   if (!pass.programs_) {
     auto compiled = LuminancePrograms::create();
-    if (!compiled) return tl::unexpected(compiled.error());
+    QRELIEF_TRY(compiled);
     pass.programs_ = std::move(*compiled);
   }
   const int texels = maps.window.texels;
@@ -73,11 +73,11 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
        {makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
         makeTarget(pass.means_, pass.meansTarget_, pass.cells_, pass.cells_, gl::Format::RGBA32F),
         makeTarget(pass.luminance_, pass.luminanceTarget_, pass.cells_, pass.cells_, gl::Format::R32F)})
-    if (!status) return tl::unexpected(status.error());
+    QRELIEF_TRY(status);
   pass.depths_ = gl::Texture(pass.cells_, pass.cells_, gl::Format::R32F);
   pass.setDepths(
       std::vector<float>(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_), 0.0f));
-  if (const Status status = pass.findHorizon(surroundings); !status) return tl::unexpected(status.error());
+  QRELIEF_TRY(pass.findHorizon(surroundings));
   pass.cellArray_ = gl::VertexArray::create();
   std::vector<std::uint32_t> all(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_));
   std::iota(all.begin(), all.end(), 0u);
@@ -131,10 +131,8 @@ Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   const gl::TimedPass timed("horizon");
   const gl::Program& program = programs_->horizon;
   gl::Framebuffer target;
-  if (const Status status = makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples,
-                                       options_.horizonSamples, gl::Format::RGBA32F);
-      !status)
-    return status;
+  QRELIEF_TRY(makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples, options_.horizonSamples,
+                         gl::Format::RGBA32F));
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

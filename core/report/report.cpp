@@ -67,14 +67,15 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
                           {"worstAngleDeg", toDegrees(i.worstAngle)},
                           {"measure", i.measure}});
   const char* method = request.placement.direction ? "given" : directionMethodName(request.placement.directionMethod);
-  return {{"method", method},
-          {"centre", triple(placement.frame.centre)},
-          {"normal", triple(placement.frame.normal)},
-          {"up", triple(placement.frame.up)},
-          {"eyeDistanceMm", placement.frame.eyeDistance},
-          {"bendMm", placement.bendMm},
-          {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
-          {"iterations", iterations}};
+  return {
+      {"method", method},
+      {"centre", triple(placement.frame.centre)},
+      {"normal", triple(placement.frame.normal)},
+      {"up", triple(placement.frame.up)},
+      {"eyeDistanceMm", placement.frame.eyeDistance},
+      {"bendMm", placement.bendMm},
+      {"aimToleranceDeg", request.code.isText() ? Json() : Json(aimToleranceDeg(placement.bendMm, placement.moduleMm))},
+      {"iterations", iterations}};
 }
 
 /// Describes the cost of the second colour. Waste is null where the printer changes no filaments.
@@ -93,16 +94,33 @@ Json describeColour(const EngraveResult& result) {
   return colour;
 }
 
-/// Describes the label as carved; null without one.
+/// Describes the label or the text alone as carved; null without either.
 Json describeLabel(const LabelOptions& label, const EngraveResult& result) {
   if (label.empty()) return nullptr;
-  Json described = {{"text", label.text},
-                    {"frame", labelFrameName(label.frame)},
-                    {"depthMm", result.label.depthMm},
-                    {"capitalMm", nullptr}};
-  if (const auto capitalMm = labelCapitalMm(label, result.symbol.size, result.placement.moduleMm))
-    described["capitalMm"] = *capitalMm;
-  return described;
+  const auto capitalMm = capitalMmOf(result);
+  return {{"text", label.text},
+          {"frame", labelFrameName(label.frame)},
+          {"depthMm", result.label.depthMm},
+          {"capitalMm", capitalMm ? Json(*capitalMm) : Json()},
+          {"strokeMm", capitalMm ? Json(thinnestStroke() * *capitalMm) : Json()}};
+}
+
+/// Describes the decoding of a code. Of a text alone nothing is decoded.
+Json describeReading(const EngraveRequest& request, const ReportContext& context) {
+  if (request.code.isText()) return {{"decoded", nullptr}, {"views", Json::array()}};
+  const ReadingEvidence& reading = context.reading;
+  return {{"decoded", context.verdict.reads.passed()},
+          {"text", reading.text},
+          {"reader", context.reader},
+          {"tries", reading.count.tries},
+          {"reads", reading.count.reads},
+          {"readsNeeded", reading.count.needed()},
+          {"views", Json::array({{{"light", request.lamps().empty() ? "sky" : "sky+lights"},
+                                  {"tiltDeg", 0},
+                                  {"picture", "simulated phone"},
+                                  {"tries", reading.count.tries},
+                                  {"reads", reading.count.reads},
+                                  {"read", context.verdict.reads.passed()}}})}};
 }
 
 /// Adds the grades of the luminance that the depth search ended with, not of a picture.
@@ -144,6 +162,11 @@ Json describeInlay(const EngraveResult& result) {
           {"modulesLeftOut", result.modulesLeftOut}};
 }
 
+Json describeDepthOfText(const EngraveResult& result) {
+  const DepthSummary depth = pocketDepths(result);
+  return {{"meanMm", depth.meanMm}, {"maxMm", depth.maxMm}, {"p95Mm", depth.p95Mm}};
+}
+
 Json describeTried(const ReportContext& context) {
   Json tried = Json::array();
   for (const TriedCarving& one : context.tried) {
@@ -180,19 +203,23 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   const SolidityReport& solid = result.solidity;
   Json report;
   report["qrelief"] = kVersion;
+  const bool isText = request.code.isText();
   report["text"] = request.code.text;
+  report["content"] = contentName(request.code.content);
   report["input"] = describeInput(model, result, context);
-  report["symbol"] = describeSymbol(result.symbol);
+  report["symbol"] = isText ? Json() : describeSymbol(result.symbol);
   report["projection"] = describeProjection(request, result.placement);
   report["size"] = {{"symbolMm", result.placement.symbolMm},
-                    {"moduleMm", result.placement.moduleMm},
+                    {"moduleMm", isText ? Json() : Json(result.placement.moduleMm)},
                     {"guaranteedMm", result.placement.guaranteedMm},
                     {"rotationDeg", result.placement.rotationDeg},
                     {"mode", sizeModeName(request.placement.sizeMode)}};
   addMark(report, request.marking.mark, result.markDepthMm, request.marking.ink);
-  report["depth"] = request.marking.isInColour() ? describeInlay(result) : describeDepth(request, result, context);
-  report["label"] = describeLabel(request.code.label, result);
-  report["mesh"] = {{"surface", surfaceModeName(request.depth.surface)},
+  report["depth"] = isText                         ? describeDepthOfText(result)
+                    : request.marking.isInColour() ? describeInlay(result)
+                                                   : describeDepth(request, result, context);
+  report["label"] = describeLabel(request.code.lettering(), result);
+  report["mesh"] = {{"surface", surfaceModeName(request.surface())},
                     {"triangles", solid.triangles},
                     {"vertices", solid.vertices},
                     {"keptTriangles", result.keptTriangles},
@@ -207,23 +234,11 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"volumeMm3", solid.volumeMm3}};
   report["colour"] = describeColour(result);
   report["tried"] = describeTried(context);
-  const ReadingEvidence& reading = context.reading;
-  report["verification"] = {{"decoded", context.verdict.reads.passed()},
-                            {"text", reading.text},
-                            {"reader", context.reader},
-                            {"tries", reading.count.tries},
-                            {"reads", reading.count.reads},
-                            {"readsNeeded", reading.count.needed()},
-                            {"views", Json::array({{{"light", request.lamps().empty() ? "sky" : "sky+lights"},
-                                                    {"tiltDeg", 0},
-                                                    {"picture", "simulated phone"},
-                                                    {"tries", reading.count.tries},
-                                                    {"reads", reading.count.reads},
-                                                    {"read", context.verdict.reads.passed()}}})},
-                            {"printed", describePrinted(context.printed)},
-                            {"failedChecks", describeMessages(context.verdict.failed(), context.wording)},
-                            {"verdict", describeVerdict(context.verdict, context.wording)}};
-  addGrades(report["verification"], request, result);
+  report["verification"] = describeReading(request, context);
+  report["verification"]["printed"] = describePrinted(context.printed);
+  report["verification"]["failedChecks"] = describeMessages(context.verdict.failed(), context.wording);
+  report["verification"]["verdict"] = describeVerdict(context.verdict, context.wording);
+  if (!isText) addGrades(report["verification"], request, result);
   report["verification"]["printability"] =
       describeMessages(printingWarnings(request, result, context), context.wording);
   report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}};

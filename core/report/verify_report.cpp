@@ -71,6 +71,8 @@ LabelOptions labelFrom(const Json& report) {
 Result<VerifyRequest> readRequest(const Json& report) {
   VerifyRequest request;
   request.text = report.at("text").get<std::string>();
+  if (report.value("content", std::string()) == contentName(Content::Text))
+    return badInput(message<"verify-text-alone">());
   const Json& projection = report.at("projection");
   request.frame = makeFrame(vectorFrom(projection.at("centre")), vectorFrom(projection.at("normal")),
                             vectorFrom(projection.at("up")), projection.at("eyeDistanceMm").get<double>());
@@ -83,11 +85,11 @@ Result<VerifyRequest> readRequest(const Json& report) {
                                              .maskRule = MaskRule::Fixed,
                                              .mask = symbol.at("mask").get<int>(),
                                              .eci = symbol.contains("eci") ? EciUse::Auto : EciUse::Never});
-  if (!encoded) return tl::unexpected(encoded.error());
+  QRELIEF_TRY(encoded);
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
-  if (!listed) return tl::unexpected(listed.error());
+  QRELIEF_TRY(listed);
   request.symbol = std::move(*listed);
-  if (const Status marked = readMark(report, request); !marked) return tl::unexpected(marked.error());
+  QRELIEF_TRY(readMark(report, request));
   request.label = labelFrom(report);
   if (const auto depth = report.find("depth"); depth != report.end())
     if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))

@@ -33,8 +33,7 @@ Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& l
                                             with::count<"max">(kMaxLights)));
   for (const DirectionalLight& lamp : lamps)
     for (const LampPart& part : lampParts())
-      if (const Status checked = checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max); !checked)
-        return checked;
+      QRELIEF_TRY(checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max));
   return {};
 }
 
@@ -51,6 +50,10 @@ Status checkTogether(const EngraveRequest& request) {
     return fail(ErrorKind::BadUsage, message<"colours-too-alike">(with::number<"dark">(request.marking.ink.dark),
                                                                   with::number<"light">(request.marking.ink.light),
                                                                   with::number<"least">(kLeastInkContrast)));
+  if (request.code.isText() && !request.code.label.text.empty())
+    return fail(ErrorKind::BadUsage,
+                message<"text-alone-has-label">(with::setting<"label">("label"), with::setting<"content">("content"),
+                                                with::choice<"value">("content", contentName(Content::Text))));
   if (request.isForOneLight() && request.lamps().size() > 1)
     return fail(ErrorKind::BadUsage,
                 message<"one-light-has-several">(with::setting<"objective">("objective"),
@@ -69,8 +72,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 Status checkValue(const Setting& setting, const SettingValue& value) {
   if (const double* n = std::get_if<double>(&value); n && setting.takesNumber()) {
-    if (const Status checked = checkNumber(setting.key, setting.unit, *n, setting.min, setting.max); !checked)
-      return checked;
+    QRELIEF_TRY(checkNumber(setting.key, setting.unit, *n, setting.min, setting.max));
     if (setting.isWhole && *n != std::floor(*n))
       return fail(ErrorKind::BadUsage,
                   message<"setting-not-whole">(with::setting<"setting">(setting.key), with::number<"value">(*n)));
@@ -91,9 +93,8 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
 }
 
 Status checkSettings(const EngraveRequest& request) {
-  for (const Setting& setting : settings())
-    if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
-  if (const Status together = checkTogether(request); !together) return together;
+  for (const Setting& setting : settings()) QRELIEF_TRY(checkValue(setting, setting.read(request)));
+  QRELIEF_TRY(checkTogether(request));
   if (!request.print.process) return {};
   const auto process = processOf(request.print.printer);
   return process ? Status() : tl::unexpected(process.error());

@@ -46,13 +46,27 @@ enum class CarveFor : std::uint8_t {
   Print    ///< the printed surface, too: pipeline/contrast_for_print.h
 };
 
-/// The text and how it becomes a symbol.
+/// What the text becomes.
+enum class Content : std::uint8_t {
+  Code,  ///< a QR code
+  Text   ///< letters; each line of the text is a line of letters
+};
+
+/// Returns "code" or "text".
+const char* contentName(Content content);
+
+/// The text and how it becomes a symbol or letters.
 struct CodeRequest {
   std::string text;  ///< UTF-8, not empty
-  SymbolOptions symbol;
+  Content content = Content::Code;
+  SymbolOptions symbol;                             ///< this and the patterns have no effect on Content::Text
   std::optional<ModulePattern> modulePattern = {};  ///< none: see pipeline/default_patterns.h
   std::optional<FinderPattern> finderPattern = {};  ///< none: the same
-  LabelOptions label;                               ///< text under the code and frame round it
+  LabelOptions label;  ///< text under the code, only for Content::Code, and frame round either
+
+  bool isText() const { return content == Content::Text; }
+  /// Returns the letters and the frame to make.
+  LabelOptions lettering() const { return isText() ? LabelOptions{text, label.frame, true} : label; }
 
   bool operator==(const CodeRequest&) const = default;
 };
@@ -116,18 +130,24 @@ struct EngraveRequest {
   DepthRequest depth;
   PrinterRequest print;
 
-  bool isForOneLight() const { return !marking.isInColour() && depth.objective == DepthObjective::OneLight; }
+  /// Returns true if the light decides the depths: neither colours nor letters need it.
+  bool needsLight() const { return !marking.isInColour() && !code.isText(); }
+
+  bool isForOneLight() const { return needsLight() && depth.objective == DepthObjective::OneLight; }
 
   bool isForPrint() const {
-    return !marking.isInColour() && depth.carveFor == CarveFor::Print && print.process && depth.lights.empty() &&
+    return needsLight() && depth.carveFor == CarveFor::Print && print.process && depth.lights.empty() &&
            depth.objective == DepthObjective::Contrast && depth.solver == ContrastSolver::Fast;
   }
 
   /// Returns the lamps that the code is carved for and judged under.
   std::vector<DirectionalLight> lamps() const {
-    if (marking.isInColour()) return {};
+    if (!needsLight()) return {};
     return isForOneLight() && depth.lights.empty() ? std::vector{kOneLight} : depth.lights;
   }
+
+  /// Returns the treatment of the facets under the code.
+  SurfaceMode surface() const { return needsLight() ? depth.surface : SurfaceMode::Preserved; }
 
   /// Returns the reflectance of the model's material.
   float surfaceAlbedo() const { return marking.isInColour() ? static_cast<float>(marking.ink.light) : depth.albedo; }

@@ -144,6 +144,13 @@ Setting text() {
   return setting;
 }
 
+Setting content() {
+  Setting setting = choice(
+      "content", "symbol", [](auto& r) -> auto& { return r.code.content; },
+      [] { return namesOf(2, [](int i) { return contentName(static_cast<Content>(i)); }); });
+  return setting;
+}
+
 Setting label() {
   Setting setting = made("label", "making", Kind::Text);
   setting.read = [](const R& r) -> V { return r.code.label.text; };
@@ -359,6 +366,7 @@ std::vector<Setting> makeSettings() {
   const auto mm = Unit::Millimetre;
   return {
       text(),
+      content(),
       errorCorrection(),
       optionalNumber(
           "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.code.symbol.version; }),
@@ -454,6 +462,8 @@ void apply(const SettingChange& change, EngraveRequest& request) {
   assert(value);
   setting->write(request, *value);
 }
+
+const char* contentName(Content content) { return content == Content::Code ? "code" : "text"; }
 
 const char* depthObjectiveName(DepthObjective objective) {
   constexpr std::array<const char*, 2> kNames = {"contrast", "one-light"};

@@ -39,8 +39,8 @@ bool isSmaller(const CodeRequest& a, const CodeRequest& b) {
 EngravePlan::EngravePlan(EngraveRequest request, Options options)
     : options_(std::move(options)),
       asked_(std::move(request)),
-      looksAtPrint_(options_.looksAtPrint && asked_.print.process),
-      isMarkOpen_(asked_.marking.isOpen),
+      looksAtPrint_(options_.looksAtPrint && asked_.print.process && !asked_.code.isText()),
+      isMarkOpen_(asked_.marking.isOpen && !asked_.code.isText()),
       step_(options_.mayMove ? Step::Place : Step::Carve),
       kept_{0, asked_},
       current_{0, asked_},
@@ -120,6 +120,7 @@ void EngravePlan::capitalise(CodeRequest& code, std::vector<SettingChange>& chan
 
 /// Adds the changes to this error correction and to capitals. @returns false if the symbol is then no smaller
 bool EngravePlan::shrinkSymbol(ErrorCorrection correction, std::vector<SettingChange>& changes) const {
+  if (asked_.code.isText()) return false;
   EngraveRequest request = asked_;
   for (const SettingChange& change : changes) apply(change, request);
   CodeRequest code = request.code;
@@ -183,7 +184,7 @@ bool EngravePlan::tryOtherMark() {
 
 /// Carves the next of the other marks to offer it, until one passes.
 bool EngravePlan::tryOffer() {
-  if (!options_.offersMarks || !fails() || isMarkOpen_ || asked_.marking.isInColour() || !isOpen("mark")) return false;
+  if (!options_.offersMarks || !fails() || isMarkOpen_ || !asked_.needsLight() || !isOpen("mark")) return false;
   if (passedOffer(tried_) || marksTried_ == options_.otherMarks.size()) return false;
   carveAnew(Phase::Offer, {{"mark", std::string(markName(options_.otherMarks[marksTried_++]))}});
   return true;

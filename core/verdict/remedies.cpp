@@ -105,6 +105,17 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   return remedies;
 }
 
+std::vector<Remedy> textRemedies(const EngraveRequest& request, const EngraveResult& result, double growth,
+                                 bool isForPrint) {
+  const Printer& printer = request.print.printer;
+  std::vector<Remedy> remedies;
+  addLargerCode(request, result, growth * result.placement.moduleMm, remedies);
+  if (isForPrint && printer.technique == PrintTechnique::Filament && !printer.lineWidthMm)
+    addFinerNozzle(printer.nozzleMm / growth, request, remedies);
+  remedies.push_back(anotherSpot());
+  return remedies;
+}
+
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
   if (request.marking.isInColour()) return inkPrintingRemedies(request, result);
   const CarvedFeatures features = featuresOf(result);

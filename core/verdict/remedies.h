@@ -17,6 +17,12 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
 ///                    prints read at least barely (bench/printing)
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted);
 
+/// Returns remedies for a text alone whose letters are too small: a larger text, a finer nozzle, another place.
+/// @param growth      factor by which the letters must grow, > 1
+/// @param isForPrint  a finer nozzle helps, too
+std::vector<Remedy> textRemedies(const EngraveRequest& request, const EngraveResult& result, double growth,
+                                 bool isForPrint);
+
 /// Returns the remedy "choose another spot".
 Remedy anotherSpot();
 

@@ -11,7 +11,9 @@
 #include "pipeline/verify.h"
 #include "printing/build_direction.h"
 #include "verdict/ink_advice.h"
+#include "verdict/print_words.h"
 #include "verdict/remedies.h"
+#include "verdict/text_verdict.h"
 #include "verification/grades.h"
 #include "verification/printability.h"
 
@@ -104,29 +106,6 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected,
         message<"correction-left">(with::fraction<"left">(std::max(0.0, grades->unusedCorrection.value))));
   if (weak) aspect.reasons.push_back(message<"graded-weak">());
   return aspect;
-}
-
-/// Describes how a code faces in the printer, for use within a sentence.
-Message facing(double facingDeg) {
-  constexpr double kFacingDeg = 15;
-  if (facingDeg <= kFacingDeg) return message<"facing-up">();
-  if (std::abs(facingDeg - 90) <= kFacingDeg) return message<"facing-aside">();
-  return facingDeg < 90 ? message<"facing-slanted">(with::angleDeg<"angle">(std::round(facingDeg)))
-                        : message<"facing-down">(with::angleDeg<"angle">(std::round(facingDeg)));
-}
-
-/// Describes how a code is printed, for use within a sentence.
-Message printing(const Printer& printer) {
-  switch (printer.technique) {
-    case PrintTechnique::Filament:
-      break;
-    case PrintTechnique::Resin:
-      return message<"printed-in-resin">(with::lengthMm<"layer">(printer.layerMm));
-    case PrintTechnique::Powder:
-      return message<"printed-in-powder">(with::lengthMm<"layer">(printer.layerMm));
-  }
-  return message<"printed-by-nozzle">(with::lengthMm<"nozzle">(printer.nozzleMm),
-                                      with::lengthMm<"layer">(printer.layerMm));
 }
 
 /// Judges whether a code prints.
@@ -279,8 +258,11 @@ SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result
       request.marking.isInColour() ? request.marking.ink.light : static_cast<double>(request.depth.albedo));
 }
 
-Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
-              const PrintedEvidence* printed) {
+namespace {
+
+/// Judges whether a carved code reads and prints.
+Verdict judgeCode(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
+                  const PrintedEvidence* printed) {
   const SymbolGrades grades = gradesOf(request, result);
   Verdict verdict;
   verdict.reads = judgeReading(
@@ -309,6 +291,18 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
     addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.print.printer));
   if (verdict.prints.level != Level::Good)
     verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
+  return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
+              const PrintedEvidence* printed) {
+  Verdict verdict;
+  if (request.code.isText())
+    verdict = {judgeLegibility(request, result), judgeStrokes(request, result), {}};
+  else
+    verdict = judgeCode(request, result, reading, printed);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
   if (result.inlay)
     for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)
@@ -356,7 +350,7 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
 
 std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,
                                              const PrintedEvidence* printed) {
-  if (request.marking.isInColour()) return std::nullopt;  // depth does not make ink darker
+  if (!request.needsLight()) return std::nullopt;  // depth does not make ink darker, or letters larger
   const bool reads = verdict.reads.passed();
   if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
     return std::nullopt;

@@ -60,6 +60,7 @@ struct PrintedEvidence {
 /// report and the page all use it.
 ///
 /// A code in colour is judged by the same rules, as ink: by ISO/IEC 15415, and with warnings about its colours.
+/// A text alone is not decoded: it reads if its letters are large, and prints if the printer makes their strokes.
 ///
 /// - The code reads if at least ReadingCount::needed() tries succeed; in `verify`, also no try may give another text.
 ///   It barely reads if fewer succeed, or if a verifier would grade it F (ISO/IEC 29158).

@@ -171,10 +171,13 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
   return features;
 }
 
-std::optional<Message> adviseLabel(double capitalMm, const Printer& printer) {
+double finestStrokeMm(const Printer& printer) {
   const auto process = processOf(printer);
-  if (!process) return std::nullopt;
-  const double leastMm = leastCapitalMm(std::max(2 * process->cornerRadiusMm, process->finestMm));
+  return process ? std::max(2 * process->cornerRadiusMm, process->finestMm) : 0;
+}
+
+std::optional<Message> adviseLabel(double capitalMm, const Printer& printer) {
+  const double leastMm = leastCapitalMm(finestStrokeMm(printer));
   if (capitalMm >= leastMm - kRoundingMm) return std::nullopt;
   return message<"label-too-small">(with::lengthMm<"height">(capitalMm), with::lengthMm<"least">(leastMm));
 }

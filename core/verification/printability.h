@@ -37,6 +37,9 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
 /// @param minWallMm  material that should stay behind every floor
 std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
 
+/// Returns the width of the finest stroke of a letter that the printer makes, mm; 0 for an impossible printer.
+double finestStrokeMm(const Printer& printer);
+
 /// Returns a warning about a label whose strokes are thinner than the printer's line; none if there is no cause.
 /// @param capitalMm  height of its capitals
 std::optional<Message> adviseLabel(double capitalMm, const Printer& printer);

@@ -137,9 +137,9 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
                                     const ReaderViewOptions& options,
                                     std::shared_ptr<const LuminancePrograms> programs) {
   auto maps = pass.render(mesh, frame, {options.extentMm, options.texels});
-  if (!maps) return tl::unexpected(maps.error());
+  QRELIEF_TRY(maps);
   const auto around = pass.render(mesh, frame, surroundingsOf(maps->window, frame, mesh.box()));
-  if (!around) return tl::unexpected(around.error());
+  QRELIEF_TRY(around);
   const LuminanceOptions light{.cellTexels = 1,
                                .sampling = {1, 3},
                                .turnSlices = true,
@@ -151,7 +151,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
                                .albedo = options.albedo,
                                .lights = options.lights};
   auto luminancePass = LuminancePass::create(*maps, &*around, frame.eyeDistance, light, std::move(programs));
-  if (!luminancePass) return tl::unexpected(luminancePass.error());
+  QRELIEF_TRY(luminancePass);
   luminancePass->run();
   std::vector<float> luminance = luminancePass->readLuminance();
   const std::vector<float> surface = maps->framebuffer.readRgba(0);

@@ -131,7 +131,7 @@ Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint
   findDuplicates(mesh, edges, report);
   report.volumeMm3 = signedVolume(mesh);
   const auto crossings = findSelfIntersections(mesh, suspects);
-  if (!crossings) return tl::unexpected(crossings.error());
+  QRELIEF_TRY(crossings);
   report.selfIntersections = crossings->size();
   if (!crossings->empty())
     report.selfIntersectionAt = (middleOf(mesh, crossings->front()[0]) + middleOf(mesh, crossings->front()[1])) / 2.0;

@@ -42,6 +42,12 @@ export const kOfTheParts = {
     await at('batch-text').fill('{n}');
     await expect(at('code-state')).toHaveText(/^7 parts, version 1,/);
   },
+  content: async ({ at }) => {
+    await at('content').selectOption('text');
+    await expect(at('code-state')).toHaveText('7 parts');
+    await at('content').selectOption('code');
+    await expect(at('code-state')).toHaveText(/^7 parts, version 1,/);
+  },
   'batch-files': async ({ at }) => {
     await at('batch-files').selectOption('plates');
     await expect(at('code-state')).toHaveText(/^7 parts on 1 plate, version 1,/);

@@ -10,6 +10,7 @@ console.log(`${model}: ${sizeMm.join(' × ')} mm, ${engravable ? 'a solid' : 'no
 const { rows, version, modules, problems } = planner.planBatch(await readFile(list));
 if (problems.length > 0) throw new Error(problems.map((problem) => sentence(problem)).join(' '));
 const { settings } = planner.batchRow(0);
-const { ecc, leastModuleMm } = planner.symbol(settings);
-const leastMm = (leastModuleMm ?? 0) * (modules ?? 0);
-console.log(`${rows} codes of version ${version}, level ${ecc}, at least ${leastMm.toFixed(1)} mm wide`);
+const symbol = planner.symbol(settings);
+if ('letters' in symbol) throw new Error('the list asks for texts without codes');
+const leastMm = (symbol.leastModuleMm ?? 0) * (modules ?? 0);
+console.log(`${rows} codes of version ${version}, level ${symbol.ecc}, at least ${leastMm.toFixed(1)} mm wide`);

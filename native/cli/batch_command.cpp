@@ -32,7 +32,7 @@ constexpr std::size_t kMostNumber = 1'000'000'000'000;  // of a row
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
   if (path == "-") return readText(std::cin, kMostLineBytes);
   Result<std::ifstream> stream = openFile(path);
-  if (!stream) return tl::unexpected(stream.error());
+  QRELIEF_TRY(stream);
   return readText(*stream, kMostLineBytes);
 }
 
@@ -41,7 +41,7 @@ Result<BatchList> listOf(const BatchOptions& options) {
   if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message<"batch-list-or-count">());
   if (options.count > 0) return countedBatchList(options.count);
   const auto bytes = readList(options.list);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   return readBatchList(*bytes);
 }
 
@@ -233,7 +233,7 @@ int runRows(const BatchOptions& options, const GivenShard& share, const BatchReq
 Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_t number,
                        std::set<std::string>& warned) {
   auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
-  if (!list) return tl::unexpected(list.error());
+  QRELIEF_TRY(list);
   request.firstNumber = number;
   const BatchPlan plan = BatchPlan::make(std::move(*list), request);
   if (!plan.problems().empty()) return badInput(plan.problems().front());

@@ -52,10 +52,10 @@ Status BatchRun::use(const std::string& model, const EngraveRequest& first) {
   ModelFlags flags = options_->model;
   flags.path = modelPath(*options_, model);
   const auto hash = sha256OfFile(flags.path);
-  if (!hash) return tl::unexpected(hash.error());
+  QRELIEF_TRY(hash);
   input_ = *hash;
   auto loaded = loadEngravable(flags);
-  if (!loaded) return tl::unexpected(loaded.error());
+  QRELIEF_TRY(loaded);
   partNames_ = loaded->partNames;
   report_.fileName = fileNameOf(flags.path);
   report_.format = loaded->format;
@@ -67,7 +67,7 @@ Status BatchRun::use(const std::string& model, const EngraveRequest& first) {
   engraver_.reset();
   model_ = EngravableModel::create(std::move(loaded->prepared), graphics_->pass);
   auto engraver = Engraver::create(model_);
-  if (!engraver) return tl::unexpected(engraver.error());
+  QRELIEF_TRY(engraver);
   engraver_.emplace(std::move(*engraver));
   hasToldMoved_ = false;
   if (!places_.contains(model)) {
@@ -89,7 +89,7 @@ Result<BatchRun::Made> BatchRun::refuse(std::vector<BatchRow> rows, const Messag
   for (ManifestEntry& entry : result.entries) {
     entry.status = RowStatus::Failed;
     entry.reason = sentenceAndHint(why);
-    if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
+    QRELIEF_TRY(folder_.append(entry));
   }
   return result;
 }
@@ -114,10 +114,8 @@ Result<BatchRun::Made> BatchRun::make(std::vector<BatchRow> rows, const std::str
       entry = known.entry;
     }
   }
-  if (result.isNew)
-    if (const Status carved = carveAll(unit, result.entries); !carved) return tl::unexpected(carved.error());
-  for (const ManifestEntry& entry : result.isNew ? result.entries : changed)
-    if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
+  if (result.isNew) QRELIEF_TRY(carveAll(unit, result.entries));
+  for (const ManifestEntry& entry : result.isNew ? result.entries : changed) QRELIEF_TRY(folder_.append(entry));
   return result;
 }
 
@@ -147,8 +145,8 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
   const std::vector<ModelObject> objects = onPlate(std::move(copies));
   if (objects.empty()) return {};
   const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, options_->fileFlags.writeOptions(unit.plate));
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (const Status written = writeFileAtomically(folder_.pathOf(unit.plate), *bytes); !written) return written;
+  QRELIEF_TRY(bytes);
+  QRELIEF_TRY(writeFileAtomically(folder_.pathOf(unit.plate), *bytes));
   for (ManifestEntry& entry : entries)
     if (entry.status == RowStatus::Done) (unit.hasOwnFiles ? entry.sha256.plate : entry.sha256.output) = sha256(*bytes);
   return {};
@@ -171,18 +169,15 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   if (isFiled()) {
     const auto encoded = encodeCarved(model_->prepared, engraved->result, row.file, partNames_,
                                       options_->fileFlags.writeOptions(row.id));
-    if (!encoded) return tl::unexpected(encoded.error());
+    QRELIEF_TRY(encoded);
     tellNotKept(encoded->notKept);
     for (const NamedFile& file : encoded->files) {
-      if (const Status written = writeFileAtomically(folder_.pathOf(file.name), file.bytes); !written)
-        return tl::unexpected(written.error());
+      QRELIEF_TRY(writeFileAtomically(folder_.pathOf(file.name), file.bytes));
       (file.name == row.file ? entry.sha256.output : entry.sha256.second) = sha256(file.bytes);
       if (file.name != row.file) entry.second = file.name;
     }
   }
-  if (options_->reports)
-    if (const Status written = writeReport(row, *engraved, millisecondsSince(start)); !written)
-      return tl::unexpected(written.error());
+  if (options_->reports) QRELIEF_TRY(writeReport(row, *engraved, millisecondsSince(start)));
   return engraved;
 }
 

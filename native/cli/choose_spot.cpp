@@ -21,7 +21,7 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
     return bestSpot(std::move(model), request,
                     {.scaleToMm = scaleToMm, .tell = [&](const Progress& progress) { bar.show(progress); }});
   }();
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   request.placement = placedAt(*spot, request.placement);
   printSpot(spot->centreMm, scaleToMm, to);
   return {};

@@ -61,9 +61,11 @@ Status checkFiles(const EngraveOptions& options) {
 
 Status completeRequest(EngraveOptions& options) {
   auto request = options.flags.request();
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   options.request = std::move(*request);
-  if (const Status writable = options.file.check(options.output); !writable) return writable;
+  QRELIEF_TRY(options.file.check(options.output));
+  if (options.request.code.isText() && !options.preview.empty())
+    return fail(ErrorKind::BadUsage, message<"text-has-no-preview">());
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
   const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
@@ -81,14 +83,13 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
   const auto writing = Clock::now();
   const auto encoded = encodeCarved(model.prepared, result, options.output, partNames,
                                     options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
-  if (!encoded) return tl::unexpected(encoded.error());
+  QRELIEF_TRY(encoded);
   if (encoded->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded->notKept)), {});
-  for (const NamedFile& file : encoded->files)
-    if (const Status written = writeFileAtomically(file.name, file.bytes); !written) return written;
+  for (const NamedFile& file : encoded->files) QRELIEF_TRY(writeFileAtomically(file.name, file.bytes));
   if (!options.preview.empty()) {
     const auto png = encodePng(result.readerView.clean);
-    if (!png) return tl::unexpected(png.error());
-    if (const Status written = writeFileAtomically(options.preview, *png); !written) return written;
+    QRELIEF_TRY(png);
+    QRELIEF_TRY(writeFileAtomically(options.preview, *png));
   }
   context.writeMs = millisecondsSince(writing);
   context.totalMs = millisecondsSince(start);
@@ -99,13 +100,17 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
 std::string depthInWords(const EngraveResult& result) {
   if (result.request.marking.mark == Mark::Paint) return "painted";
   if (result.request.marking.mark == Mark::Inlay) return fmt::format("an inlay {:.2g} mm deep", result.markDepthMm);
-  const DepthSummary depth = summarise(result.depths);
+  const DepthSummary depth = pocketDepths(result);
+  if (result.request.code.isText()) return fmt::format("{:.2g} mm deep", depth.maxMm);
   return fmt::format("{:.2g} mm deep on average, {:.2g} mm at most", depth.meanMm, depth.maxMm);
 }
 
 void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
-  fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
-             result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
+  if (result.request.code.isText())
+    fmt::print("{}: text, {:.4g} mm across, {}\n", options.output, result.placement.symbolMm, depthInWords(result));
+  else
+    fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
+               result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
   if (const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules; atLimit > 0)
     fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
   const ReadingEvidence& reading = context.reading;
@@ -113,7 +118,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
     for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
-    const bool foundOut = aspect == &context.verdict.prints && context.printed;
+    const bool foundOut = aspect != &context.verdict.solid &&
+                          (result.request.code.isText() || (aspect == &context.verdict.prints && context.printed));
     if (!foundOut && (aspect->level == Level::Good || !aspect->passed())) continue;
     fmt::print("{}\n", sentence(aspect->summary));
     for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
@@ -122,7 +128,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 
 /// Prints what was carved instead, if the code could not be carved or did not decode as requested.
 void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
-  constexpr const char* kNot = "the code or its print did not decode reliably";
+  const char* const kNot = asked.code.isText() ? "the strokes of the text were thinner than the printer makes them"
+                                               : "the code or its print did not decode reliably";
   std::string flags;
   for (const SettingChange& change : carved.tried[static_cast<std::size_t>(carved.attempt)].changes) {
     if (change.setting == "mark")
@@ -146,7 +153,7 @@ Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, c
     apply(other, changed);
     ProgressBar bar(options.quiet);
     const auto carved = engraver.engraveOnce(changed, [&](const Progress& progress) { bar.show(progress); });
-    if (!carved) return tl::unexpected(carved.error());
+    QRELIEF_TRY(carved);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
                triedPrint(carved->verdict.prints, *carved->printed));
   }
@@ -156,6 +163,7 @@ Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, c
 /// Prints advice on the text before it is carved.
 void tellOfText(const EngraveOptions& options) {
   const CodeRequest& code = options.request.code;
+  if (code.isText()) return;
   for (const TextAdvice& advice : adviseText(code.text))
     if (advice.severity == TextAdvice::Severity::Warning)
       printWarning(advice.message, {});
@@ -226,7 +234,7 @@ int engraveModel(EngraveOptions& options) {
 
 std::function<int()> addEngraveCommand(CLI::App& app) {
   auto o = std::make_shared<EngraveOptions>();
-  CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
+  CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code, or a text");
   addModelFlags(*c, o->model);
   o->flags.add(*c, "text").required();
   c->add_option("-o", o->output, "engraved model in mm: .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);

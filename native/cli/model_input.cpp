@@ -17,13 +17,13 @@ void addModelFlags(CLI::App& command, ModelFlags& flags) {
 Result<ModelInput> loadModel(const ModelFlags& flags) {
   const auto start = Clock::now();
   const auto scale = scaleFrom(flags.scale, flags.units);
-  if (!scale) return tl::unexpected(scale.error());
+  QRELIEF_TRY(scale);
   const Result<RepairOptions> repair = repairOptionsFrom(flags.repair);
-  if (!repair) return tl::unexpected(repair.error());
+  QRELIEF_TRY(repair);
   const auto bytes = readFile(flags.path);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   auto soup = readModel(*bytes, flags.path);
-  if (!soup) return tl::unexpected(soup.error());
+  QRELIEF_TRY(soup);
   ModelInput input;
   input.format = soup->format;
   input.warnings = soup->warnings;
@@ -33,7 +33,7 @@ Result<ModelInput> loadModel(const ModelFlags& flags) {
 
   const auto preparing = Clock::now();
   auto prepared = prepareModel(*soup, {.scaleToMm = input.scaleToMm, .repair = *repair});
-  if (!prepared) return tl::unexpected(prepared.error());
+  QRELIEF_TRY(prepared);
   input.prepared = std::move(*prepared);
   input.prepareMs = millisecondsSince(preparing);
   return input;
@@ -46,7 +46,7 @@ Result<ModelInput> loadEngravable(const ModelFlags& flags) {
   for (const Message& warning : input->warnings) printWarning(warning, file);
   for (const Finding& finding : input->prepared.findings)
     if (finding.severity == Finding::Severity::Warning) printWarning(finding.message, file);
-  if (const Status engravable = input->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  QRELIEF_TRY(input->prepared.engravable());
   return input;
 }
 

@@ -70,8 +70,7 @@ Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> ou
                                                                  with::term<"path">(output.path)));
   }
   for (const FileUse& output : outputs)
-    if (!output.path.empty())
-      if (const Status writable = checkFolder(output.path); !writable) return writable;
+    if (!output.path.empty()) QRELIEF_TRY(checkFolder(output.path));
   return {};
 }
 

@@ -16,6 +16,8 @@
 #include "native/files.h"
 #include "native/graphics.h"
 #include "pipeline/default_patterns.h"
+#include "pipeline/label_pockets.h"
+#include "pipeline/requested_symbol.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
 #include "verification/printability.h"
@@ -33,6 +35,12 @@ struct PlaceOptions {
   SettingFlags flags;
   bool quiet = false;
   SpotSearchRequest request;
+  std::optional<double> capitalModules;  // of a text alone: height of its capitals
+
+  /// Returns the height of the capitals of a text of this size, mm.
+  std::optional<double> capitalMm(double sizeMm) const {
+    return capitalModules ? std::optional(*capitalModules * sizeMm / request.modules) : std::nullopt;
+  }
 };
 
 std::string joined(Vec3 v, int decimals) {
@@ -43,18 +51,21 @@ Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Status completeRequest(PlaceOptions& options) {
   auto engraving = options.flags.request();
-  if (!engraving) return tl::unexpected(engraving.error());
+  QRELIEF_TRY(engraving);
   SpotSearchRequest& request = options.request;
-  const std::string shortest = "1";  // if only the version is known
-  if (engraving->code.text.empty() && !engraving->code.symbol.version) engraving->code.symbol.version = 1;
-  const auto symbol =
-      encodeSymbol(engraving->code.text.empty() ? shortest : engraving->code.text, engraving->code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
-  if (const auto process = processOf(engraving->print.printer); !process) return tl::unexpected(process.error());
+  CodeRequest& code = engraving->code;
+  if (code.text.empty() && !code.isText()) {
+    if (!code.symbol.version) code.symbol.version = 1;
+    code.text = "1";  // if only the version is known
+  }
+  const auto symbol = requestedSymbol(code);
+  QRELIEF_TRY(symbol);
+  QRELIEF_TRY(processOf(engraving->print.printer));
   SpotSearchRequest search = spotSearchFor(*engraving, *symbol);
   search.count = request.count;
   search.views = request.views;
   request = search;
+  if (code.isText()) options.capitalModules = labelCapitalMm(code.lettering(), symbol->size, 1);
   return {};
 }
 
@@ -70,7 +81,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                    {"scaleToMm", input.scaleToMm}};
   json["parameters"] = {{"sizeMm", isFixed ? Json(request.placement.sizeMm) : Json(nullptr)},
                         {"maxSizeMm", request.placement.maxSizeMm},
-                        {"modules", request.modules},
+                        {"modules", options.capitalModules ? Json() : Json(request.modules)},
                         {"quietZone", request.placement.quietZone},
                         {"direction", valueText(*options.flags.value("direction"))},
                         {"eyeDistanceMm", request.placement.eyeDistanceMm},
@@ -100,7 +111,8 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},
                              {"prints", spot.prints},
-                             {"aimToleranceDeg", spot.aimToleranceDeg},
+                             {"capitalMm", options.capitalModules ? Json(*options.capitalMm(spot.symbolMm)) : Json()},
+                             {"aimToleranceDeg", options.capitalModules ? Json() : Json(spot.aimToleranceDeg)},
                              {"distanceVarianceMm2", spot.quality.varianceMm2},
                              {"worstAngleDeg", spot.quality.worstAngleDeg}});
   return json;
@@ -109,17 +121,18 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
 /// Returns the name of a body, to follow its number; empty if it has none.
 std::string quotedName(const Body& body) { return body.name.empty() ? "" : fmt::format(" (\"{}\")", body.name); }
 
-void printSpots(const SpotSearchResult& result, std::span<const Body> bodies, double scaleToMm) {
+void printSpots(const PlaceOptions& options, const SpotSearchResult& result, std::span<const Body> bodies,
+                double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const Spot& spot = result.spots[i];
-    fmt::print(
-        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at every rotation), worst angle {:.0f}°, decodes from up to "
-        "{:.0f}° off "
-        "axis\n",
-        i + 1, joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
-        spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
-        std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
-        std::floor(spot.aimToleranceDeg));
+    const double largestMm = std::floor(spot.largestMm * 100) / 100;
+    const auto capitalMm = options.capitalMm(largestMm);
+    fmt::print("{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at every rotation), worst angle {:.0f}°, {}\n", i + 1,
+               joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
+               spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
+               largestMm, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
+               capitalMm ? fmt::format("capitals up to {:.3g} mm high", *capitalMm)
+                         : fmt::format("decodes from up to {:.0f}° off axis", std::floor(spot.aimToleranceDeg)));
     if (bodies.size() > 1)
       fmt::print("   on body {} of {}{}\n", spot.body + 1, bodies.size(), quotedName(bodies[spot.body]));
     if (spot.colourLayers > 0) fmt::print("   about {} layers with both colours\n", spot.colourLayers);
@@ -144,7 +157,7 @@ int findSpots(PlaceOptions& options) {
   if (!job) return printError(job.error(), file);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
   const SpotSearchResult result = (*job)->takeResult();
-  printSpots(result, model->prepared.bodies, input->scaleToMm);
+  printSpots(options, result, model->prepared.bodies, input->scaleToMm);
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: found {} of {} spots\n", file, result.spots.size(),
                options.request.count);
@@ -163,7 +176,7 @@ int findSpots(PlaceOptions& options) {
 std::function<int()> addPlaceCommand(CLI::App& app) {
   auto o = std::make_shared<PlaceOptions>();
   SpotSearchRequest& request = o->request;
-  CLI::App* c = app.add_subcommand("place", "Find the best spots for a QR code; each is tested");
+  CLI::App* c = app.add_subcommand("place", "Find the best spots for a QR code or a text; each is tested");
   addModelFlags(*c, o->model);
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))
       ->check(CLI::Range(std::size_t{1}, kMaxSpots));

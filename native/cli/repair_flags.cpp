@@ -50,9 +50,9 @@ Result<RepairOptions> repairOptionsFrom(const RepairFlags& flags) {
     if (step == "crossings") options.untangle = false;
   }
   const auto tolerance = millimetresOrAuto(flags.weldTolerance, "--weld-tolerance");
-  if (!tolerance) return tl::unexpected(tolerance.error());
+  QRELIEF_TRY(tolerance);
   const auto maxHole = millimetresOrAuto(flags.maxHole, "--max-hole");
-  if (!maxHole) return tl::unexpected(maxHole.error());
+  QRELIEF_TRY(maxHole);
   options.weldToleranceMm = *tolerance;
   options.maxHoleMm = *maxHole;
   return options;

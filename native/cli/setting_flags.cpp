@@ -90,7 +90,7 @@ Result<SettingValue> SettingFlags::value(std::string_view key) const {
   if (setting.kind == Kind::Vector) texts = {fmt::format("{}", fmt::join(texts, ","))};
   auto value = valueFromText(setting, texts);
   if (!value) return value;
-  if (const Status checked = checkValue(setting, *value); !checked) return tl::unexpected(checked.error());
+  QRELIEF_TRY(checkValue(setting, *value));
   return value;
 }
 
@@ -99,7 +99,7 @@ Result<EngraveRequest> SettingFlags::request() const {
   for (const Setting& setting : settings()) {
     if (!isGiven(setting.key)) continue;
     const auto parsed = value(setting.key);
-    if (!parsed) return tl::unexpected(parsed.error());
+    QRELIEF_TRY(parsed);
     setting.write(request, *parsed);
   }
   return request;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <string_view>
 
 #include "message_codes/command.h"
 #include "settings/engrave_request.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr std::array kOfShadows = {"preset",   "keepPreset", "pattern", "finderPattern", "contrast",
                                    "carveFor", "objective",  "solver",  "maxDepthMm",    "light",
                                    "albedo",   "surface",    "inlay"};
+constexpr std::array kOfCodes = {"ecc", "version", "mask", "eci", "quietZone"};
 constexpr std::array kOfColours = {"markDepthMm", "darkReflectance", "lightReflectance"};
 
 }  // namespace
@@ -21,7 +23,13 @@ constexpr std::array kOfColours = {"markDepthMm", "darkReflectance", "lightRefle
 std::vector<Message> unusedFlags(const SettingFlags& flags, const EngraveRequest& request) {
   std::vector<Message> unused;
   const MarkRequest& marking = request.marking;
-  if (marking.isInColour()) {
+  if (request.code.isText()) {
+    for (const char* key : kOfCodes)
+      if (flags.isGiven(key)) unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
+    for (const char* key : kOfShadows)
+      if (flags.isGiven(key) && key != std::string_view("inlay"))
+        unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
+  } else if (marking.isInColour()) {
     for (const char* key : kOfShadows)
       if (flags.isGiven(key))
         unused.push_back(

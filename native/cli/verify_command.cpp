@@ -12,6 +12,7 @@
 #include "generate/command_settings.h"
 #include "io/read_model.h"
 #include "message_codes/command.h"
+#include "message_codes/pipeline.h"
 #include "message_codes/settings_errors.h"
 #include "messages/sentences.h"
 #include "native/files.h"
@@ -37,11 +38,12 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const Engra
   const PlacementRequest& place = settings.placement;
   if (settings.code.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
     return fail(ErrorKind::BadUsage, message<"verify-place-unknown">());
+  if (settings.code.isText()) return fail(ErrorKind::BadUsage, message<"verify-text-alone">());
   VerifyRequest request;
   request.text = settings.code.text;
   request.symbolMm = place.sizeMm;
   auto encoded = encodeSymbol(settings.code.text, settings.code.symbol);
-  if (!encoded) return tl::unexpected(encoded.error());
+  QRELIEF_TRY(encoded);
   request.symbol = std::move(*encoded);
   const Vec3 centre(options.at[0], options.at[1], options.at[2]);
   request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
@@ -54,7 +56,7 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const Engra
 
 Result<VerifyRequest> requestFromFile(const std::string& report) {
   const auto bytes = readFile(report);
-  if (!bytes) return tl::unexpected(bytes.error());
+  QRELIEF_TRY(bytes);
   return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
@@ -80,10 +82,10 @@ Status checkFiles(const VerifyOptions& options) {
 }
 
 Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
-  if (const Status good = checkFlags(options); !good) return tl::unexpected(good.error());
-  if (const Status good = checkFiles(options); !good) return tl::unexpected(good.error());
+  QRELIEF_TRY(checkFlags(options));
+  QRELIEF_TRY(checkFiles(options));
   const auto settings = options.flags.request();
-  if (!settings) return tl::unexpected(settings.error());
+  QRELIEF_TRY(settings);
   auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
   if (!request) return request;
   request->printer = settings->print.printer;
@@ -147,7 +149,7 @@ Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool qui
     const VerifyRequest changed = printedOtherwise(request, other);
     ProgressBar bar(quiet);
     const auto printed = readPrinted(changed, carved, [&](const Progress& progress) { bar.show(progress); });
-    if (!printed) return tl::unexpected(printed.error());
+    QRELIEF_TRY(printed);
     const Aspect prints = judgePrinted(**printed, changed.printer, changed.text);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value, triedPrint(prints, **printed));
   }

@@ -72,7 +72,7 @@ Result<EngraveRequest> drawnRequest(Random& random, StudyContext& context, const
   request->depth.albedo = static_cast<float>(random.uniform(0.3, 0.85));
   request->placement.rotateDeg = random.uniform(-180, 180);
   const auto symbol = encodeSymbol(request->code.text, request->code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   request->placement.sizeMode = SizeMode::Oriented;
   request->placement.maxSizeMm = random.uniform(0.5, 1.6) * symbol->size;
   return request;
@@ -134,9 +134,8 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   const int width = resampledWidth(seen.width, coarser);
   const GreyImage picture = photograph(resampled(luminance, seen.width, coarser), width, camera);
   const auto png = encodePng(picture);
-  if (!png) return tl::unexpected(png.error());
-  if (const Status written = writeFileAtomically(folder + "/" + name, *png); !written)
-    return tl::unexpected(written.error());
+  QRELIEF_TRY(png);
+  QRELIEF_TRY(writeFileAtomically(folder + "/" + name, *png));
   Json line = {{"picture", name}};
   line.update(carving.truth);
   line["lamp"] = isLit;
@@ -157,13 +156,13 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
 Result<Carving> carve(Random& random, StudyContext& context) {
   const std::string name = StudyContext::models()[random.below(StudyContext::models().size())];
   const auto model = context.model(name);
-  if (!model) return tl::unexpected(model.error());
+  QRELIEF_TRY(model);
   const auto request = drawnRequest(random, context, name);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   auto spot = findSpot(name, *model, *request);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   auto code = carveByEngine(*spot, *request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   Carving carving{std::move(*spot), std::move(*code), {}, {}};
   carving.lamp = drawnLamp(random, carving.spot.placement.frame);
   Json matrix = Json::array();
@@ -204,7 +203,7 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
   const RayTree uncarved(carving.spot.model->prepared.mesh);
   for (int i = 0; i < kPicturesOfASurface; ++i) {
     auto line = takePicture(random, carving, light, uncarved, folder, fmt::format("{}-{}.png", names, i));
-    if (!line) return tl::unexpected(line.error());
+    QRELIEF_TRY(line);
     lines.push_back(std::move(*line));
   }
   return {};
@@ -221,24 +220,22 @@ Result<std::string> makeCarving(std::uint64_t seed, const std::string& name, Stu
   }
   Json lines = Json::array();
   const auto surface = CarvedSurface::make(carving->spot, carving->code.depths);
-  if (!surface) return tl::unexpected(surface.error());
-  if (const Status done = picture(random, *carving, surface->tree(), folder, name + "-designed", lines); !done)
-    return tl::unexpected(done.error());
+  QRELIEF_TRY(surface);
+  QRELIEF_TRY(picture(random, *carving, surface->tree(), folder, name + "-designed", lines));
   const EngraveRequest& request = carving->spot.request;
   const Placement& placement = carving->spot.placement;
   const auto process = processOf(request.print.printer);
-  if (!process) return tl::unexpected(process.error());
+  QRELIEF_TRY(process);
   const double edge = placement.moduleMm * edgeModules(carving->code.symbol.size);
   auto printed = printSurface(surface->mesh(), {.process = *process,
                                                 .frame = placement.frame,
                                                 .extentMm = edge,
                                                 .buildUp = request.print.buildUp.resolve(placement.frame)});
-  if (!printed) return tl::unexpected(printed.error());
+  QRELIEF_TRY(printed);
   carving->truth["surface"] = "printed";
   carving->truth["process"] = namedPrinters()[*request.print.process].name;
   carving->truth["pose"] = buildPoseName(request.print.buildUp.pose);
-  if (const Status done = picture(random, *carving, PrintedRays(*printed), folder, name + "-printed", lines); !done)
-    return tl::unexpected(done.error());
+  QRELIEF_TRY(picture(random, *carving, PrintedRays(*printed), folder, name + "-printed", lines));
   std::string text;
   for (const Json& line : lines) text += line.dump() + "\n";
   return text;

@@ -16,7 +16,7 @@ BuildDirection buildDirection(const std::string& pose, const ProjectionFrame& fr
 Result<Row> measure(const Row& key, StudyContext& context) {
   const double moduleMm = std::stod(key[1]);
   const auto place = context.spotOfWidth(key[0], moduleMm);
-  if (!place) return tl::unexpected(place.error());
+  QRELIEF_TRY(place);
   StudyPlacement spot = **place;
   EngraveRequest& request = spot.request;
   request.print.buildUp = buildDirection(key[2], spot.placement.frame);
@@ -26,13 +26,13 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   request.depth.contrast = std::stod(key[5]);
   request.depth.maxDepthMm = std::stod(key[6]) * moduleMm;
   auto symbol = symbolAtLevel(spot, *errorCorrectionByName(key[8]));
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   if (key[7] == "yes") breakUpDarkAreas(*symbol);
   const auto code = carveByEngine(spot, request, &*symbol);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   (*place)->measured = spot.measured;
   const auto judged = context.judge(spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   Row row = readingRow(*judged);
   row.push_back(shown(judged->depth.p95Mm, 3));
   row.push_back(shown(judged->depth.maxMm, 3));

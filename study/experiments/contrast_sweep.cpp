@@ -10,15 +10,15 @@ namespace {
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot(key[0]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto modules = byName<ModulePattern>(key[1], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   request.depth.contrast = std::stod(key[2]);
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   Row row = readingRow(*judged);
   row.push_back(std::to_string(code->limited));
   return row;

@@ -27,7 +27,7 @@ Result<StudyPlacement> spotFor(const StudyPlacement& usual, const std::string& t
   StudyPlacement spot = usual;
   spot.request.code.text = text;
   auto symbol = encodeSymbol(text, spot.request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   spot.symbol = std::move(*symbol);
   return spot;
 }
@@ -35,7 +35,7 @@ Result<StudyPlacement> spotFor(const StudyPlacement& usual, const std::string& t
 /// Returns the mean depth of the carved submodules, mm.
 Result<double> depthAt(const Method& method, const StudyPlacement& spot, double level) {
   const auto code = method.carve(spot, level);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   return depthOf(*code).meanMm;
 }
 
@@ -47,7 +47,7 @@ Result<double> levelFor(const Method& method, const StudyPlacement& spot, double
   const std::array<double, 2> first = {method.levels[1], method.levels[method.levels.size() - 2]};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto depth = depthAt(method, spot, first[i]);
-    if (!depth) return tl::unexpected(depth.error());
+    QRELIEF_TRY(depth);
     tried[i] = {first[i], std::log(*depth)};
   }
   const double logDepth = std::log(depthMm);
@@ -58,7 +58,7 @@ Result<double> levelFor(const Method& method, const StudyPlacement& spot, double
         std::clamp(a.level + (b.level - a.level) * (logDepth - a.logDepth) / (b.logDepth - a.logDepth), 0.02, 0.9);
     if (i == kCorrections) return level;
     const auto depth = depthAt(method, spot, level);
-    if (!depth) return tl::unexpected(depth.error());
+    QRELIEF_TRY(depth);
     if (std::abs(*depth / depthMm - 1) <= kAlike) return level;
     tried[std::abs(logDepth - a.logDepth) > std::abs(logDepth - b.logDepth) ? 0 : 1] = {level, std::log(*depth)};
   }
@@ -68,14 +68,14 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
   const Method& usual = *findMethod(kDefault);
   const auto ours = context.usualSpot(key[0], usual.direction);
-  if (!ours) return tl::unexpected(ours.error());
+  QRELIEF_TRY(ours);
   const auto place = context.usualSpot(key[0], method.direction);
-  if (!place) return tl::unexpected(place.error());
+  QRELIEF_TRY(place);
   static std::map<std::string, double> levels;  // by model and method
   const auto [known, isNew] = levels.try_emplace(key[0] + " " + key[1], usual.usual);
   if (isNew && &method != &usual) {
     const auto depth = depthAt(usual, **ours, usual.usual);
-    if (!depth) return tl::unexpected(depth.error());
+    QRELIEF_TRY(depth);
     const auto level = levelFor(method, **place, *depth);
     if (!level) {
       levels.erase(known);
@@ -84,11 +84,11 @@ Result<Row> measure(const Row& key, StudyContext& context) {
     known->second = *level;
   }
   const auto spot = spotFor(**place, kTexts[std::stoul(key[2]) - 1]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto code = method.carve(*spot, known->second);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(*spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   Row row = readingRow(*judged);
   row.push_back(shown(known->second, 3));
   return row;

@@ -10,11 +10,11 @@ namespace {
 Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
   const auto spot = context.usualSpot(key[0], method.direction);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto code = method.carve(**spot, std::stod(key[2]));
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   return readingRow(*judged);
 }
 

@@ -10,16 +10,16 @@ constexpr double kLargestMm = 100;
 
 Result<double> largestMm(StudyContext& context, const Row& key, SizeMode mode, double rotateDeg) {
   const auto model = context.model(key[0]);
-  if (!model) return tl::unexpected(model.error());
+  QRELIEF_TRY(model);
   auto request = context.usualRequest(key[0]);
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   PlacementRequest& place = request->placement;
   place.sizeMode = mode;
   place.maxSizeMm = kLargestMm;
   place.rotateDeg = rotateDeg;
   place.directionMethod = byName<DirectionMethod>(key[1], directionMethodName);
   const auto spot = findSpot(key[0], *model, *request);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   return spot->placement.symbolMm;
 }
 
@@ -28,7 +28,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   for (const auto& [mode, rotateDeg] :
        {std::pair(SizeMode::Free, 0.0), std::pair(SizeMode::Oriented, 0.0), std::pair(SizeMode::Oriented, 45.0)}) {
     const auto mm = largestMm(context, key, mode, rotateDeg);
-    if (!mm) return tl::unexpected(mm.error());
+    QRELIEF_TRY(mm);
     row.push_back(shown(*mm, 2));
   }
   return row;

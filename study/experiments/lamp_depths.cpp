@@ -12,7 +12,7 @@ constexpr double kElevationDeg = 33;
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot(key[0]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto modules = byName<ModulePattern>(key[1], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
@@ -20,7 +20,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
     request.depth.lights.push_back(
         {.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited)};
 }
 

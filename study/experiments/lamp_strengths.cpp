@@ -13,16 +13,16 @@ constexpr double kAzimuthDeg = 90;
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot("plate");
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   request.depth.lights = {
       {.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(key[1]), .strength = std::stod(key[2])}};
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto reads = readsUnder(**spot, *code, request.depth.lights);
-  if (!reads) return tl::unexpected(reads.error());
+  QRELIEF_TRY(reads);
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited), std::to_string(*reads)};
 }
 

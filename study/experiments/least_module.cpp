@@ -17,7 +17,7 @@ constexpr int kVersion = 2, kModules = 25;
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto plate = context.model("plate");
-  if (!plate) return tl::unexpected(plate.error());
+  QRELIEF_TRY(plate);
   EngraveRequest request;
   request.depth.carveFor = CarveFor::Print;
   request.code.text = "https://example.org/p/2026";
@@ -37,9 +37,9 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   for (double module = kLargestNozzles * nozzle; module > kSmallestNozzles * nozzle && failures < 2; module *= kStep) {
     request.placement.sizeMm = module * kModules;
     const auto carved = engrave(*plate, request);
-    if (!carved) return tl::unexpected(carved.error());
+    QRELIEF_TRY(carved);
     const auto printed = readPrinted(verifyRequestOf(request, *carved), carved->mesh, [](const Progress&) {});
-    if (!printed) return tl::unexpected(printed.error());
+    QRELIEF_TRY(printed);
     const bool reads = (*printed)->reading.count.enough();
     failures += !reads;
     if (reads && failures == 0) leastMm = module, depthMm = summarise(carved->depths).meanMm;

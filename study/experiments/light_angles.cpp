@@ -20,15 +20,15 @@ std::vector<DirectionalLight> lampAt(const std::string& elevation) {
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot("plate");
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   request.depth.lights = lampAt(key[1]);
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto reads = readsUnder(**spot, *code, lampAt(key[2]));
-  if (!reads) return tl::unexpected(reads.error());
+  QRELIEF_TRY(reads);
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(*reads)};
 }
 

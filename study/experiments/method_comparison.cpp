@@ -23,7 +23,7 @@ struct LightError {
 
 Result<LightError> lightError(const StudyPlacement& spot, const CarvedCode& code) {
   const auto surface = CarvedSurface::make(spot, code.depths);
-  if (!surface) return tl::unexpected(surface.error());
+  QRELIEF_TRY(surface);
   std::vector<SeenCell> cells;
   for (const std::uint32_t i : carvedOf(code.mask)) {
     const Vec2 corner = code.depths.corner(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size);
@@ -45,13 +45,13 @@ Result<LightError> lightError(const StudyPlacement& spot, const CarvedCode& code
 Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
   const auto spot = context.usualSpot(key[0], method.direction);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto code = method.carve(**spot, method.usual);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   const auto error = lightError(**spot, *code);
-  if (!error) return tl::unexpected(error.error());
+  QRELIEF_TRY(error);
   Row row = readingRow(*judged);
   for (const std::string& value : {std::to_string(code->passes), std::to_string(code->limited), shown(error->mean, 3),
                                    shown(error->meanSize, 3), shown(code->milliseconds, 0)})

@@ -12,11 +12,11 @@ constexpr double kPaperModuleMm = 1.2;
 Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
   const auto spot = context.spotOfWidth(key[0], kPaperModuleMm, method.direction);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto code = method.carve(**spot, method.usual);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   return readingRow(*judged);
 }
 

@@ -9,13 +9,13 @@ namespace {
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot(key[0]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const EngraveRequest request = publishedRequest(**spot, byName<ModulePattern>(key[1], modulePatternName),
                                                   byName<FinderPattern>(key[2], finderPatternName));
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   return readingRow(*judged);
 }
 

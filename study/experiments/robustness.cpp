@@ -17,7 +17,7 @@ std::string shownIfAny(const std::optional<double>& value, int decimals) {
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot(key[0]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto modules = byName<ModulePattern>(key[2], modulePatternName);
   const auto finders = byName<FinderPattern>(key[3], finderPatternName);
   EngraveRequest request = publishedRequest(**spot, modules, finders);
@@ -27,18 +27,18 @@ Result<Row> measure(const Row& key, StudyContext& context) {
     request.code.finderPattern = finders;
   }
   const auto code = carveByEngine(**spot, request);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto surface = CarvedSurface::make(**spot, code->depths);
-  if (!surface) return tl::unexpected(surface.error());
+  QRELIEF_TRY(surface);
   EngraveResult result;
   result.placement = (*spot)->placement;
   result.symbol = code->symbol;
   VerifyRequest verification = verifyRequestOf(request, result);
   verification.ranges = true;
   auto job = VerifyJob::create(surface->mesh(), verification, zxingDecoders());
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   const auto verified = runToEnd(**job);
-  if (!verified) return tl::unexpected(verified.error());
+  QRELIEF_TRY(verified);
   const ReadingSummary& reading = verified->reading;
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(reading.frontal.reads),
              shownIfAny(reading.blurModules, 2),       shownIfAny(reading.pixelsPerModule, 1),

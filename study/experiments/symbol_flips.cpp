@@ -17,7 +17,7 @@ Result<CarvedCode> carve(const StudyPlacement& spot, const std::string& flips, c
   EngraveRequest request = spot.request;
   request.code.symbol.errorCorrection = ErrorCorrection::H;
   auto symbol = encodeSymbol(request.code.text, request.code.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   if (flips == "peng-2019") flipModules2019(*symbol);
   if (flips == "ours") breakUpDarkAreas(*symbol);
   const SubmoduleMask mask = submodulesToCarve(*symbol, ModulePattern::None, FinderPattern::None);
@@ -29,11 +29,11 @@ Result<CarvedCode> carve(const StudyPlacement& spot, const std::string& flips, c
 
 Result<Row> measure(const Row& key, StudyContext& context) {
   const auto spot = context.usualSpot(key[0]);
-  if (!spot) return tl::unexpected(spot.error());
+  QRELIEF_TRY(spot);
   const auto code = carve(**spot, key[2], key[1]);
-  if (!code) return tl::unexpected(code.error());
+  QRELIEF_TRY(code);
   const auto judged = context.judge(**spot, *code);
-  if (!judged) return tl::unexpected(judged.error());
+  QRELIEF_TRY(judged);
   Row row = {std::to_string(std::count(code->symbol.flipped.begin(), code->symbol.flipped.end(), 1))};
   for (std::string& value : readingRow(*judged)) row.push_back(std::move(value));
   return row;

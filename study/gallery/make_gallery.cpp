@@ -65,31 +65,29 @@ GreyImage halved(const GreyImage& image) {
 
 Status writePicture(const std::string& path, const GreyImage& image) {
   const auto png = encodePng(halved(image));
-  if (!png) return tl::unexpected(png.error());
+  QRELIEF_TRY(png);
   return writeFileAtomically(path, *png);
 }
 
 Result<GreyImage> printedPicture(const Engraved& engraved) {
   const auto request = printedViewOf(verifyRequestOf(engraved.request, engraved.result));
-  if (!request) return tl::unexpected(request.error());
+  QRELIEF_TRY(request);
   auto job = PrintedViewJob::create(engraved.result.mesh, **request);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   auto view = runToEnd(**job);
-  if (!view) return tl::unexpected(view.error());
+  QRELIEF_TRY(view);
   return std::move(view->seen.clean);
 }
 
 Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::string& folder,
                   const std::string& name) {
   const auto engraved = engraver.engrave(exhibit.request, [](const Progress&) {});
-  if (!engraved) return tl::unexpected(engraved.error());
+  QRELIEF_TRY(engraved);
   const auto printed = printedPicture(*engraved);
-  if (!printed) return tl::unexpected(printed.error());
+  QRELIEF_TRY(printed);
   const std::string designedFile = name + "-designed.png", printedFile = name + "-printed.png";
-  if (const Status written = writePicture(folder + "/" + designedFile, engraved->result.readerView.clean); !written)
-    return tl::unexpected(written.error());
-  if (const Status written = writePicture(folder + "/" + printedFile, *printed); !written)
-    return tl::unexpected(written.error());
+  QRELIEF_TRY(writePicture(folder + "/" + designedFile, engraved->result.readerView.clean));
+  QRELIEF_TRY(writePicture(folder + "/" + printedFile, *printed));
   return Json{{"kind", exhibit.kind},
               {"settings", exhibit.settings},
               {"designed", designedFile},
@@ -103,24 +101,24 @@ Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::s
 
 Status make(const std::string& sample, const std::string& samples, const std::string& folder, bool withPatterns) {
   const auto gl = EglContext::create();
-  if (!gl) return tl::unexpected(gl.error());
+  QRELIEF_TRY(gl);
   StudyContext context(samples);
   const auto model = context.model(sample);
-  if (!model) return tl::unexpected(model.error());
+  QRELIEF_TRY(model);
   auto usual = context.usualRequest(sample);
-  if (!usual) return tl::unexpected(usual.error());
+  QRELIEF_TRY(usual);
   usual->code.symbol.version.reset();
   usual->depth.keepPreset = false;
   usual->print.buildUp = {};
   usual->placement.sizeMode = SizeMode::Best;
   usual->placement.maxSizeMm = kMaxSizeMm;
   const auto engraver = Engraver::create(*model);
-  if (!engraver) return tl::unexpected(engraver.error());
+  QRELIEF_TRY(engraver);
   Json pictures = Json::array();
   int number = 0;
   for (const Exhibit& exhibit : exhibits(*usual, withPatterns)) {
     const auto one = show(*engraver, exhibit, folder, fmt::format("{}-{}", sample, number++));
-    if (!one) return tl::unexpected(one.error());
+    QRELIEF_TRY(one);
     pictures.push_back(*one);
   }
   const std::string json = Json{{"sample", sample}, {"exhibits", pictures}}.dump(1) + "\n";

@@ -19,9 +19,9 @@ Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveReques
   EngraveJob::Known known{spot.search.get(), nullptr, symbol, spot.measured};
   known.makeSearch = std::move(makeSearch);
   auto job = EngraveJob::create(spot.model, request, known);
-  if (!job) return tl::unexpected(job.error());
+  QRELIEF_TRY(job);
   auto result = runToEnd(**job);
-  if (!result) return tl::unexpected(result.error());
+  QRELIEF_TRY(result);
   spot.measured = (*job)->placementMeasurement();
   CarvedCode code;
   code.mask =

@@ -77,7 +77,7 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
   double open = 0;
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
-    if (!uncarved) return tl::unexpected(uncarved.error());
+    QRELIEF_TRY(uncarved);
     PassRays rays(light, options.rays);
     for (const double value : measured(*uncarved, rays, INFINITY)) open += value / static_cast<double>(light.size());
   }
@@ -91,7 +91,7 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
     for (std::size_t i = 0; i < wantedMm.size(); ++i)
       code.depths.depthMm[i] = wantedMm[i] > 0 ? quantisedDepth(wantedMm[i], limitMm[i]) : 0;
     const auto carved = CarvedSurface::make(spot, code.depths);
-    if (!carved) return tl::unexpected(carved.error());
+    QRELIEF_TRY(carved);
     code.ownEstimate = measured(*carved, rays, open * (1 - options.contrast));
     deepened = false;
     code.limited = 0;

@@ -31,7 +31,7 @@ Result<CarvedCode> groove2018(const StudyPlacement& spot, double contrast) {
 
 Result<CarvedCode> selfShadow2019(const StudyPlacement& spot, double contrast) {
   auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   flipModules2019(*symbol);
   SelfShadowOptions options;
   options.functionContrast = options.dataContrast = contrast;
@@ -40,7 +40,7 @@ Result<CarvedCode> selfShadow2019(const StudyPlacement& spot, double contrast) {
 
 Result<CarvedCode> oneLight2020(const StudyPlacement& spot, double contrast) {
   auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
-  if (!symbol) return tl::unexpected(symbol.error());
+  QRELIEF_TRY(symbol);
   breakUpRuns2020(*symbol);
   OneLightOptions options;
   options.contrast = contrast;

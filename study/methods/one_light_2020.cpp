@@ -139,7 +139,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
   double target = 0;
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
-    if (!uncarved) return tl::unexpected(uncarved.error());
+    QRELIEF_TRY(uncarved);
     std::vector<double> greys(light.size());
     PassRays skyRays(light, options.rays), lampRays(light, kLampPoints);
     skyRays.begin(spot.placement.frame, code.depths);
@@ -156,7 +156,7 @@ Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& s
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
     ++code.passes;
     const auto carved = CarvedSurface::make(spot, code.depths);
-    if (!carved) return tl::unexpected(carved.error());
+    QRELIEF_TRY(carved);
     std::vector<double> lamp(dark.size());
     rays.begin(spot.placement.frame, code.depths);
     parallelFor(dark.size(), [&](std::size_t k) {

@@ -46,7 +46,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
   }
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
-    if (!uncarved) return tl::unexpected(uncarved.error());
+    QRELIEF_TRY(uncarved);
     std::vector<double> greys(light.size());
     PassRays rays(light, options.rays);
     rays.begin(spot.placement.frame, code.depths);
@@ -66,7 +66,7 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
     ++code.passes;
     const auto carved = CarvedSurface::make(spot, code.depths);
-    if (!carved) return tl::unexpected(carved.error());
+    QRELIEF_TRY(carved);
     rays.begin(spot.placement.frame, code.depths);
     std::vector<double> visibility(dark.size());
     parallelFor(dark.size(), [&](std::size_t k) {

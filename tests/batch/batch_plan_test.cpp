@@ -138,6 +138,17 @@ TEST(BatchPlan, RefusesTemplatesThatTheColumnsCannotFill) {
   EXPECT_THAT(problemsOf(BatchPlan::make(countedBatchList(2), request)), ElementsAre("template-without-list"));
 }
 
+TEST(BatchPlan, RowsOfTextAloneMayRepeatATextAndNeedNoVersion) {
+  const BatchPlan plan = planOf("id,text,content\n1,Anna,text\n2,Anna,text\n3,https://example.org,code\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_TRUE(plan.row(1).request.code.isText());
+  EXPECT_FALSE(plan.row(2).request.code.isText());
+  EXPECT_EQ(plan.row(2).request.code.symbol.version, 2);
+  EXPECT_THAT(problemsOf(planOf("id,text,content\n1,Anna,text\n2,\u6f22,text\n")),
+              ElementsAre("3 label-lacks-characters"));
+  EXPECT_THAT(problemsOf(planOf("id,text,content,label\n1,Anna,text,No. 7\n")), ElementsAre("2 text-alone-has-label"));
+}
+
 TEST(BatchPlan, RefusesDuplicateTextsNamesAndIds) {
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n3,a\n")), ElementsAre("4 text-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n2,b,X.STL\n")), ElementsAre("3 name-twice"));

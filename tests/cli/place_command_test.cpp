@@ -67,8 +67,8 @@ TEST_F(PlaceCommandTest, ReportsSpotsThatFaceDownInTheRequestedPose) {
   const auto place = [&](const std::string& buildUp) {
     return run({"place", model, "--size", "30", "--build-up=" + buildUp, "--json", path("spots.json"), "--quiet"}).out;
   };
-  EXPECT_NE(place("as-modelled").find("The code faces down"), std::string::npos);
-  EXPECT_EQ(place("code-up").find("The code faces down"), std::string::npos);
+  EXPECT_NE(place("as-modelled").find("The mark faces down"), std::string::npos);
+  EXPECT_EQ(place("code-up").find("The mark faces down"), std::string::npos);
   place("0,0,-1");
   const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
   EXPECT_LT(json["spots"].front()["direction"][2].get<double>(), -0.9);

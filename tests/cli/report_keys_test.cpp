@@ -153,6 +153,7 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(engrave(at({"--mark", "inlay", "--build-up", "code-up"})), "", engraved);
   collect(verify("out.3mf", {"--quick"}), "", verified);
   collect(engrave(at({"--process", "none"}), "out.stl", "Gr\u00FC\u00DFe"), "", engraved);
+  collect(engrave(at({"--content", "text"}), "out.stl", "Rev B"), "", engraved);
   plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));
   collect(engrave({"--mark", "auto"}), "", engraved);  // no shadow can be carved
   Mesh open = shapes::plate({60, 60}, 5, 4, 4);
@@ -188,6 +189,7 @@ TEST_F(ReportKeys, OfManifestsAreDocumented) {
   };
   batch(at({"--count", "1", "--mark", "inlay", "--name", "{n}.stl", "--build-up", "code-up"}));
   batch(at({"--count", "2", "--per-plate", "2", "--name", "{n}.3mf", "--process", "none"}));
+  batch(at({"--count", "1", "--content", "text"}));
   batch(at({"--count", "1", "--min-wall", "4.9", "--process", "none"}));  // too thin
   const Keys known = documented("Manifest of a batch");
   expectDocumented(keys, known);

@@ -80,6 +80,17 @@ TEST_P(SymbolDecal, FrameAndLettersLieWhereTheyAreCarved) {
   EXPECT_NEAR(inked * texel * texel, area, 0.01 * area);
 }
 
+TEST_P(SymbolDecal, ATextAloneIsItsLetters) {
+  request_.code.content = Content::Text;
+  request_.code.text = "I";
+  symbol_ = blankSymbol();
+  const Decal made = decal();
+  EXPECT_EQ(inkAt(made, {0, 0}), 255);
+  EXPECT_EQ(inkAt(made, {0, symbol_.size / 2.0 - 0.2}), 255);
+  EXPECT_EQ(inkAt(made, {symbol_.size / 3.0, 0}), 0);
+  EXPECT_EQ(inkAt(made, {0, symbol_.size / 2.0 + 0.2}), 0);
+}
+
 TEST_P(SymbolDecal, TheCodeIsTheSameWithAndWithoutALabel) {
   const Decal plain = decal();
   request_.code.label = {"No 7", LabelFrame::Square};

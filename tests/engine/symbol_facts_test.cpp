@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/symbol_facts.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "label/label_layout.h"
 #include "qr/symbol.h"
 #include "settings/engrave_request.h"
 #include "verification/printability.h"
@@ -93,6 +95,21 @@ TEST(SymbolFacts, OmitsTheSmallestModuleForAnInvalidNozzle) {
     request.print.printer.nozzleMm = nozzle;
     EXPECT_TRUE(facts(request)["leastModuleMm"].is_null()) << nozzle;
   }
+}
+
+TEST(SymbolFacts, OfATextAloneAreItsLetters) {
+  EngraveRequest request = requestFor("HI");
+  request.code.content = Content::Text;
+  const Json letters = facts(request)["letters"];
+  const auto layout = layOutLabel(request.code.lettering(), letters["size"]);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(letters["capital"], layout->capitalModules);
+  EXPECT_NEAR(letters["leastMm"].get<double>() / letters["size"].get<double>() * layout->thinnestStrokeModules, 0.45,
+              1e-9);
+  const auto path = letters["path"].get<std::string>();
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'Z'), 2);  // an H and an I
+  // The H begins at the square's left edge.
+  EXPECT_TRUE(path.starts_with("M0.00 ") || path.find("L0.00 ") != std::string::npos) << path;
 }
 
 TEST(SymbolFacts, RefusesATextThatFitsNoSymbol) {

@@ -99,6 +99,55 @@ TEST(LabelLayout, TextOfSpacesIsRefused) {
   EXPECT_EQ(laidOut.error().message, message<"label-empty">());
 }
 
+TEST(LabelLayout, ATextAloneFillsTheSquareInOneDirection) {
+  const auto sizeOf = [](const std::string& text, LabelFrame frame = LabelFrame::None) {
+    const Rectangle box = boundsOf(layout({text, frame, true}));
+    EXPECT_NEAR(glm::length(box.low + box.high), 0, 1e-9) << text;
+    return box.high - box.low;
+  };
+  EXPECT_NEAR(sizeOf("Rev B").x, kModules, 1e-9);
+  EXPECT_NEAR(sizeOf("1\n2\n3\n4").y, kModules, 1e-9);
+  EXPECT_NEAR(sizeOf("Rev B", LabelFrame::Rounded).x, kModules, 1e-9);
+  EXPECT_NEAR(sizeOf("Rev B", LabelFrame::Square).x, kModules, 1e-9);
+  EXPECT_EQ(labelMarginModules({"Rev B", LabelFrame::None, true}, kModules), 0);
+}
+
+TEST(LabelLayout, LinesOfATextAloneAreCentredAndClearOfEachOther) {
+  // Marks below and above the letters come near each other.
+  const LabelLayout laidOut = layout({"gjpqy\r\n\u1EA4\u00C5", LabelFrame::None, true});
+  double lowestAbove = INFINITY, highestBelow = -INFINITY;
+  for (const Ring& ring : laidOut.rings) {
+    Rectangle box{Vec2(INFINITY), Vec2(-INFINITY)};
+    for (const Vec2 corner : ring) box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+    if ((box.low.y + box.high.y) / 2 > 0)
+      lowestAbove = std::min(lowestAbove, box.low.y);
+    else
+      highestBelow = std::max(highestBelow, box.high.y);
+  }
+  EXPECT_GT(lowestAbove - highestBelow, 0.1 * laidOut.capitalModules);
+  const LabelLayout pair = layout({"HH\nH", LabelFrame::None, true});
+  ASSERT_EQ(pair.rings.size(), 3u);
+  const auto [left, right] = std::minmax_element(pair.rings.back().begin(), pair.rings.back().end(),
+                                                 [](const Vec2 a, const Vec2 b) { return a.x < b.x; });
+  EXPECT_NEAR(left->x, -right->x, 1e-9);
+}
+
+TEST(LabelLayout, AFrameRoundATextAloneEnclosesIt) {
+  const LabelLayout framed = layout({"Rev B", LabelFrame::Square, true});
+  const Ring& inner = framed.rings[1];
+  for (std::size_t r = 2; r < framed.rings.size(); ++r)
+    for (const Vec2 corner : framed.rings[r]) {
+      EXPECT_LT(std::abs(corner.x), std::abs(inner.front().x));
+      EXPECT_LT(std::abs(corner.y), std::abs(inner.front().y));
+    }
+}
+
+TEST(LabelLayout, ATextAloneOfSpacesIsRefused) {
+  const auto laidOut = layOutLabel({" \n", LabelFrame::None, true}, kModules);
+  ASSERT_FALSE(laidOut.has_value());
+  EXPECT_EQ(laidOut.error().message, message<"text-alone-empty">());
+}
+
 TEST(LabelLayout, TheLeastHeightHasStrokesOfOneLine) {
   EXPECT_NEAR(leastCapitalMm(0.45) * thinnestStroke(), 0.45, 1e-12);
   const LabelLayout laidOut = layout({"No 7", LabelFrame::None});

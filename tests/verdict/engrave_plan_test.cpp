@@ -298,6 +298,22 @@ TEST_F(OpenSettingsTest, AFirstCarvingThatPassesCostsNothingMore) {
   }
 }
 
+TEST_F(OpenSettingsTest, ATextWithStrokesTooThinIsMadeLargerAndNothingElse) {
+  request_.code.content = Content::Text;
+  symbolMm_ = request_.placement.maxSizeMm;
+  begin({.offersMarks = true});
+  EXPECT_FALSE(plan_->expectsPrint());
+  Verdict tooThin;
+  tooThin.prints.level = Level::Bad;
+  tooThin.prints.failed.emplace_back("text-too-fine", std::initializer_list<const MessageValue*>{});
+  plan_->carved(tooThin, {}, symbolMm_);
+  ASSERT_EQ(plan_->step(), Step::Carve);
+  EXPECT_THAT(plan_->changes(), ElementsAre(kLarger));
+  plan_->carved(tooThin, {}, 60);
+  EXPECT_EQ(plan_->step(), Step::Deliver);
+  EXPECT_EQ(plan_->tried().size(), 2u);
+}
+
 TEST_F(OpenSettingsTest, ACodeThatDoesNotReadAsPrintedIsMadeLarger) {
   symbolMm_ = request_.placement.maxSizeMm;
   begin();

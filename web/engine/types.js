@@ -29,6 +29,7 @@
  * The settings that the page's code reads by name; all of them are in web/generated/settings.js.
  * @typedef {object} Settings
  * @property {string} text
+ * @property {'code' | 'text'} [content]             what to make of the text
  * @property {'auto' | 'shadow' | 'inlay' | 'paint'} [mark]
  * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            default: the highest level that needs no larger version than M
  * @property {'shallow' | 'balanced' | 'robust'} preset   target darkness of the code
@@ -52,16 +53,16 @@
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, largestMm: number, sizeMode: 'best' | 'oriented' | 'free' | 'fixed',
  *   concerns: Message[], version: number, modules: number, rotationDeg: number,
- *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean, colourLayers: number }} Placement
+ *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean, colourLayers: number, capitalMm: number | null }} Placement
  *   `direction`: viewing direction of a suggested spot, null otherwise; `aimToleranceDeg`: largest angle off the
  *   viewing direction, to any side, at which the code can decode; `colourLayers`: layers that the code lies in with its
  *   label and frame, 0 if the printer is not known; `rotationDeg`: angle from up to the symbol's top, anticlockwise; `largestMm`: largest symbol that fits at this rotation, walls ignored; `concerns`: reasons why the
- *   code may not print or decode there
+ *   code may not print or decode there; `capitalMm`: height of the capitals of a text alone, null for a code
  */
 
 /**
- * @typedef {{ symbolMm: number, moduleMm: number, missingShare: number, forgiving: boolean, concerns: Message[],
- *   exact: boolean }} CodeFacts
+ * @typedef {{ symbolMm: number, moduleMm: number, capitalMm: number | null, missingShare: number, forgiving: boolean,
+ *   concerns: Message[], exact: boolean }} CodeFacts
  *   `missingShare`: share of the required square, 0 … 1, that overhangs or is hidden; `forgiving`: flat enough to be
  *   read by a phone held without care
  * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult
@@ -95,6 +96,12 @@
  *   leastModuleMm: number | null }} SymbolFacts
  *   `rows`: '1' is dark; `bytes`: length of the text; `room`: bytes left in this version; `leastModuleMm`: smallest
  *   module of this pattern that the printer can make
+ */
+
+/**
+ * The letters of a text alone. `size`: edge of the square that they fill; `path`: their outlines in it, as in SVG;
+ * `capital`: height of a capital, in the same unit; `leastMm`: smallest edge at which the printer makes their strokes
+ * @typedef {{ size: number, path: string, capital: number, leastMm: number | null }} LetterFacts
  */
 
 /**
@@ -176,12 +183,15 @@
  * @property {string} text
  * @property {Mark} mark
  * @property {ColourCost} colour  all zero for a code of one colour
- * @property {{ version: number, ecc: string, modules: number }} symbol
- * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
+ * @property {'code' | 'text'} content
+ * @property {{ version: number, ecc: string, modules: number } | null} symbol  null for a text alone
+ * @property {{ symbolMm: number, moduleMm: number | null, guaranteedMm: number }} size
+ * @property {{ capitalMm: number | null } | null} label  the label, or the text alone
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
- *   of a code in colour only meanMm and maxMm
+ *   of a code in colour and of a text alone only meanMm and maxMm
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
- * @property {{ decoded: boolean, text: string, failedChecks: Message[], verdict: Verdict, iso15415: Grades, iso29158: Grades }} verification
+ * @property {{ decoded: boolean | null, text?: string, failedChecks: Message[], verdict: Verdict, iso15415?: Grades, iso29158?: Grades }} verification
+ *   of a text alone only the verdict
  *   `failedChecks`: why it does not pass, in the order solid, reads, prints
  * @property {{ eyeDistanceMm: number }} projection
  * @property {{ total: number } & Record<string, number>} timingsMs

@@ -232,7 +232,7 @@ export const kFactVerbs = {
    * @type {Verb<(bytes: Uint8Array, fileName: string, scaleToMm: number) => Omit<import('./types.js').ModelInfo, 'centre'>>}
    */
   model: { part: 'model' },
-  /** Returns the symbol that these settings engrave. @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts>} */
+  /** Returns the symbol or the letters that these settings engrave. @type {Verb<(settings: Settings) => import('./types.js').SymbolFacts | { letters: import('./types.js').LetterFacts }>} */
   symbol: { part: 'symbol' },
   /** Advises on a text that is, or was meant to be, a link. @type {Verb<(text: string) => import('./types.js').TextAdvice>} */
   textAdvice: {},

@@ -80,18 +80,20 @@ function decoded(text) {
 }
 
 /**
- * Returns a file name such as `bunny-qr-en.wikipedia.org-31mm.stl`.
+ * Returns a file name such as `bunny-qr-en.wikipedia.org-31mm.stl`, or `bunny-text-Rev-B-31mm.stl` for a text alone.
  * @param {object} of
  * @param {string} of.modelFile
- * @param {string} of.text        of the code
+ * @param {string} of.text        of the code, or the text alone
+ * @param {'code' | 'text'} [of.content]
  * @param {number} [of.symbolMm]  absent while unknown
  * @param {string} [of.addition]  distinguishes files of the same carving
  * @param {string} of.extension
  */
-export function fileNameOf({ modelFile, text, symbolMm, addition, extension }) {
+export function fileNameOf({ modelFile, text, content = 'code', symbolMm, addition, extension }) {
   const model = safePart(modelFile.replace(/\.[^.]*$/, ''), kMostOfModel) || 'model';
   const size = symbolMm === undefined ? '' : `${Math.round(symbolMm)}mm`;
-  return `${[model, 'qr', subjectOf(text), size, addition].filter(Boolean).join('-')}.${extension}`;
+  const subject = content === 'text' ? ['text', safePart(text, kMostOfText)] : ['qr', subjectOf(text)];
+  return `${[model, ...subject, size, addition].filter(Boolean).join('-')}.${extension}`;
 }
 
 /**

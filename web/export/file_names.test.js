@@ -24,6 +24,10 @@ test('the name has model, subject and size', () => {
     'my-saddle.v2-qr-Grusse-aus-Lodz-25mm-inlay.3mf',
   );
   assert.equal(fileNameOf({ modelFile: '模型.stl', text: '你好', extension: 'stl' }), 'model-qr.stl');
+  assert.equal(
+    fileNameOf({ modelFile: 'cup.stl', text: 'tel:\nRev B', content: 'text', symbolMm: 25, extension: 'stl' }),
+    'cup-text-tel-Rev-B-25mm.stl',
+  );
   assert.equal(symbolFileName('https://www.example.org/', 'svg'), 'qr-example.org.svg');
   assert.equal(symbolFileName('你好', 'png'), 'qr.png');
 });

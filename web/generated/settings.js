@@ -23,7 +23,7 @@
  * @property {number} [most]         lamps
  */
 
-/** @typedef {'text' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 /** @typedef {'mm' | 'deg' | 'skies'} UnitName */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */

@@ -110,8 +110,8 @@ export class Engine {
   }
 
   /**
-   * Describes the symbol that the settings give.
-   * @returns {Promise<import('../engine/types.js').SymbolFacts>}
+   * Describes the symbol that the settings give, or the letters of a text alone.
+   * @returns {Promise<import('../engine/types.js').SymbolFacts | { letters: import('../engine/types.js').LetterFacts }>}
    */
   symbol() {
     return this.#client.symbol(asFull(this.#settings));

@@ -50,9 +50,9 @@ export class Planner {
   }
 
   /**
-   * Describes the symbol that the settings give.
+   * Describes the symbol that the settings give, or the letters of a text alone.
    * @param {Settings} [settings]
-   * @returns {import('../engine/types.js').SymbolFacts}
+   * @returns {import('../engine/types.js').SymbolFacts | { letters: import('../engine/types.js').LetterFacts }}
    */
   symbol(settings = {}) {
     return this.#facts.symbol(/** @type {import('../engine/types.js').Settings} */ (settings));

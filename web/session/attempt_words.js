@@ -4,7 +4,7 @@ import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../i18n/live.js').Words} Words */
-/** @typedef {'failed' | 'unread' | 'print-barely' | 'print-unread'} Reason */
+/** @typedef {'failed' | 'fine' | 'unread' | 'print-barely' | 'print-unread'} Reason */
 
 /** By what an attempt changes: words while it is made, and words for the result. */
 const kWords = /** @type {const} */ ({
@@ -18,6 +18,7 @@ const kWords = /** @type {const} */ ({
 
 const kReasons = /** @type {const} */ ({
   failed: 'page.sinceFailed',
+  fine: 'page.sinceFine',
   unread: 'page.sinceUnread',
   'print-barely': 'page.sincePrintBarely',
   'print-unread': 'page.sincePrintUnread',
@@ -45,6 +46,7 @@ export function attemptWords(work, asked, reason) {
  * @param {boolean} [forPrint]  the change was made for the print
  */
 export function engravedWords(work, asked, forPrint = false) {
+  if (work.values.content === 'text') return text('page.engravedTextLarger');
   const change = changeOf(work, asked);
   return text(forPrint && change === 'preset' ? 'page.engravedForPrint' : kWords[change][1]);
 }

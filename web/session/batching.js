@@ -177,10 +177,11 @@ export function plannedWords({ input, plan, problems }) {
   if (isEmptyInput(input)) return text('batch.listMissing');
   if (problems.length > 0)
     return text(plan?.mayBeMore ? 'batch.problemsAtLeast' : 'batch.problems', { count: problems.length });
-  const { rows = 0, version = 0, modules = 0 } = plan ?? {};
-  if (input.perPlate === 0) return text('batch.planned', { count: rows, version, modules });
+  const { rows = 0, version, modules = 0 } = plan ?? {};
   const parts = text('batch.parts', { count: rows }),
     plates = text('batch.plateCount', { count: Math.ceil(rows / input.perPlate) });
+  if (version === undefined) return parts; // texts alone
+  if (input.perPlate === 0) return text('batch.planned', { count: rows, version, modules });
   return text('batch.plannedPlates', { parts, plates, version, modules });
 }
 

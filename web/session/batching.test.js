@@ -120,6 +120,7 @@ test('A chosen column of ids, and whether the first row has names, belong to the
 test('Reports the number of plates', async () => {
   store.update({ batch: { ...kInput, perPlate: 5 } });
   await batching.ready();
+  assert.equal(plannedWords({ ...planned[0], plan: undefined }), '0 parts', 'texts alone have no version');
   assert.equal(plannedWords(planned[0]), '12 parts on 3 plates, version 2, 25 × 25 modules');
   assert.equal(requests[0].perPlate, 5);
 });

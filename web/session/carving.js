@@ -248,7 +248,8 @@ export class Carving {
         return;
       }
       work = this.after_(step.changes);
-      this.attempt_ = attemptWords(work, asked, attempts.length > 0 ? 'unread' : 'failed');
+      const unsound = asked.values.content === 'text' ? 'fine' : 'unread';
+      this.attempt_ = attemptWords(work, asked, attempts.length > 0 ? unsound : 'failed');
       plan = { next: true };
     }
   }

@@ -40,6 +40,7 @@ export class Editing {
     });
     code.listen({
       onInput: (content) => store.update({ text: content }),
+      onMakes: (makes) => store.update(({ values }) => ({ values: fields.edited(values, 'content', makes) })),
       onChange: () => guard(() => this.apply('text')),
     });
     batchPanel.listen({

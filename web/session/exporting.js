@@ -48,13 +48,18 @@ export class Exporting {
       onShare: () => guard(() => this.shareLink()),
       onSymbol: (format) => guard(() => this.saveSymbol(format)),
     });
-    placing.placed.on(() => panel.setSecret(holdsSecret(store.work.text)));
+    placing.placed.on(() => {
+      panel.setSecret(holdsSecret(store.work.text));
+      panel.setSymbol(store.work.values.content !== 'text');
+    });
   }
 
   /** @param {'svg' | 'png'} format */
   async saveSymbol(format) {
     const settings = this.batching_.settings();
-    const { rows } = await this.client_.symbol(settings);
+    const facts = await this.client_.symbol(settings);
+    if ('letters' in facts) return;
+    const { rows } = facts;
     const blob =
       format === 'png'
         ? await symbolPng(rows)
@@ -171,9 +176,11 @@ export class Exporting {
 
   /** @param {string} addition @param {string} extension */
   nameOf_(addition, extension) {
+    const { text: content, content: kind } = this.batching_.settings();
     return fileNameOf({
       modelFile: this.model_.source?.fileName ?? '',
-      text: this.batching_.settings().text,
+      text: content,
+      content: kind,
       symbolMm: this.placing_.placement?.symbolMm,
       addition,
       extension,

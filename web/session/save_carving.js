@@ -13,6 +13,7 @@ const nameOf = ({ report, work }, extension, addition) =>
   fileNameOf({
     modelFile: work.source?.fileName ?? '',
     text: report.text,
+    content: report.content,
     symbolMm: report.size.symbolMm,
     addition,
     extension,

@@ -5,7 +5,7 @@ import { showCarving } from '../ui/carve_panel.js';
 /**
  * @typedef {object} Panels
  * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'show'>} form
- * @property {Pick<import('../ui/code_panel.js').CodePanel, 'show'>} code
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'show' | 'showMakes'>} code
  * @property {Pick<import('../ui/place_panel.js').PlacePanel, 'showCentre'>} place
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'showInput'>} batch
  */
@@ -18,6 +18,8 @@ export function showWork(store, { form, code, place, batch }) {
     if (work.values !== before.values) {
       form.show(work.values);
       showCarving(work.values);
+      const makes = work.values.content;
+      if (makes !== before.values.content) code.showMakes(makes === 'text' ? 'text' : 'code');
     }
     if (work.batch !== before.batch) batch.showInput(work.batch);
     if (work.centreMm && work.centreMm !== before.centreMm) place.showCentre(work.centreMm);

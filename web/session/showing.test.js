@@ -10,7 +10,12 @@ class FakeElement {
 }
 const { document: realDocument, HTMLElement: realElement } = globalThis;
 const summary = new FakeElement();
+/** @type {{ dataset: Record<string, string>, hidden: boolean }[]} */
 const parts = ['shadow', 'inlay', 'inlay paint'].map((marks) => ({ dataset: { marks }, hidden: false }));
+parts.push(
+  { dataset: { content: 'code' }, hidden: false },
+  { dataset: { content: 'text', marks: 'shadow' }, hidden: false },
+);
 
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {any[][]} */ let calls;
@@ -23,12 +28,12 @@ before(() =>
 );
 after(() => Object.assign(globalThis, { document: realDocument, HTMLElement: realElement }));
 beforeEach(() => {
-  store = storeOf({ values: { mark: 'shadow', preset: 'balanced', nozzle: '0.4' } });
+  store = storeOf({ values: { content: 'code', mark: 'shadow', preset: 'balanced', nozzle: '0.4' } });
   calls = [];
   const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void calls.push([panel, part]);
   showWork(store, {
     form: { show: shows('form') },
-    code: { show: shows('code') },
+    code: { show: shows('code'), showMakes: shows('makes') },
     place: { showCentre: shows('place') },
     batch: { showInput: shows('batch') },
   });
@@ -39,13 +44,26 @@ test('A panel is updated only if its part of the work changes', () => {
   store.update({ centreIsGuess: true });
   store.update(centredAt([1, 2, 3]));
   store.update({ batch: /** @type {any} */ ({ from: 'count' }) });
-  store.update({ values: { preset: 'robust', nozzle: '0.25' } });
+  store.update({ values: { content: 'code', preset: 'robust', nozzle: '0.25' } });
   assert.deepEqual(calls, [
     ['code', 'b'],
     ['place', [1, 2, 3]],
     ['batch', { from: 'count' }],
-    ['form', { preset: 'robust', nozzle: '0.25' }],
+    ['form', { content: 'code', preset: 'robust', nozzle: '0.25' }],
   ]);
+});
+
+test('The panel of the code shows whether a code or a text alone is made', () => {
+  store.update({ values: { content: 'text' } });
+  store.update({ values: { content: 'text', mark: 'paint' } });
+  store.update({ values: { content: 'code' } });
+  assert.deepEqual(
+    calls.filter(([panel]) => panel === 'makes'),
+    [
+      ['makes', 'text'],
+      ['makes', 'code'],
+    ],
+  );
 });
 
 test('Without a centre the fields keep their values', () => {
@@ -60,13 +78,19 @@ test('One line sums up the carving from the start', () => {
   assert.match(summary.textContent, /^Robust.*\?/);
   store.update({ values: { mark: 'paint', preset: 'robust', nozzle: '0.4' } });
   assert.match(summary.textContent, /^Second colour, painted.*0\.4/);
+  store.update({ values: { content: 'text', mark: 'shadow', preset: 'robust', nozzle: '0.4' } });
+  assert.match(summary.textContent, /^Shadow.*0\.4/);
 });
 
-test('Settings without an effect on the mark are hidden', () => {
+test('Settings without an effect on the mark or the content are hidden', () => {
   const hidden = () => parts.map((part) => part.hidden);
-  assert.deepEqual(hidden(), [false, true, true]);
-  store.update({ values: { mark: 'inlay' } });
-  assert.deepEqual(hidden(), [true, false, false]);
-  store.update({ values: { mark: 'paint' } });
-  assert.deepEqual(hidden(), [true, true, false]);
+  assert.deepEqual(hidden(), [false, true, true, false, true]);
+  store.update({ values: { content: 'code', mark: 'inlay' } });
+  assert.deepEqual(hidden(), [true, false, false, false, true]);
+  store.update({ values: { content: 'code', mark: 'paint' } });
+  assert.deepEqual(hidden(), [true, true, false, false, true]);
+  store.update({ values: { content: 'text', mark: 'shadow' } });
+  assert.deepEqual(hidden(), [false, true, true, true, false]);
+  store.update({ values: { content: 'text', mark: 'paint' } });
+  assert.deepEqual(hidden(), [true, true, false, true, true]);
 });

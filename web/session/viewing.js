@@ -71,7 +71,7 @@ export class Viewing {
     picker.listen({ onPick: (picking) => tools.set({ picking }) });
     inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
     placing.placed.on((placement) => {
-      toolbar.setPlaced(placement !== undefined);
+      toolbar.setPlaced(placement !== undefined, placement?.capitalMm === null);
       tools.set({ placed: placement !== undefined });
     });
   }
@@ -113,7 +113,7 @@ export class Viewing {
   notePrinted_() {
     const { report, printed } = this.carving_.carved ?? {};
     this.tools_.reader.showPrint(
-      report && printed?.state === 'made'
+      report?.symbol && printed?.state === 'made'
         ? {
             print: printed.print,
             modules: report.symbol.modules,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step Engrave: one line that sums up the carving to be made, the settings that count for it, and the price of a
-// second colour.
+// The settings that count for the chosen content and mark, and the step Engrave: one line that sums up the carving to be made, and the price
+// of a second colour.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -10,16 +10,22 @@ import { colourCost } from './colour_cost.js';
 import { describeStep } from './steps.js';
 
 /** @param {import('../storage/last_work.js').Values} values  of the settings' controls */
-export function showCarving({ mark, preset, nozzle }) {
+export function showCarving({ content, mark, preset, nozzle }) {
   const nozzleMm = nozzle === '' ? NaN : Number(nozzle);
   describeStep('carve', () =>
     text('page.carveState', {
-      way: mark === 'shadow' ? choiceLabel('preset', String(preset)).split(',')[0] : choiceLabel('mark', String(mark)),
+      way:
+        content === 'text' || mark !== 'shadow'
+          ? choiceLabel('mark', String(mark))
+          : choiceLabel('preset', String(preset)).split(',')[0],
       nozzle: Number.isFinite(nozzleMm) ? formatPlain(nozzleMm) : '?',
     }),
   );
-  for (const part of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-marks]')))
-    part.hidden = !part.dataset.marks?.split(' ').includes(String(mark));
+  /** @type {NodeListOf<HTMLElement>} */ const parts = document.querySelectorAll('[data-marks], [data-content]');
+  for (const part of parts) {
+    const { marks = String(mark), content: wanted = content } = part.dataset;
+    part.hidden = wanted !== content || !marks.split(' ').includes(String(mark));
+  }
 }
 
 /** What is known about the price of a second colour. */

@@ -3,12 +3,12 @@
 import { ContentPanel } from './content_panel.js';
 import { SymbolPanel } from './symbol_panel.js';
 import { TypingPause } from './typing_pause.js';
-import { text } from '../i18n/catalogue.js';
+import { localise, text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
+import { formatMm } from '../i18n/format.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
-/** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
 /**
  * @typedef {{ words: () => string, isWrong: boolean, first?: { text: string } }} Parts  state of a batch, with its
  *   first part if there is one
@@ -17,7 +17,7 @@ import { showStep } from './steps.js';
 /**
  * @typedef {object} CodeOptions
  * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
- * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
+ * @property {import('./symbol_panel.js').SymbolOptions['symbolOf']} symbolOf
  * @property {(content: string) => Promise<import('../engine/types.js').TextAdvice>} adviceOn
  */
 
@@ -26,6 +26,7 @@ import { showStep } from './steps.js';
  * @property {(content: string) => void} onInput  the user has changed the text
  * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
  *   lacks a field
+ * @property {(makes: 'code' | 'text') => void} onMakes  the user wants a code, or the text alone; onInput follows
  */
 
 export class CodePanel {
@@ -34,14 +35,17 @@ export class CodePanel {
     /** @type {CodeListener | undefined} */ this.listener_ = undefined;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
-    this.plain_ = ''; // the text before a builder replaced it
+    this.plain_ = ''; // the text before a builder replaced it, or the page's own
+    this.other_ = ''; // the last text of a code while a text alone is made, or the other way round
     this.builderWrote_ = false;
+    /** @type {'code' | 'text'} */ this.makes_ = 'code';
     /** @type {Parts | undefined} */ this.parts_ = undefined;
     /** @type {Placement | undefined} */ this.placement_ = undefined;
     this.pause_ = new TypingPause(() => this.listener_?.onChange());
     this.builder_ = new ContentPanel({
       onPayload: (payload) => this.take_(payload),
       onPlain: () => this.restorePlain_(),
+      onMakes: (makes) => this.make_(makes),
     });
     this.symbol_ = new SymbolPanel({
       settings,
@@ -55,7 +59,7 @@ export class CodePanel {
       this.changed_(withLineBreaks(this.text_.value));
     });
     /** The text with which the page opens. */
-    this.initialText = this.text_.value;
+    this.initialText = this.plain_ = this.text_.value;
     this.set_(this.initialText);
     this.showPlaced(undefined);
   }
@@ -72,27 +76,49 @@ export class CodePanel {
     this.set_(content);
   }
 
+  /** Shows whether a code or the text alone is made. @param {'code' | 'text'} makes */
+  showMakes(makes) {
+    this.makes_ = makes;
+    this.builder_.showMakes(makes);
+    byId('text-label', HTMLElement).dataset.text = makes === 'text' ? 'page.letters' : 'page.text';
+    localise(byId('one-code', HTMLElement));
+    this.advise_();
+  }
+
   /** Closes the builder; the text stays. */
   leaveBuilder() {
     this.builder_.leave();
     this.builderWrote_ = false;
   }
 
-  /** True while a required field of the builder is missing or wrong. */
+  /** True while a required field of the builder is missing or wrong, or a text alone is empty. */
   get incomplete() {
-    return this.parts_ === undefined && this.builder_.incomplete;
+    return this.parts_ === undefined && (this.builder_.incomplete || this.lacksText_);
   }
 
   /** Shows the parts of a batch, or a single code if there are none. @param {Parts | undefined} parts */
   showParts(parts) {
     this.parts_ = parts;
-    this.symbol_.setAdvising(parts === undefined);
+    this.advise_();
     this.showPlaced(this.placement_);
   }
 
-  /** Shows which fields of the builder are missing or wrong. */
+  advise_() {
+    this.symbol_.setAdvising(this.parts_ === undefined && this.makes_ === 'code', this.makes_);
+  }
+
+  /** Shows what is missing or wrong. */
   reveal() {
     this.builder_.reveal();
+    if (this.lacksText_) this.text_.focus();
+  }
+
+  get lacksText_() {
+    return this.makes_ === 'text' && this.content_.trim() === '';
+  }
+
+  get incompleteWords_() {
+    return text(this.makes_ === 'text' ? 'code.letters.needed' : 'code.incomplete');
   }
 
   /** Draws the symbol again after the settings or the engine have changed. */
@@ -107,10 +133,12 @@ export class CodePanel {
     this.refresh();
     if (this.parts_)
       showStep('code', this.parts_.isWrong ? 'bad' : this.parts_.first ? 'done' : 'open', this.parts_.words);
-    else if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
+    else if (this.incomplete) showStep('code', 'open', () => this.incompleteWords_);
     else if (placement)
       showStep('code', 'done', () =>
-        text('page.codeState', { version: placement.version, modules: placement.modules }),
+        placement.capitalMm === null
+          ? text('page.codeState', { version: placement.version, modules: placement.modules })
+          : text('page.lettersState', { capital: formatMm(placement.capitalMm) }),
       );
     else showStep('code', 'open', () => '');
   }
@@ -127,7 +155,7 @@ export class CodePanel {
     this.set_(content);
     this.listener_?.onInput(content);
     this.pause_.forget();
-    if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
+    if (this.incomplete) showStep('code', 'open', () => this.incompleteWords_);
     else this.pause_.typed();
   }
 
@@ -145,7 +173,14 @@ export class CodePanel {
 
   restorePlain_() {
     this.builderWrote_ = false;
-    this.changed_(this.content_ === '' ? this.plain_ : this.content_);
+    this.changed_(this.content_ === '' && this.makes_ === 'code' ? this.plain_ : this.content_);
+  }
+
+  /** Goes on with the last text of a code, or of a text alone. @param {'code' | 'text'} makes */
+  make_(makes) {
+    if (makes === this.makes_) return;
+    [this.content_, this.other_] = [this.other_, this.content_];
+    this.listener_?.onMakes(makes);
   }
 
   /** @param {string} content  the text that the user accepted */

@@ -10,16 +10,19 @@ import { FieldView } from './field_view.js';
 
 const kForm = 'form'; // the field that selects the form, in kinds that can be written in several ways
 const kPlain = 'text'; // no fields: the textbox holds the content
+const kLetters = 'letters'; // the same, but the text itself is made, without a code
 
 export class ContentPanel {
   /**
    * @param {object} listener
    * @param {(payload: string) => void} listener.onPayload  the fields have changed; '' while they are incomplete
    * @param {() => void} listener.onPlain                    the user wants to type the text directly
+   * @param {(makes: 'code' | 'text') => void} listener.onMakes  the user wants a code, or the text alone
    */
-  constructor({ onPayload, onPlain }) {
+  constructor({ onPayload, onPlain, onMakes }) {
     this.onPayload_ = onPayload;
     this.onPlain_ = onPlain;
+    this.onMakes_ = onMakes;
     this.kind_ = makeKindChoice();
     this.fields_ = make('div', { className: 'content-fields' });
     this.fields_.hidden = true;
@@ -41,6 +44,13 @@ export class ContentPanel {
   /** True while a required field is missing or wrong, so that there is no code yet. */
   get incomplete() {
     return this.content_ !== undefined && buildContent(this.content_, this.values_()).payload === '';
+  }
+
+  /** Shows whether a code or the text alone is made. @param {'code' | 'text'} makes */
+  showMakes(makes) {
+    if ((this.kind_.value === kLetters) === (makes === 'text')) return;
+    this.kind_.value = makes === 'text' ? kLetters : kPlain;
+    this.open_(undefined);
   }
 
   /** Closes the builder; the user edits the text directly from now on. */
@@ -72,6 +82,7 @@ export class ContentPanel {
   }
 
   choose_() {
+    this.onMakes_(this.kind_.value === kLetters ? 'text' : 'code');
     this.open_(kContents.find(({ id }) => id === this.kind_.value));
     if (this.content_) this.update_();
     else this.onPlain_();
@@ -135,7 +146,11 @@ export class ContentPanel {
 function makeKindChoice() {
   const select = make('select');
   select.id = 'content-kind';
-  for (const { id, label } of [{ id: kPlain, label: /** @type {const} */ ('code.kind.text') }, ...kContents]) {
+  for (const { id, label } of [
+    { id: kPlain, label: /** @type {const} */ ('code.kind.text') },
+    ...kContents,
+    { id: kLetters, label: /** @type {const} */ ('code.kind.letters') },
+  ]) {
     const option = new Option('', id);
     option.dataset.text = label;
     select.append(option);

@@ -20,17 +20,13 @@ export class ExportPanel {
     this.secret_.hidden = true;
     this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', () => this.listener_?.onSettings());
     this.share_ = makeButton('exports.share', 'exports.shareTitle', () => this.listener_?.onShare());
+    this.symbol_ = [
+      makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => this.listener_?.onSymbol('svg')),
+      makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => this.listener_?.onSymbol('png')),
+    ];
     this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', () => this.listener_?.onPicture());
     mount.append(
-      make(
-        'div',
-        { className: 'take-buttons' },
-        this.settings_,
-        this.share_,
-        this.picture_,
-        makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => this.listener_?.onSymbol('svg')),
-        makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => this.listener_?.onSymbol('png')),
-      ),
+      make('div', { className: 'take-buttons' }, this.settings_, this.share_, this.picture_, ...this.symbol_),
       this.secret_,
     );
     localise(mount);
@@ -39,6 +35,11 @@ export class ExportPanel {
   /** @param {ExportListener} listener */
   listen(listener) {
     this.listener_ = listener;
+  }
+
+  /** @param {boolean} exists  false: a text alone */
+  setSymbol(exists) {
+    for (const button of this.symbol_) button.hidden = !exists;
   }
 
   /** @param {boolean} secret  the text holds a password, so a settings file and a link would contain it */

@@ -17,6 +17,7 @@ const kShownBorder = 3;
  * @returns {HTMLElement[]}
  */
 export function failurePicture(failed, { report, printed, seen }) {
+  if (!report.symbol) return [];
   const { modules } = report.symbol;
   if (failed === 'reads' && seen) return [figure(crop(seen, modules), text('check.seenByPhone'))];
   if (failed !== 'prints' || printed?.state !== 'made') return [];

@@ -63,6 +63,7 @@ export class GradesPanel {
   render_() {
     if (!this.report_ || !this.details_.open) return;
     const { verification, projection } = this.report_;
+    if (!verification.iso29158 || !verification.iso15415) return; // a text alone
     this.content_.replaceChildren(
       make('p', { className: 'facts', text: text('check.simulated') }),
       ...gradeTable(text('check.iso29158'), verification.iso29158, kParameters.iso29158),

@@ -58,7 +58,7 @@ export class PlacePanel {
   /** @param {Placement | undefined} placement */
   showPlacement(placement) {
     const aim = byId('placement-aim', HTMLElement);
-    aim.hidden = !placement;
+    aim.hidden = !placement || placement.capitalMm !== null; // people read a text at any angle
     showSpotCost(placement?.colourLayers ?? 0);
     this.shown_ = placement?.concerns ?? [];
     this.showConcerns_();

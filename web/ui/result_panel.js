@@ -133,12 +133,13 @@ export class ResultPanel {
     }
     const { report, elapsedMs, printed } = this.result_;
     const { size, symbol } = report;
+    byId('grades', HTMLElement).hidden = symbol === null;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else if (this.attempt_) showStep('check', 'warn', this.attempt_);
     else if (isUnderWay(printed) && isGoodButForPrinting(verdict))
       showStep('check', 'done', () => text('check.stepPrinting'));
-    else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
+    else showStep('check', kMarks[worstOf(verdict)], () => text(symbol ? summaryOf(verdict) : summaryOfText(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.findings_());
     // While an attempt is made, the module answers no questions about this result.
@@ -147,12 +148,15 @@ export class ResultPanel {
     this.numbers_.replaceChildren(
       ...row(
         text('page.size'),
-        text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) }),
+        size.moduleMm === null
+          ? formatMm(size.symbolMm)
+          : text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) }),
       ),
+      ...(symbol ? [] : row(text('page.capitals'), formatMm(report.label?.capitalMm ?? 0))),
       ...depthRow(report),
       ...(report.mark === 'shadow' ? [] : row(text('page.secondColour'), colourCostWithTower(report.colour))),
       ...row(text('page.time'), formatSeconds(elapsedMs)),
-      ...row(text('page.code'), text('page.codeValue', symbol)),
+      ...(symbol ? row(text('page.code'), text('page.codeValue', symbol)) : []),
     );
   }
 
@@ -186,13 +190,21 @@ function summaryOf({ reads, prints, solid }) {
   return solid.level === 'good' ? 'check.stepGood' : 'check.stepCrossing';
 }
 
+/** @param {Verdict} verdict */
+function summaryOfText({ reads, prints, solid }) {
+  if (!prints.passed) return 'check.textUnprintable';
+  if (!solid.passed) return 'check.textNotSolid';
+  if (reads.level !== 'good') return 'check.textSmall';
+  return prints.level === 'good' ? 'check.textGood' : 'check.textBarelyPrints';
+}
+
 /** @param {Report} report */
-function depthRow({ mark, depth }) {
+function depthRow({ content, mark, depth }) {
   if (mark === 'paint') return [];
   const max = formatMm(depth.maxMm);
   return row(
     text('page.depth'),
-    mark === 'inlay' ? max : text('page.depthValue', { mean: formatMm(depth.meanMm), max }),
+    mark === 'inlay' || content === 'text' ? max : text('page.depthValue', { mean: formatMm(depth.meanMm), max }),
   );
 }
 

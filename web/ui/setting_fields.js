@@ -43,6 +43,7 @@ export class SettingFields {
     const given = Object.fromEntries(this.fields_.map(({ id, key }) => [key, settingOf(key, values[id], values.size)]));
     if (given.size === kFixed) given.size = given.maxSizeMm;
     if (given.ecc === 'auto') given.ecc = undefined;
+    if (given.content === 'text') given.label = undefined; // its control is hidden
     const known = Object.entries(given).filter(([, value]) => value !== undefined);
     return /** @type {Settings} */ ({ text: content, ...Object.fromEntries(known) });
   }

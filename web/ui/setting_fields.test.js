@@ -146,6 +146,7 @@ test('A text is taken as typed; an empty one is left out', () => {
   assert.equal('label' in settings({ label: '' }), false);
   assert.equal(/** @type {any} */ (settings({ label: ' No. 007' })).label, ' No. 007');
   assert.equal(held(/** @type {any} */ ({ label: 'No. 7' })).label, 'No. 7');
+  assert.equal('label' in settings({ label: 'No. 7', content: 'text' }), false, 'a text alone takes none');
 });
 
 test('A missing, malformed or out-of-range number is refused with the range', () => {

@@ -10,10 +10,11 @@ import { formatMm, formatNumber, formatPlain } from '../i18n/format.js';
 import { asSentence } from '../i18n/sentences.js';
 import { isWebAddress } from '../payloads/link.js';
 import { tooSmall } from '../payloads/module_size.js';
-import { drawSymbol } from './symbol_drawing.js';
+import { drawLetters, drawSymbol } from './symbol_drawing.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('../engine/types.js').LetterFacts} LetterFacts */
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
 /**
  * @typedef {{ text: string, key: Key, use: () => void }} Form  another way to write the same content, and the function
@@ -24,6 +25,7 @@ import { drawSymbol } from './symbol_drawing.js';
  *   at any rotation
  */
 /** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
+/** @typedef {{ content: string, letters: LetterFacts }} ShownLetters */
 /** @typedef {{ content: string, settings: Settings, facts: SymbolFacts, shorter: { form: Form, facts: SymbolFacts }[] }} Shown */
 /** @typedef {import('../engine/types.js').TextAdvice} TextAdvice */
 
@@ -51,7 +53,7 @@ const kLargestVersion = 40;
 /**
  * @typedef {object} SymbolOptions
  * @property {(content: string) => Settings} settings   the chosen settings, with this text; throws an EngineFailure
- * @property {(settings: Settings) => Promise<SymbolFacts>} symbolOf
+ * @property {(settings: Settings) => Promise<SymbolFacts | { letters: LetterFacts }>} symbolOf
  * @property {(content: string) => Promise<TextAdvice>} adviceOn
  * @property {() => Form[]} otherForms                  from the builder
  * @property {(content: string) => void} onReplace      the user chose another text
@@ -70,9 +72,11 @@ export class SymbolPanel {
     this.lines_ = byId('symbol-advice', HTMLElement);
     this.content_ = '';
     this.advises_ = true;
+    /** @type {'code' | 'text'} */ this.makes_ = 'code';
     /** @type {{ content: string } & TextAdvice} */ this.advised_ = { content: '', advice: [], shorter: [] };
     /** @type {Room | undefined} */ this.room_ = undefined;
     /** @type {Shown | undefined} */ this.shown_ = undefined;
+    /** @type {LetterFacts | undefined} */ this.letters_ = undefined; // of a text alone
     /** @type {import('../engine/message.js').Message | undefined} */ this.problem_ = undefined;
     this.asked_ = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
@@ -92,9 +96,13 @@ export class SymbolPanel {
     this.pause_ = setTimeout(() => void this.ask_(), kPauseMs);
   }
 
-  /** @param {boolean} advises  whether to advise on the text and on shorter forms */
-  setAdvising(advises) {
+  /**
+   * @param {boolean} advises  whether to advise on the text and on shorter forms
+   * @param {'code' | 'text'} makes
+   */
+  setAdvising(advises, makes) {
     this.advises_ = advises;
+    this.makes_ = makes;
     this.render_();
   }
 
@@ -115,13 +123,14 @@ export class SymbolPanel {
       const settings = this.settings_(content);
       const facts = content === '' ? undefined : await this.symbolOf_(settings);
       if (!isNewest()) return;
-      this.shown_ = facts && { content, settings, facts, shorter: [] };
+      this.letters_ = facts && 'letters' in facts ? facts.letters : undefined;
+      this.shown_ = facts && !('letters' in facts) ? { content, settings, facts, shorter: [] } : undefined;
       this.problem_ = undefined;
       this.render_();
       if (this.shown_ && this.advises_) await this.findShorter_(this.shown_, isNewest);
     } catch (thrown) {
       if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return; // the new engine is asked again
-      this.shown_ = undefined;
+      this.shown_ = this.letters_ = undefined;
       this.problem_ = describeThrown(thrown);
       this.render_();
     }
@@ -138,7 +147,7 @@ export class SymbolPanel {
     const shorter = [];
     for (const form of [...ofLink, ...this.otherForms_()]) {
       const symbol = await this.symbolOf_({ ...settings, text: form.text });
-      if (!isNewest()) return;
+      if (!isNewest() || 'letters' in symbol) return;
       const least = Math.min(facts.size, ...shorter.map((known) => known.facts.size));
       if (symbol.size < least) shorter.push({ form, facts: symbol });
     }
@@ -147,23 +156,41 @@ export class SymbolPanel {
   }
 
   render_() {
-    const facts = this.shown_?.facts;
-    if (facts) {
+    const facts = this.shown_?.facts,
+      letters = this.letters_;
+    if (letters) {
+      this.picture_.replaceChildren(drawLetters(letters, text('code.letters.picture', { text: this.content_ })));
+      this.facts_.replaceChildren(...this.letterLines_(letters));
+    } else if (facts) {
       this.picture_.replaceChildren(drawSymbol(facts.rows, text('code.symbol.picture', { size: facts.size })));
       this.facts_.replaceChildren(...factLines(facts));
     } else {
       this.picture_.replaceChildren();
       const problem =
         this.problem_ && [sentenceOf(this.problem_), hintOf(this.problem_)].filter(Boolean).map(asSentence).join(' ');
-      this.facts_.replaceChildren(make('p', { text: problem ?? text('code.symbol.none') }));
+      this.facts_.replaceChildren(
+        make('p', { text: problem ?? text(this.makes_ === 'text' ? 'code.letters.none' : 'code.symbol.none') }),
+      );
     }
-    this.picture_.classList.toggle('empty', !facts);
+    this.picture_.classList.toggle('empty', !facts && !letters);
     this.facts_.classList.toggle('wrong', this.problem_ !== undefined);
     this.lines_.replaceChildren(...this.advice_().map(makeLine));
   }
 
+  /** Says how large the letters are. @param {LetterFacts} letters */
+  letterLines_({ size, capital }) {
+    if (!this.room_) return [make('p', { text: text('code.letters.unplaced') })];
+    const { symbolMm } = this.room_;
+    const words = text('code.letters.facts', {
+      width: formatMm(symbolMm),
+      capital: formatMm((capital * symbolMm) / size),
+    });
+    return [make('p', { className: 'symbol-name', text: words })];
+  }
+
   /** @returns {Line[]} */
   advice_() {
+    if (this.letters_) return this.letterSizeLines_(this.letters_);
     if (!this.advises_) return this.sizeLines_(true);
     const advice = this.advised_.content === this.content_ ? this.advised_.advice : [];
     const ofText = advice.map(({ severity, message, fixed }) => ({
@@ -184,6 +211,12 @@ export class SymbolPanel {
       words: text(form.key, { version: symbol.version, percent }),
       action: { words: text('code.shorter.use'), run: form.use },
     };
+  }
+
+  /** @param {LetterFacts} letters @returns {Line[]} */
+  letterSizeLines_({ leastMm }) {
+    if (!this.room_ || leastMm === null || this.room_.symbolMm >= leastMm) return [];
+    return [{ severity: 'warning', words: text('code.letters.small', { needed: formatMm(Math.ceil(leastMm)) }) }];
   }
 
   /** @param {boolean} hasShorter @returns {Line[]} */

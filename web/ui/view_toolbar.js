@@ -52,7 +52,7 @@ export class ViewToolbar {
     this.followMenu_();
     this.followBefore_();
     this.setCarved(false, false, false);
-    this.setPlaced(false);
+    this.setPlaced(false, true);
   }
 
   /** @param {ToolbarListener} listener */
@@ -136,9 +136,14 @@ export class ViewToolbar {
     if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
   }
 
-  /** @param {boolean} placed  whether a code is placed */
-  setPlaced(placed) {
-    for (const button of [this.reader_, this.section_]) allow(button, placed ? undefined : 'page.whyNoPlace');
+  /**
+   * @param {boolean} placed    whether a code or a text is placed
+   * @param {boolean} forPhone  whether a phone reads it
+   */
+  setPlaced(placed, forPhone) {
+    const why = placed ? undefined : 'page.whyNoPlace';
+    allow(this.reader_, why ?? (forPhone ? undefined : 'page.whyForPeople'));
+    allow(this.section_, why);
     this.hint_.hidden = placed;
     if (!placed && isPressed(this.section_)) this.showSection(false);
   }

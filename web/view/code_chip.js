@@ -23,12 +23,16 @@ export class CodeChip {
   }
 
   /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
-  show({ symbolMm, moduleMm, missingShare, forgiving, concerns, exact }, x, y) {
+  show({ symbolMm, moduleMm, capitalMm, missingShare, forgiving, concerns, exact }, x, y) {
     const isPossible = moduleMm >= kLeastModuleMm;
     this.size_.textContent = isPossible
       ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) })
       : '';
-    this.module_.textContent = isPossible ? text('view.chipModules', { mm: millimetres(moduleMm, 2) }) : '';
+    const detail =
+      capitalMm === null
+        ? text('view.chipModules', { mm: millimetres(moduleMm, 2) })
+        : text('view.chipCapitals', { mm: millimetres(capitalMm) });
+    this.module_.textContent = isPossible ? detail : '';
     const missing = Math.max(1, Math.round(missingShare * 100));
     this.warning_.textContent = !isPossible
       ? text('view.chipTooSmall')

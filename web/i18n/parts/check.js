@@ -12,6 +12,12 @@ export const check = {
     stepNotSolid: 'Reads, but is not a clean solid',
     stepCrossing: 'Reads and prints; the model crosses itself elsewhere',
 
+    textGood: 'Large enough to read and print, solid',
+    textSmall: 'Prints, but is hard to read',
+    textUnprintable: 'Too fine to print',
+    textBarelyPrints: 'May not print well',
+    textNotSolid: 'Not a clean solid',
+
     stepPrinting: 'Reads; the print is being simulated',
     printing: 'Simulating the print: {percent} %',
     printingWhy: 'You can download the file now.',
@@ -76,6 +82,12 @@ export const check = {
     stepUnprintable: 'Lesbar, aber vielleicht nicht druckbar',
     stepNotSolid: 'Lesbar, aber kein sauberer Körper',
     stepCrossing: 'Lesbar und druckbar; anderswo überschneidet sich das Modell',
+
+    textGood: 'Groß genug zum Lesen und Drucken, geschlossen',
+    textSmall: 'Druckbar, aber schwer lesbar',
+    textUnprintable: 'Zu fein für den Druck',
+    textBarelyPrints: 'Druckt vielleicht nicht gut',
+    textNotSolid: 'Kein sauber geschlossener Körper',
 
     stepPrinting: 'Lesbar; der Druck wird simuliert',
     printing: 'Der Druck wird simuliert: {percent} %',

@@ -4,6 +4,7 @@ export const code = {
   en: {
     kind: 'Kind of content',
     'kind.text': 'Link or text',
+    'kind.letters': 'Text alone',
     needed: 'Required',
     optional: 'optional',
     form: 'Written as',
@@ -99,6 +100,13 @@ export const code = {
     'symbol.full': 'One more byte, and the modules get smaller',
     'symbol.last': 'There is no larger QR code',
     'symbol.picture': 'QR code, {size} × {size} modules',
+    'letters.picture': 'The text {text}',
+    'letters.none': 'No text yet',
+    'letters.needed': 'Enter the text',
+    'letters.facts': '{width} across, capitals {capital} high',
+    'letters.unplaced': 'How large the letters are depends on the spot.',
+    'letters.small':
+      'The strokes are too thin for your printer: the text must be about {needed} across. Choose a spot with more room, a shorter text, more lines or a finer nozzle.',
     'symbol.fill': 'Bytes used',
     'symbol.none': 'No code yet',
     'symbol.small': 'At {symbol} each module is {module}; a {nozzle} nozzle needs about {least} for this pattern.',
@@ -119,6 +127,7 @@ export const code = {
   de: {
     kind: 'Art des Inhalts',
     'kind.text': 'Link oder Text',
+    'kind.letters': 'Nur Text',
     needed: 'Erforderlich',
     optional: 'freiwillig',
     form: 'Geschrieben als',
@@ -215,6 +224,13 @@ export const code = {
     'symbol.full': 'Ein Byte mehr, und die Module werden kleiner',
     'symbol.last': 'Einen größeren Code gibt es nicht',
     'symbol.picture': 'QR-Code, {size} × {size} Module',
+    'letters.picture': 'Der Text {text}',
+    'letters.none': 'Noch kein Text',
+    'letters.needed': 'Den Text eingeben',
+    'letters.facts': '{width} breit oder hoch, Großbuchstaben {capital} hoch',
+    'letters.unplaced': 'Wie groß die Buchstaben werden, hängt von der Stelle ab.',
+    'letters.small':
+      'Die Striche sind zu dünn für den Drucker: Der Text muss etwa {needed} messen. Eine Stelle mit mehr Platz, einen kürzeren Text, mehr Zeilen oder eine feinere Düse wählen.',
     'symbol.fill': 'Belegte Bytes',
     'symbol.none': 'Noch kein Code',
     'symbol.small':

@@ -90,6 +90,12 @@ export const guide = {
     partsManifest:
       'The ZIP contains a model for each part and a manifest, manifest.csv, with the text, the file and the test results of every part.',
 
+    textAlone: 'Text without a code',
+    textAloneWhat:
+      'Under “Kind of content”, choose “Text alone”: names, revisions or warnings that follow a curved face. Each line of the text becomes a line of letters, two layers deep, or in a second colour.',
+    textAloneSize:
+      'The drawing says how high the capitals are at the chosen spot. If the strokes are thinner than a printed line, choose a spot with more room, a shorter text, more lines or a finer nozzle.',
+
     coupon: 'A test plate',
     couponWhat:
       'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It tests your printer, your material and your light.',
@@ -204,6 +210,12 @@ export const guide = {
       'Dann alle gravieren. Anderes lässt sich währenddessen tun, und nach dem Schließen oder Neuladen der Seite geht es weiter. Jedes Teil wird probeweise gelesen; ein unlesbares Teil wird weggelassen, und die Tabelle sagt, warum.',
     partsManifest:
       'Das ZIP enthält für jedes Teil ein Modell und eine Übersicht, manifest.csv, mit Text, Datei und Prüfergebnissen jedes Teils.',
+
+    textAlone: 'Text ohne Code',
+    textAloneWhat:
+      'Unter „Art des Inhalts“ „Nur Text“ wählen: Namen, Versionen oder Hinweise, die einer gekrümmten Fläche folgen. Jede Zeile des Textes wird eine Zeile Buchstaben, zwei Schichten tief oder in einer zweiten Farbe.',
+    textAloneSize:
+      'Die Zeichnung nennt die Höhe der Großbuchstaben an der gewählten Stelle. Sind die Striche dünner als eine gedruckte Linie, hilft eine Stelle mit mehr Platz, ein kürzerer Text, mehr Zeilen oder eine feinere Düse.',
 
     coupon: 'Eine Prüfplatte',
     couponWhat:

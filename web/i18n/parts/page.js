@@ -24,6 +24,7 @@ export const page = {
 
     whyNoModel: 'First open a model.',
     whyNoPlace: 'First choose a place for the code.',
+    whyForPeople: 'People read a text; a phone reads only codes.',
     whyBusy: 'Wait until the work under way ends, or cancel it.',
     whyNotEngraved: 'First engrave.',
     whyNoDepths: 'A second colour has no depths to show.',
@@ -58,6 +59,8 @@ export const page = {
 
     code: 'Code',
     text: 'Text or link',
+    letters: 'Text; each line is a line of letters',
+    lettersState: 'Text alone, capitals {capital} high',
     codeState: 'Version {version}, {modules} × {modules} modules',
 
     place: 'Place',
@@ -142,12 +145,14 @@ export const page = {
     tryColour: 'Trying a second colour',
     tryDesign: 'Engraving for the design only',
     sinceFailed: '{attempt}, since the code cannot be engraved as chosen',
+    sinceFine: '{attempt}, since the strokes of the text are too thin to print',
     sinceUnread: '{attempt}, since the code does not read reliably',
     sincePrintBarely: '{attempt}, since the print barely reads',
     sincePrintUnread: '{attempt}, since the print does not read',
     soFar: 'Below is the result so far. You can download it.',
     engravedFirst: 'Engraved. Nothing that QRelief may change by itself reads better as printed.',
     engravedInColour: 'Made in a second colour: here a shadow would not read well as printed.',
+    engravedTextLarger: 'Engraved larger than by default: the strokes would have been too thin to print.',
     engravedLarger: 'Engraved larger than by default, and turned for it: the default code would not read as printed.',
     engravedCapitals:
       'Engraved with the link’s beginning in capitals, which opens the same page and makes larger modules: else the code would not read.',
@@ -170,6 +175,7 @@ export const page = {
     failsAgainHint: 'Reload the page; if only this model fails, try one with fewer triangles',
 
     size: 'Size',
+    capitals: 'Capitals',
     sizeValue: '{width}, modules of {module}',
     depth: 'Depth',
     depthValue: '{mean} on average, {max} at most',
@@ -205,6 +211,7 @@ export const page = {
 
     whyNoModel: 'Erst ein Modell öffnen.',
     whyNoPlace: 'Erst eine Stelle für den Code wählen.',
+    whyForPeople: 'Einen Text lesen Menschen; ein Telefon liest nur Codes.',
     whyBusy: 'Warten, bis die laufende Arbeit endet, oder sie abbrechen.',
     whyNotEngraved: 'Erst gravieren.',
     whyNoDepths: 'Eine zweite Farbe hat keine Tiefen.',
@@ -239,6 +246,8 @@ export const page = {
 
     code: 'Code',
     text: 'Text oder Link',
+    letters: 'Text; jede Zeile ergibt eine Zeile Buchstaben',
+    lettersState: 'Nur Text, Großbuchstaben {capital} hoch',
     codeState: 'Version {version}, {modules} × {modules} Module',
 
     place: 'Stelle',
@@ -323,12 +332,14 @@ export const page = {
     tryColour: 'Eine zweite Farbe versuchen',
     tryDesign: 'Nur für den Entwurf gravieren',
     sinceFailed: '{attempt}, denn wie gewählt lässt sich der Code nicht gravieren',
+    sinceFine: '{attempt}, denn die Striche des Textes sind zu dünn für den Druck',
     sinceUnread: '{attempt}, denn der Code ist nicht verlässlich lesbar',
     sincePrintBarely: '{attempt}, denn der Druck ist kaum lesbar',
     sincePrintUnread: '{attempt}, denn der Druck ist nicht lesbar',
     soFar: 'Unten steht das Ergebnis bis jetzt. Es lässt sich herunterladen.',
     engravedFirst: 'Graviert. Nichts, was QRelief selbst ändern darf, ist gedruckt besser lesbar.',
     engravedInColour: 'In einer zweiten Farbe: Ein Schatten wäre hier im Druck nicht gut lesbar.',
+    engravedTextLarger: 'Größer als üblich graviert: Die Striche wären zu dünn für den Druck gewesen.',
     engravedLarger: 'Größer als üblich graviert und dafür gedreht: Der übliche Code wäre gedruckt nicht lesbar.',
     engravedCapitals:
       'Graviert mit dem Anfang des Links in Großbuchstaben, der dieselbe Seite öffnet und größere Module ergibt: Sonst wäre der Code nicht lesbar.',
@@ -352,6 +363,7 @@ export const page = {
     failsAgainHint: 'Die Seite neu laden; geschieht es nur mit diesem Modell, eines mit weniger Dreiecken versuchen',
 
     size: 'Größe',
+    capitals: 'Großbuchstaben',
     sizeValue: '{width}, Module von {module}',
     depth: 'Tiefe',
     depthValue: '{mean} im Mittel, höchstens {max}',
