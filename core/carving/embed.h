@@ -22,8 +22,7 @@ struct FacetOrigin {
     Wall    ///< of a pocket
   };
   Kind kind = Kind::Kept;
-  bool isOfLabel =
-      false;  ///< a floor or wall of the label or the frame: outside the symbol's square, or without a symbol
+  bool isOfLabel = false;          ///< a floor or wall of the label or the frame, or of a text alone
   std::uint32_t facet = kNoFacet;  ///< of the model; over a floor; none for walls and the grid of a resampled surface
 };
 
