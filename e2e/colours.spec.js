@@ -38,7 +38,7 @@ test('A painted code keeps the model’s shape and has the second filament', asy
     await expect(app.result).toContainText(kCost);
     await expect(app.result.locator('dl')).not.toContainText('Depth');
     await expect(choice).toContainText(/This code: \d+ filament change/);
-    await expect(page.getByRole('button', { name: 'Depths', exact: true })).toBeDisabled();
+    await expect(page.getByRole('button', { name: 'Depths', exact: true })).toBeHidden();
   });
 
   await test.step('The view shows the code in its colours', async () => {

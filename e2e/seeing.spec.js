@@ -91,6 +91,6 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     await page.getByRole('button', { name: 'With code' }).click();
     await expect(legend).toBeHidden();
-    await expect(before).toBeDisabled();
+    await expect(before).toBeHidden();
   });
 });

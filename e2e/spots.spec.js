@@ -77,7 +77,7 @@ test('A spot search waits for the typed text; a change of settings discards the 
     await app.setting('Minimum wall (mm)').fill('1');
     await app.setting('Minimum wall (mm)').press('Tab');
     await expect(app.spots).toHaveCount(0);
-    await expect(sizes).toBeDisabled();
+    await expect(sizes).toBeHidden();
     await expect(legend).toBeHidden();
   });
   await test.step('if every spot has a concern, that is reported before carving', async () => {

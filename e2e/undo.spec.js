@@ -74,7 +74,7 @@ test('Undoing a carving shows the uncarved model, and redoing it restores the re
   await expect(undo).toBeEnabled();
   await undo.click();
   await expect(app.result).toBeHidden();
-  await expect(carved).toBeDisabled();
+  await expect(carved).toBeHidden();
   await expect(redo).toBeEnabled();
   await redo.click();
   await expect(app.result).toBeVisible();
