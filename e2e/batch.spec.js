@@ -27,15 +27,16 @@ const csv = (texts) =>
  * @param {import('@playwright/test').Page} page
  * @param {string} name
  * @param {string} content
+ * @param {BufferEncoding} [encoding]
  */
-const drop = (page, name, content) =>
+const drop = (page, name, content, encoding = 'utf8') =>
   page.evaluate(
-    ([fileName, text]) => {
+    ({ fileName, bytes }) => {
       const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([text], fileName, { type: 'text/csv' }));
+      dataTransfer.items.add(new File([new Uint8Array(bytes)], fileName, { type: 'text/csv' }));
       document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     },
-    [name, content],
+    { fileName: name, bytes: [...Buffer.from(content, encoding)] },
   );
 
 test('A list becomes one code per part, across a reload, and a ZIP has the parts and their manifest', async ({
@@ -69,6 +70,34 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
     await press('Engrave the first part');
     await expect(page.getByRole('list', { name: 'Problems in the list' })).toBeFocused();
     await expect(app.progress).toHaveCount(0);
+  });
+
+  await test.step('a list shows its first rows, and its columns can be chosen', async () => {
+    const preview = page.getByRole('region', { name: 'First rows of the list' });
+    const texts = page.getByLabel('Texts from column'),
+      names = page.getByLabel('Names from column');
+    await drop(page, 'windows.csv', 'Tür;https://example.org/1\r\nTor;https://example.org/2\r\n', 'latin1');
+    await expect(preview.getByRole('columnheader')).toHaveText(['column1', 'text']);
+    await expect(preview.getByRole('cell')).toHaveText([
+      'Tür',
+      'https://example.org/1',
+      'Tor',
+      'https://example.org/2',
+    ]);
+    await expect(texts).toHaveValue('text');
+    await expect(problems).toContainText(['The first row of the list', 'was read as Windows-1252', 'Unused columns']);
+    await names.selectOption('column1');
+    await expect(page.getByText('This is the code of part Tür: https://example.org/1')).toBeVisible();
+
+    await drop(page, 'url.csv', 'nr,url\n1,https://example.org/1\n');
+    await expect(texts).toHaveValue('url');
+    await expect(names).toHaveValue('');
+    await drop(page, 'other.csv', 'Name,Adresse\nA,example.org/a\nB,example.org/b\n');
+    await expect(problems).toContainText(['The list has no column “text”']);
+    await expect(texts.locator('option:checked')).toHaveText('Choose one');
+    await texts.selectOption('Adresse');
+    await expect(plan).toHaveText(/^2 parts/);
+    await expect(page.getByLabel('Text of each code')).toHaveValue('{Adresse}');
   });
 
   await test.step('the first part must be carved before the others', async () => {

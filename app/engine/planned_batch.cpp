@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/planned_batch.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/parse_json.h"
@@ -13,6 +14,7 @@
 namespace qrelief {
 namespace {
 
+constexpr std::size_t kPreviewRows = 5;
 const Error kNoRow = {ErrorKind::BadUsage, message<"no-such-row">()};
 
 /// Returns the settings in which a request differs from the common one, and those that every row has of its own.
@@ -31,11 +33,14 @@ Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, const Json& ask
   return readBatchList(bytes, options);
 }
 
-/// Returns the columns of a list, each with its first cell, for a person who chooses one of them.
+/// Returns the columns of a list, each with its first cells, for a person who chooses among them.
 Json columnsOf(const BatchList& list) {
   Json columns = Json::array();
-  for (std::size_t i = 0; i < list.columns().size(); ++i)
-    columns.push_back({{"name", list.columns()[i]}, {"first", list.cell(0, i)}});
+  for (std::size_t i = 0; i < list.columns().size(); ++i) {
+    Json cells = Json::array();
+    for (std::size_t row = 0; row < std::min(list.size(), kPreviewRows); ++row) cells.push_back(list.cell(row, i));
+    columns.push_back({{"name", list.columns()[i]}, {"cells", std::move(cells)}});
+  }
   return columns;
 }
 
@@ -67,6 +72,7 @@ std::string PlannedBatch::planBatch(const std::vector<std::uint8_t>& bytes, cons
                {"mayBeMore", problems.size() == BatchPlan::kMostProblems},
                {"unused", plan.unusedColumns()},
                {"columns", columnsOf(plan.list())},
+               {"textNames", plan.textNames()},
                {"warnings", std::move(warnings)}};
   if (problems.empty()) {
     if (const CodeRequest code = plan.row(0).request.code; !code.isText()) {

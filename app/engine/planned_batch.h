@@ -17,8 +17,9 @@ namespace qrelief {
 class PlannedBatch {
  public:
   /// Plans a batch, see BatchPlan. Returns {rows, problems: [message], mayBeMore, unused: [column], columns: [{name,
-  /// first}], warnings: [message], version, modules}; `first`: the first cell. With a problem there are no rows;
-  /// `version` and `modules` belong to the first row. An error if the list cannot be read.
+  /// cells}], textNames: [name], warnings: [message], version, modules}; `cells`: of the first rows; `textNames`: see
+  /// BatchPlan::textNames(). With a problem there are no rows; `version` and `modules` belong to the first row. An
+  /// error if the list cannot be read.
   /// @param list   the list's file; ignored if there is a count
   /// @param order  {"settings": {…}, "text", "name", "count", "perPlate"}: the settings of all rows; the templates, ""
   ///               where the list's columns give the values; the number of rows without a list; and the number of rows

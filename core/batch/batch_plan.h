@@ -61,6 +61,9 @@ class BatchPlan {
 
   const BatchList& list() const { return list_; }
 
+  /// Returns the names that the texts' template fills in: of columns, and "n" for the row's number.
+  const std::vector<std::string>& textNames() const { return text_.names(); }
+
   /// Returns warnings about what the list's reader had to guess (BatchList), about cells that a spreadsheet has changed
   /// (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }

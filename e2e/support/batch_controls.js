@@ -30,6 +30,17 @@ export const kOfTheParts = {
     await expect(at('batch-list')).toBeFocused();
     await expect(at('code-state')).toHaveText('Open, drop or paste a list');
   },
+  'batch-text-column': async ({ at }) => {
+    await at('batch-open-file').setInputFiles(listFile('name,link,site\nA,example.org/a,example.org/b\n'));
+    await expect(at('batch-text-column')).toHaveValue('link');
+    await at('batch-text-column').selectOption('site');
+    await expect(at('batch-text')).toHaveValue('{site}');
+    await expect(at('batch-first')).toHaveText('This is the code of part 1: example.org/b');
+  },
+  'batch-id-column': async ({ at }) => {
+    await at('batch-id-column').selectOption('name');
+    await expect(at('batch-first')).toHaveText('This is the code of part A: example.org/b');
+  },
   'batch-from': async ({ at }) => {
     await at('batch-from').selectOption('count');
     await expect(at('code-state')).toHaveText(/^100 parts, version 2/);

@@ -37,12 +37,15 @@ TEST(PlannedBatch, ReadsTheRowsOfAListAndTheirCommonVersion) {
   EXPECT_EQ(row["file"], "b.stl");
 }
 
-TEST(PlannedBatch, NamesTheColumnsWithTheirFirstCellsToChooseFrom) {
+TEST(PlannedBatch, NamesTheColumnsWithTheirFirstFiveCellsToChooseFrom) {
   PlannedBatch batch;
   const Json unknown = planned(batch, "Part,Website\nM8,example.org/8\n");
   ASSERT_EQ(unknown["problems"][0]["code"], "list-without-text") << unknown;
-  EXPECT_EQ(unknown["columns"], Json::parse(R"([{"name": "Part", "first": "M8"},
-                                                {"name": "Website", "first": "example.org/8"}])"));
+  EXPECT_EQ(unknown["columns"], Json::parse(R"([{"name": "Part", "cells": ["M8"]},
+                                                {"name": "Website", "cells": ["example.org/8"]}])"));
+  const Json six = planned(batch, "nr,url\n1,a\n2,b\n3,c\n4,d\n5,e\n6,f\n");
+  EXPECT_EQ(six["columns"][1]["cells"], Json({"a", "b", "c", "d", "e"}));
+  EXPECT_EQ(six["textNames"], Json({"url"}));
   const Json chosen = planned(batch, "Part,Website\nM8,example.org/8\n", {{"text", "{Website}"}, {"id", "Part"}});
   ASSERT_EQ(chosen["rows"], 1) << chosen;
   EXPECT_EQ(Json::parse(batch.batchRow(0))["row"]["id"], "M8");

@@ -204,9 +204,10 @@
  * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number, id?: string, hasNames?: boolean }} BatchRequest
  *   `id`: the column of the ids, if it is not called so; `hasNames`: whether the first row of a CSV table names its
  *   columns; by default it does unless it has a link
- * @typedef {{ name: string, first: string }} BatchColumn  `first`: its cell in the first row
- * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], columns: BatchColumn[], warnings: Message[], version?: number, modules?: number }} BatchPlan
- *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: guesses of the reader, columns and
+ * @typedef {{ name: string, cells: string[] }} BatchColumn  `cells`: in the first rows
+ * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], columns: BatchColumn[], textNames: string[], warnings: Message[], version?: number, modules?: number }} BatchPlan
+ *   no rows if there is a problem; `unused`: columns that are not used; `textNames`: names that the texts' template fills
+ *   in; `warnings`: guesses of the reader, columns and
  *   cells with removed settings
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow

@@ -5,6 +5,7 @@ import { onLanguage, text } from '../i18n/catalogue.js';
 import { formatNumber } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId } from '../dom/dom.js';
+import { ListPreview, columnAlone } from './list_preview.js';
 import { showFindings } from './messages.js';
 
 /** @typedef {import('../storage/last_work.js').BatchInput} BatchInput */
@@ -14,10 +15,9 @@ import { showFindings } from './messages.js';
 const kTypingPauseMs = 250;
 const kMostShownBytes = 20_000; // the panel shows a longer list by its name only
 const kNumberedText = 'https://example.org/p/{n:05}';
+const kNumber = 'n'; // names a part's number in templates
 const kPerPlate = 12; // used while the field holds no valid number of parts
 const kPasted = ''; // the name of a list that was typed or pasted
-const kMostOffered = 8; // columns to choose from
-const kMostShownLetters = 40; // of a cell on a button
 
 /** The input before anything is typed. @type {BatchInput} */
 export const kEmptyInput = Object.freeze({
@@ -53,18 +53,22 @@ export class BatchPanel {
     this.perPlate_ = byId('batch-per-plate', HTMLInputElement);
     this.problems_ = byId('batch-problems', HTMLElement);
     this.first_ = byId('batch-first', HTMLElement);
+    this.preview_ = new ListPreview({
+      onText: (column) => {
+        this.text_.value = `{${column}}`;
+        this.take_();
+      },
+      onId: (id) => this.choose_({ id }),
+    });
     /** @type {BatchInput} */ this.input_ = kEmptyInput;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     /** @type {() => void} */ this.writeFindings_ = () => {};
     // Input comes before change: undo records the change under the radio's own name.
     for (const radio of [this.isOne_, this.isMany_]) radio.addEventListener('input', () => this.changed_());
     this.from_.addEventListener('change', () => {
-      this.text_.value =
-        this.from_.value === 'count'
-          ? this.text_.value || kNumberedText
-          : this.text_.value === kNumberedText
-            ? ''
-            : this.text_.value;
+      const isCount = this.from_.value === 'count';
+      if (isCount && (this.text_.value === '' || namesColumn(this.text_.value))) this.text_.value = kNumberedText;
+      if (!isCount && this.text_.value === kNumberedText) this.text_.value = '';
       this.take_();
     });
     this.files_.addEventListener('change', () => this.take_());
@@ -110,13 +114,14 @@ export class BatchPanel {
   takeList(list, listName) {
     this.isMany_.checked = true;
     this.from_.value = 'list';
-    const isNumbered = this.text_.value === kNumberedText;
+    // A column of another list, or a text for parts without a list.
+    const isStale = namesColumn(this.text_.value) || this.text_.value === kNumberedText;
     this.put_({
       ...this.input_,
       from: 'list',
       list,
       listName,
-      text: isNumbered ? '' : this.text_.value,
+      text: isStale ? '' : this.text_.value,
       name: this.name_.value,
       id: '',
       names: '',
@@ -145,30 +150,24 @@ export class BatchPanel {
   show({ plan, problems, first }) {
     this.writeFindings_ = () => {
       const unused = plan?.unused.length
-        ? [
-            {
-              severity: 'warning',
-              found: text('batch.unused', { columns: plan.unused.join(', ') }),
-              help: '',
-              remedies: this.idsFrom_(plan),
-            },
-          ]
+        ? [{ severity: 'warning', found: text('batch.unused', { columns: plan.unused.join(', ') }), help: '' }]
         : [];
       showFindings(this.problems_, [
         ...problems.map((problem) => ({
           severity: 'blocking',
           found: sentenceOf(problem),
           help: hintOf(problem),
-          remedies: this.remediesFor_(problem, plan),
+          remedies: this.remediesFor_(problem),
         })),
         ...(plan?.warnings ?? []).map((warning) => ({
           severity: 'warning',
           found: sentenceOf(warning),
           help: hintOf(warning),
-          remedies: this.remediesFor_(warning, plan),
+          remedies: this.remediesFor_(warning),
         })),
         ...unused,
       ]);
+      this.preview_.show(plan, this.input_);
       this.first_.hidden = first === undefined;
       this.first_.textContent = first ? text('batch.firstShown', { id: first.id, text: first.text }) : '';
     };
@@ -178,34 +177,13 @@ export class BatchPanel {
   /**
    * Offers other readings of the table where the program could not know which one is meant.
    * @param {import('../engine/message.js').Message} finding
-   * @param {BatchPlan | undefined} plan
    * @returns {import('./messages.js').Remedy[]}
    */
-  remediesFor_({ code }, plan) {
+  remediesFor_({ code }) {
     const namesAre = (/** @type {'yes' | 'no'} */ names, /** @type {import('../i18n/catalogue.js').Key} */ label) =>
       this.input_.names === names ? [] : [{ label: text(label), run: () => this.choose_({ names }) }];
     if (code === 'list-without-names') return namesAre('yes', 'batch.firstHasNames');
-    if (code !== 'list-without-text') return [];
-    const columns = (plan?.columns ?? []).slice(0, kMostOffered).map(({ name, first }) => ({
-      label: text('batch.textsFrom', { column: name, first: first.slice(0, kMostShownLetters) }),
-      run: () => {
-        this.text_.value = `{${name}}`;
-        this.take_();
-      },
-    }));
-    return [...columns, ...namesAre('no', 'batch.firstIsPart')];
-  }
-
-  /** Offers unused columns for the ids, unless there are ids. @param {BatchPlan} plan */
-  idsFrom_({ unused, columns }) {
-    if (this.input_.id || columns.some(({ name }) => name.toLowerCase() === 'id')) return [];
-    return columns
-      .filter(({ name }) => unused.includes(name))
-      .slice(0, kMostOffered)
-      .map(({ name: id, first }) => ({
-        label: text('batch.idsFrom', { column: id, first: first.slice(0, kMostShownLetters) }),
-        run: () => this.choose_({ id }),
-      }));
+    return code === 'list-without-text' ? namesAre('no', 'batch.firstIsPart') : [];
   }
 
   /** @param {Partial<BatchInput>} choice */
@@ -303,6 +281,9 @@ export class BatchPanel {
     this.writeFindings_();
   }
 }
+
+/** Tells whether a template is a column of a list and nothing else. @param {string} template */
+const namesColumn = (template) => (columnAlone(template) ?? kNumber) !== kNumber;
 
 /** @param {BatchInput} input */
 export const isEmptyInput = ({ from, list, count }) => (from === 'list' ? list.length === 0 : count < 1);
