@@ -275,13 +275,14 @@ test('Inlaid parts named .stl have a second file each, in the ZIP and in the man
   await app.open('?sample=plate&mark=inlay');
   await page.getByRole('radio', { name: 'A code for every part' }).check();
   await page.getByLabel('The parts come from').selectOption('Numbers, without a list');
-  await page.getByLabel('Number of parts').fill('2');
+  await page.getByLabel('Number of parts').fill('3');
+  await page.getByLabel('Make only the first … parts, as a trial').fill('2');
   await page.getByLabel('Text of each code').fill('No {n}');
   await page.getByLabel('File names').fill('{n}.stl');
-  await expect(page.locator('#code-state')).toHaveText('2 parts, version 1, 21 × 21 modules');
+  await expect(page.locator('#code-state')).toHaveText('3 parts, version 1, 21 × 21 modules');
   await expect(app.status).toHaveText('Ready.');
   await page.getByRole('button', { name: 'Engrave the first part' }).click();
-  await page.getByRole('button', { name: 'Make all 2 parts' }).click({ timeout: 240_000 });
+  await page.getByRole('button', { name: 'Make the first 2 parts' }).click({ timeout: 240_000 });
   await expect(page.locator('#parts-state')).toHaveText('2 parts are engraved');
   const files = filesOf((await app.download('Download as ZIP')).bytes);
   expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', '1.stl', '1-2.stl', '2.stl', '2-2.stl']);

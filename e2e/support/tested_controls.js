@@ -9,6 +9,7 @@ import { kSettings } from './setting_controls.js';
 
 /** Controls while all parts are carved; batch.spec.js checks their effects. */
 const kOfTheRun = [
+  'parts-first',
   'print-every',
   'carve-all',
   'parts-pause',

@@ -55,7 +55,7 @@ export class BatchCarving {
     this.isStarting_ = false;
     const { panel, batching, carving, store, guard } = options;
     panel.listen({
-      onBegin: (printEvery) => guard(() => this.begin(printEvery)),
+      onBegin: (printEvery, atMost) => guard(() => this.begin(printEvery, atMost)),
       onPause: () => this.pause(),
       onResume: () => this.resume(),
       onStop: () => this.stop(),
@@ -84,8 +84,12 @@ export class BatchCarving {
     panel.showBegin({ count: batching.planned?.plan?.rows ?? 0, first });
   }
 
-  /** Carves all parts like the first. @param {number} printEvery  simulate the print of every n-th part */
-  async begin(printEvery) {
+  /**
+   * Carves all parts like the first.
+   * @param {number} printEvery  simulate the print of every n-th part
+   * @param {number} atMost      parts to make, from the first one on; those on the last one's plate are made, too
+   */
+  async begin(printEvery, atMost) {
     const { batching, placing, store, client, storage } = this.options_;
     const { planned } = batching;
     const { source, centreMm } = store.work;
@@ -95,7 +99,8 @@ export class BatchCarving {
     /** @type {(() => void) | undefined} */ let release;
     try {
       release = await holdLock();
-      const count = planned.plan.rows;
+      const perFile = planned.request.perPlate || 1;
+      const count = Math.min(planned.plan.rows, Math.ceil(atMost / perFile) * perFile);
       await this.checkRoom_(count, planned.first);
       const settings = {
         ...planned.request.settings,

@@ -20,7 +20,7 @@ const kTableMs = 500; // least time between two updates of the table, so that it
 
 /**
  * @typedef {object} PartsListener
- * @property {(printEvery: number) => void} onBegin
+ * @property {(printEvery: number, atMost: number) => void} onBegin  `atMost`: parts to make; Infinity: all
  * @property {() => void} onPause
  * @property {() => void} onResume  or continues a stopped batch
  * @property {() => void} onStop
@@ -34,6 +34,7 @@ export class PartsPanel {
   constructor() {
     /** @type {PartsListener | undefined} */ this.listener_ = undefined;
     this.how_ = byId('parts-how', HTMLElement);
+    this.firstOnly_ = byId('parts-first', HTMLInputElement);
     this.every_ = byId('print-every', HTMLInputElement);
     this.begin_ = byId('carve-all', HTMLButtonElement);
     this.pause_ = byId('parts-pause', HTMLButtonElement);
@@ -49,11 +50,14 @@ export class PartsPanel {
     this.isSaving_ = false;
     /** @type {() => void} */ this.renew_ = () => {};
     this.begin_.addEventListener('click', () => {
-      if (this.every_.reportValidity()) this.listener_?.onBegin(this.every_.valueAsNumber);
+      if (this.firstOnly_.reportValidity() && this.every_.reportValidity())
+        this.listener_?.onBegin(this.every_.valueAsNumber, this.atMost_);
     });
-    this.every_.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') event.preventDefault(); // otherwise Enter would engrave the first part
-    });
+    for (const field of [this.firstOnly_, this.every_])
+      field.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') event.preventDefault(); // otherwise Enter would engrave the first part
+      });
+    this.firstOnly_.addEventListener('input', () => this.renew_());
     for (const [button, act] of /** @type {const} */ ([
       [this.pause_, 'onPause'],
       [this.resume_, 'onResume'],
@@ -73,6 +77,11 @@ export class PartsPanel {
     this.listener_ = listener;
   }
 
+  /** Number of parts to make at most. */
+  get atMost_() {
+    return this.firstOnly_.value && this.firstOnly_.validity.valid ? this.firstOnly_.valueAsNumber : Infinity;
+  }
+
   /** Shows that no part has been carved yet. @param {Begin} begin */
   showBegin({ count, first }) {
     this.renew_ = () => this.showBegin({ count, first });
@@ -80,7 +89,9 @@ export class PartsPanel {
     byId('parts-run', HTMLElement).hidden = true;
     const whyNot = /** @type {const} */ ({ none: 'batch.askForFirst', bad: 'batch.firstDoesNotPass', good: undefined });
     allow(this.begin_, count === 0 ? 'batch.listMissing' : whyNot[first]);
-    this.begin_.textContent = text('batch.carveAll', { count });
+    const { atMost_: atMost } = this;
+    this.begin_.textContent =
+      atMost < count ? text('batch.carveFirst', { count: atMost }) : text('batch.carveAll', { count });
     write(this.how_, () =>
       text(first === 'good' ? 'batch.ready' : first === 'bad' ? 'batch.firstDoesNotPass' : 'batch.askForFirst'),
     );
