@@ -40,7 +40,8 @@ inline tl::unexpected<Error> badInput(Message message) { return fail(ErrorKind::
 ///     auto mesh = readMesh(bytes);
 ///     QRELIEF_TRY(mesh);
 ///     QRELIEF_TRY(check(*mesh));
-#define QRELIEF_TRY(result)                                                                                       \
-  do {                                                                                                            \
-    if (auto&& tried_ = (result); !tried_) return tl::unexpected(std::forward<decltype(tried_)>(tried_).error()); \
+#define QRELIEF_TRY(result)                                                            \
+  do {                                                                                 \
+    if (auto&& triedResult = (result); !triedResult)                                   \
+      return tl::unexpected(std::forward<decltype(triedResult)>(triedResult).error()); \
   } while (false)
