@@ -109,8 +109,8 @@ export class CodePanel {
 
   /** Shows what is missing or wrong. */
   reveal() {
-    this.builder_.reveal();
     if (this.lacksText_) this.text_.focus();
+    else this.builder_.reveal();
   }
 
   get lacksText_() {
