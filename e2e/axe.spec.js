@@ -51,6 +51,7 @@ test('The app has no violations in any state, light or dark', async ({ page }) =
         await kinds.selectOption(name);
         await expectNoViolations(page, name);
       }
+      await kinds.selectOption('Wi-Fi access');
       await app.engraveButton.click();
       await expect(page.locator('[aria-invalid="true"]')).not.toHaveCount(0);
       await expectNoViolations(page, 'missing');

@@ -7,6 +7,7 @@
 #include "io/read_model.h"
 #include "io/write_checked.h"
 #include "io/zip_archive.h"
+#include "messages/sentences.h"
 #include "support/shapes.h"
 #include "support/slicer_rules.h"
 
