@@ -18,11 +18,11 @@ Affine Affine::inverse() const {
 }
 
 Affine turnedUp(Vec3 up) {
-  constexpr double kOpposite = 1e-12;
   up = glm::normalize(up);
-  if (up.z < kOpposite - 1) return {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, Vec3(0)};
-  // Rodrigues' formula with the axis up × z, whose length is the angle's sine.
-  const double scale = 1 / (1 + up.z);
+  const double squaredSine = up.x * up.x + up.y * up.y;
+  if (up.z < 0 && squaredSine == 0) return {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, Vec3(0)};
+  // Rodrigues' formula with the axis up × z, whose length is the angle's sine. The scale is 1 / (1 + up.z).
+  const double scale = up.z < 0 ? (1 - up.z) / squaredSine : 1 / (1 + up.z);
   return {{1 - scale * up.x * up.x, -scale * up.x * up.y, up.x},
           {-scale * up.x * up.y, 1 - scale * up.y * up.y, up.y},
           {-up.x, -up.y, up.z},

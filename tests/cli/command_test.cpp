@@ -96,7 +96,7 @@ TEST_F(CommandTest, BadInputIsStatusThreeWithAHint) {
   EXPECT_EQ(run({"info", path("empty.stl")}).status, 3);
 
   Mesh open = shapes::box({40, 40, 40});
-  open.triangles.pop_back();
+  open.triangles.resize(10);
   const Outcome outcome =
       run({"engrave", writeModel("open.stl", open), "--text", "x", "--at", "0,0,20", "-o", path("out.stl")});
   EXPECT_EQ(outcome.status, 3);

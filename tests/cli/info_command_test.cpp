@@ -12,7 +12,7 @@ using InfoCommandTest = CommandTest;
 
 TEST_F(InfoCommandTest, ReportsSizeAndFindings) {
   Mesh open = shapes::box({40, 30, 20});
-  open.triangles.pop_back();
+  open.triangles.resize(10);
   const Outcome outcome = run({"info", writeModel("open.stl", open), "--json", path("info.json")});
   EXPECT_EQ(outcome.status, 0);
   const auto info = nlohmann::json::parse(contentOf(path("info.json")));
@@ -21,10 +21,10 @@ TEST_F(InfoCommandTest, ReportsSizeAndFindings) {
   ASSERT_EQ(info["findings"].size(), 2u);
   EXPECT_EQ(info["findings"][0]["code"], "large-openings");
   EXPECT_EQ(info["findings"][1]["code"], "open-edges");
-  EXPECT_EQ(info["findings"][1]["count"], 3);
-  EXPECT_EQ(info["findings"][1]["values"]["count"], nlohmann::json({{"count", 3}}));
+  EXPECT_EQ(info["findings"][1]["count"], 4);
+  EXPECT_EQ(info["findings"][1]["values"]["count"], nlohmann::json({{"count", 4}}));
   EXPECT_EQ(info["findings"][1]["severity"], "blocking");
-  EXPECT_NE(info["findings"][1]["message"].get<std::string>().find("3 open edges, one at ("), std::string::npos);
+  EXPECT_NE(info["findings"][1]["message"].get<std::string>().find("4 open edges, one at ("), std::string::npos);
   EXPECT_NE(info["findings"][1]["hint"], "");
 }
 
@@ -51,7 +51,11 @@ TEST_F(InfoCommandTest, OptionsSwitchRepairsOff) {
   const std::string model = writeModel("open.stl", open);
   EXPECT_NE(run({"info", model}).out.find("1 hole was filled"), std::string::npos);
   EXPECT_NE(run({"info", model, "--no-repair", "weld,holes"}).out.find("3 open edges"), std::string::npos);
-  EXPECT_NE(run({"info", model, "--max-hole", "0.1"}).out.find("too large to be filled"), std::string::npos);
+  Mesh box = shapes::box({40, 40, 40});
+  box.triangles.resize(10);
+  const std::string large = writeModel("large.stl", box);
+  EXPECT_NE(run({"info", large, "--max-hole", "0.1"}).out.find("too large to be filled"), std::string::npos);
+  EXPECT_NE(run({"info", large, "--max-hole", "60"}).out.find("1 hole was filled"), std::string::npos);
   EXPECT_EQ(run({"info", model, "--max-hole", "wide"}).status, 2);
   EXPECT_EQ(run({"info", model, "--weld-tolerance", "-1"}).status, 2);
   EXPECT_EQ(run({"info", model, "--no-repair", "colours"}).status, 2);

@@ -72,7 +72,7 @@ TEST_F(EngineTest, RefusesABadFileAndKeepsTheOldModel) {
 
 TEST_F(EngineTest, ShowsAnOpenModelButDoesNotEngraveIt) {
   Mesh open = shapes::box({60, 50, 20});
-  open.triangles.pop_back();
+  open.triangles.resize(10);
   const Json answer = load(open);
   ASSERT_EQ(answer["ok"], true);
   EXPECT_EQ(answer["model"]["engravable"], false);
