@@ -7,7 +7,7 @@ float packedColour(vec3 srgb) {
   return (steps.r * 2048.0 + steps.g * 32.0 + steps.b) / 65536.0;
 }
 
-vec3 unpackedColour(float packed) {
-  float bits = floor(packed * 65536.0 + 0.5);
+vec3 unpackedColour(float value) {
+  float bits = floor(value * 65536.0 + 0.5);
   return vec3(floor(bits / 2048.0), mod(floor(bits / 32.0), 64.0), mod(bits, 32.0)) / kChannelSteps;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/spot_candidates.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <set>
@@ -55,11 +56,13 @@ TEST(SpotCandidates, RankBySizeFirst) {
   EXPECT_TRUE(small);
 }
 
-TEST(CountedSizes, AreWholeOnFlatSurfacesAndLessWhereTheyBend) {
+TEST(CountedSizes, AreWholeInTheMiddleOfAFaceAndLessWhereTheSurfaceBends) {
   const SizeMap flat = mapOf(shapes::box({60, 60, 60}), 10), bent = mapOf(shapes::icosphere(12, 4), 4);
   const std::vector<float> ofFlat = countedSizes(flat, 40), ofBent = countedSizes(bent, 40);
   ASSERT_EQ(ofFlat.size(), flat.sizeMm.size());
-  for (std::size_t v = 0; v < ofFlat.size(); ++v) EXPECT_NEAR(ofFlat[v], std::min(flat.sizeMm[v], 40.f), 1e-3);
+  for (std::size_t v = 0; v < ofFlat.size(); ++v) EXPECT_LE(ofFlat[v], std::min(flat.sizeMm[v], 40.f));
+  // Next to an edge, the square is seen at an angle; in the middle of a face it is whole.
+  EXPECT_FLOAT_EQ(*std::max_element(ofFlat.begin(), ofFlat.end()), 40);
   for (std::size_t v = 0; v < ofBent.size(); ++v) {
     EXPECT_LT(ofBent[v], bent.sizeMm[v]);
     EXPECT_GT(ofBent[v], 0.3f * bent.sizeMm[v]);
