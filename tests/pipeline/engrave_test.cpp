@@ -288,7 +288,7 @@ TEST_F(EngraveTest, TheTopOfTheSymbolPointsInTheGivenDirection) {
 
 TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
   Mesh open = shapes::box({40, 40, 40});
-  open.triangles.pop_back();
+  open.triangles.resize(10);
   const auto job = EngraveJob::create(upload(open), request({0, 0, 20}, 20));
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().kind, ErrorKind::BadInput);
