@@ -35,6 +35,7 @@ export class Undo {
     });
     this.pauses_ = 0;
     this.restoring_ = false;
+    this.editedMeanwhile_ = false; // while a state was being restored
     this.undo_ = byId('undo', HTMLButtonElement);
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
@@ -43,10 +44,11 @@ export class Undo {
     options.store.applied.on((field) => this.record(field));
     options.carving.finished.on(() => this.record());
     options.placing.proposed.on(() => this.amend_());
-    byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
+    byId('panel', HTMLFormElement).addEventListener('input', ({ target }) => {
+      this.editedMeanwhile_ ||= this.restoring_;
       // Recorded at once; the edit takes effect only after a pause.
-      this.record(target instanceof HTMLElement ? target.id : undefined),
-    );
+      this.record(target instanceof HTMLElement ? target.id : undefined);
+    });
   }
 
   /** Records a change. @param {string} [field]  edited field; quick edits of the same field are one change */
@@ -114,6 +116,8 @@ export class Undo {
       .finally(() => {
         this.restoring_ = false;
         this.pauses_ -= 1;
+        if (this.editedMeanwhile_) this.record();
+        this.editedMeanwhile_ = false;
         this.allow();
         this.options_.continuing.note();
       });

@@ -208,3 +208,20 @@ test('The buttons are disabled during jobs and while a state is restored', async
   await settled();
   assert.deepEqual([elements.undo.disabled, elements.redo.disabled], [true, false]);
 });
+
+test('An edit while a state is being restored can be undone by itself', async () => {
+  undo.record();
+  store.update({ text: 'b' });
+  undo.record();
+  const placed = new Pending();
+  placing.answers.place = () => placed.promise;
+  undo.undo();
+  store.update({ text: 'c' });
+  elements.panel.dispatchEvent(new Event('input'));
+  placed.resolve(undefined);
+  await settled();
+  placing.answers.place = async () => {};
+  undo.undo();
+  await settled();
+  assert.equal(store.work.text, 'a');
+});
