@@ -28,7 +28,7 @@ struct SceneContents {
   const Decal* print = nullptr;  ///< of the carved model; takes its place
   std::optional<Vec3> centreMm;
   std::optional<Ink> ink, carvedInk;  ///< materials of the code that is wanted, or carved; none: no code in colour
-  bool isColoured = false;            ///< the model has colours of its own
+  bool isColoured = false;            ///< the model's file has colours
   std::optional<BuildPlate> plate;    ///< under the model as it is printed
 };
 

@@ -11,7 +11,7 @@
 
 namespace qrelief {
 
-/// Colour of a surface without a colour of its own, as light as a model without colours.
+/// Colour of facets that the file gives none. As light as a model without colours.
 inline constexpr Colour kPlainColour{237, 235, 231};
 
 /// Returns the colours of the vertices. Where few colours meet, as on painted models, a vertex exists once for each of

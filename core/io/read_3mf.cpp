@@ -428,7 +428,7 @@ class Builder {
     }
   }
 
-  /// Returns the colour of a triangle: that of its paint or its volume's filament, or else its own.
+  /// Returns the colour of a triangle. Paint counts before the volume's filament, and both before the file's materials.
   std::optional<Colour> colourOf(const ThreeMfObject& object, std::size_t triangle, const VolumeTraits& traits) const {
     const std::uint32_t paint = triangle < object.paint.size() ? object.paint[triangle] : 0;
     const std::uint32_t filament = paint != 0 ? paint : traits.filament;

@@ -106,7 +106,7 @@ std::size_t XmlElement::attributeCount() const {
 bool XmlElement::hasAttributeNamed(std::string_view wanted) const {
   for (const char* const* a = attributes_; *a; a += 2) {
     std::string_view own = *a;
-    own.remove_prefix(own.rfind(kBetweenSpaceAndName) + 1);  // removes nothing if there is no prefix: npos + 1 is 0
+    own.remove_prefix(own.rfind(kBetweenSpaceAndName) + 1);  // without a prefix: npos + 1 = 0
     if (own == wanted) return true;
   }
   return false;

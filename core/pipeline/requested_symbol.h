@@ -11,7 +11,7 @@ struct CodeRequest;
 /// Returns the symbol of a request; for a text alone the blank symbol, whose square the text fills.
 ///
 /// Cost: milliseconds.
-/// @returns the errors of encodeSymbol(), or for a text alone those of layOutLabel()
+/// @returns the errors of encodeSymbol(), or of layOutLabel() for a text alone
 Result<Symbol> requestedSymbol(const CodeRequest& code);
 
 }  // namespace qrelief

@@ -46,7 +46,7 @@ enum class CarveFor : std::uint8_t {
   Print    ///< the printed surface, too: pipeline/contrast_for_print.h
 };
 
-/// What the text becomes.
+/// Form of the text on the model.
 enum class Content : std::uint8_t {
   Code,  ///< a QR code
   Text   ///< letters; each line of the text is a line of letters
