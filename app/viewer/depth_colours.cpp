@@ -20,7 +20,7 @@ double depthAt(const DepthField& depths, Vec2 onPlane) {
   return depths.depth(row, column);
 }
 
-/// Returns the depth of a floor. @param middle  centroid of the new facet
+/// Returns the depth of a new facet other than a wall. @param middle  its centroid
 double depthOf(const EngraveResult& result, std::size_t triangle, Vec3 middle) {
   if (!result.request.code.isText()) return depthAt(result.depths, result.placement.frame.project(middle));
   return result.origins[triangle].kind == FacetOrigin::Kind::Floor ? result.label.depthMm : 0;

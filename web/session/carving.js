@@ -2,11 +2,12 @@
 // Carves the code, decodes the result, and offers it for download.
 import { isReplaced } from '../engine/client.js';
 import { isFatal } from '../engine/engine_error.js';
-import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
+import { kReaderName, prepareReader, readEach } from '../decoder/reader.js';
 import { text } from '../i18n/catalogue.js';
 import { attemptWords, engravedWords } from './attempt_words.js';
 import { carvedSource, saveModel, saveReport } from './save_carving.js';
 import { Signal } from './signal.js';
+import { tryViews } from './view_trials.js';
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -488,20 +489,8 @@ export class Carving {
   async tryViewsGuarded_(...options) {
     /** @type {import('../engine/types.js').ViewTrials | undefined} */ let trials;
     await this.guard_(async () => {
-      trials = await this.tryViews(...options);
+      trials = await tryViews(this.client_, ...options);
     });
     return trials;
-  }
-
-  /** @type {import('../ui/grades_panel.js').ViewTrier} */
-  async tryViews(report, onTrial, signal) {
-    for (let all = await this.client_.startViewTrials(), tried = 0; ;) {
-      onTrial(tried, all);
-      const read = await readsAny(await this.client_.pictures('view-trial'), report.text);
-      if (signal.aborted) return undefined;
-      const progress = await this.client_.noteViewTrial(read);
-      if (progress.done) return progress.views;
-      ({ tried, all } = progress);
-    }
   }
 }
