@@ -26,5 +26,13 @@ TEST(Affine, TurnedUpIsTheLeastRotationToTheVertical) {
   EXPECT_EQ(turnedUp({0, 0, 2}), Affine());
 }
 
+TEST(Affine, ComposesLikeMatrices) {
+  const Affine a{{0, 2, 0}, {1, 0, 0}, {0, 0, 3}, {4, 5, 6}};
+  const Affine b{{1, 1, 0}, {0, 1, 1}, {1, 0, 1}, {7, 8, 9}};
+  for (const Vec3 p : {Vec3(1, 2, 3), Vec3(0), Vec3(-5, 0.5, 2)}) EXPECT_EQ(a.after(b)(p), a(b(p)));
+  EXPECT_EQ(a.determinant(), -6);
+  EXPECT_EQ(a.after(b).determinant(), a.determinant() * b.determinant());
+}
+
 }  // namespace
 }  // namespace qrelief
