@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/engine_fixture.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "support/gl_test.h"
@@ -19,24 +20,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test", "size": "free"})";
 
-class EngineTest : public GlTest {
- protected:
-  void SetUp() override {
-    engine_ = std::make_unique<Engine>();
-    engine_->resize(400, 300, 1);
-  }
-  Json load(const Mesh& mesh, const std::string& name = "model.stl") {
-    return Json::parse(engine_->loadModel(writeStl(mesh), name, 1));
-  }
-  static void expectError(const std::string& answer, const std::string& kind, const std::string& code) {
-    const Json json = Json::parse(answer);
-    EXPECT_EQ(json["ok"], false) << answer;
-    EXPECT_EQ(json["error"]["kind"], kind) << answer;
-    EXPECT_EQ(json["error"]["code"], code) << answer;
-    EXPECT_TRUE(json["error"]["values"].is_object()) << answer;
-  }
-  std::unique_ptr<Engine> engine_;
-};
+using EngineTest = EngineFixture;
 
 TEST_F(EngineTest, ReportsTheRendererAndNoProblems) {
   const Json capabilities = Json::parse(engine_->capabilities());
@@ -258,16 +242,6 @@ TEST_F(EngineTest, AnswersWithValidJsonForTextsThatAreNotUtf8) {
   EXPECT_EQ(answer["ok"], false);
 }
 
-TEST_F(EngineTest, TheTopOfTheCodePointsAlongTheUpAxis) {
-  load(shapes::box({60, 60, 20}));
-  engine_->show(R"({"upAxis": "y"})");
-  engine_->configure(kSettings);
-  engine_->setCentre(R"({"mm": [0, 0, 10]})");
-  const Json answer = Json::parse(engine_->placement());
-  ASSERT_EQ(answer["ok"], true) << answer;
-  EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
-}
-
 TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
@@ -397,86 +371,6 @@ TEST_F(EngineTest, ShowsTheDepthSearchWhileItRuns) {
   EXPECT_LT(darkest, 0.8);
 }
 
-TEST_F(EngineTest, ShowsLampsInTheDirectionTheyShineFrom) {
-  load(shapes::box({60, 60, 20}));
-  engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
-                                                                {"azimuthDeg": 90, "elevationDeg": 20}]})");
-  engine_->setCentre(R"({"mm": [0, 0, 10]})");
-  ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
-  engine_->look(R"({"kind": "standard", "name": "top"})");
-  engine_->draw();
-  const Json lamps = Json::parse(engine_->viewState())["lamps"];
-  ASSERT_EQ(lamps.size(), 2u);
-  const auto at = [&](int lamp, const char* end, int axis) { return lamps[lamp][end][axis].get<double>(); };
-  const auto apart = [&](int lamp, int axis) { return at(lamp, "from", axis) - at(lamp, "to", axis); };
-  EXPECT_GT(apart(0, 0), 20);   // to the right of the code
-  EXPECT_LT(apart(1, 1), -20);  // above it
-  EXPECT_GT(apart(0, 0), apart(1, 0) + 20);
-  EXPECT_LT(apart(1, 1), apart(0, 1) - 20);
-  engine_->configure(kSettings);
-  EXPECT_EQ(Json::parse(engine_->viewState())["lamps"].size(), 0u);
-}
-
-TEST_F(EngineTest, ShowsThePlateInThePoseOnThePrinter) {
-  engine_->show(R"({"buildPlate": true})");
-  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "no model";
-  load(shapes::box({60, 50, 20}));
-  const auto heightMm = [&] { return Json::parse(engine_->viewState())["buildPlate"]["heightMm"].get<double>(); };
-  EXPECT_NEAR(heightMm(), 20, 1e-5);
-  engine_->configure(R"({"text": "A", "buildUp": [0, 1, 0]})");
-  EXPECT_NEAR(heightMm(), 50, 1e-5);
-  engine_->configure(R"({"text": "A", "buildUp": "code-up"})");
-  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "no code";
-  engine_->setCentre(R"({"mm": [30, 0, 0]})");
-  ASSERT_EQ(Json::parse(engine_->placement())["ok"], true);
-  EXPECT_NEAR(heightMm(), 60, 1e-5);
-  engine_->configure(kSettings);
-  engine_->show(R"({"upAxis": "y"})");
-  EXPECT_NEAR(heightMm(), 50, 1e-5) << "as the user sees it";
-  engine_->look(R"({"kind": "readerView"})");
-  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "a phone sees no plate";
-  engine_->look(R"({"kind": "fit"})");
-  EXPECT_NEAR(heightMm(), 50, 1e-5);
-  engine_->show(R"({"buildPlate": false})");
-  EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null());
-}
-
-TEST_F(EngineTest, AFaceOnThePlateIsBelowOnTheScreen) {
-  engine_->show(R"({"buildPlate": true})");
-  load(shapes::box({60, 50, 20}));
-  engine_->configure(R"({"text": "A", "buildUp": [1, 0, 0]})");
-  for (bool gliding = true; gliding;) gliding = engine_->draw();
-  const Json plate = Json::parse(engine_->viewState())["buildPlate"];
-  EXPECT_NEAR(plate["heightMm"].get<double>(), 60, 1e-5);
-  EXPECT_GT(plate["foot"][1].get<double>(), plate["top"][1].get<double>() + 20);
-  EXPECT_NEAR(plate["foot"][0].get<double>(), plate["top"][0].get<double>(), 20);
-}
-
-TEST_F(EngineTest, TheHeightOverThePlateStandsAtTheLeft) {
-  engine_->show(R"({"buildPlate": true})");
-  load(shapes::box({60, 50, 20}));
-  engine_->look(R"({"kind": "standard", "name": "front"})");
-  for (bool gliding = true; gliding;) gliding = engine_->draw();
-  const Json plate = Json::parse(engine_->viewState())["buildPlate"];
-  EXPECT_LT(plate["foot"][0].get<double>(), 100);
-  EXPECT_NEAR(plate["foot"][0].get<double>(), plate["top"][0].get<double>(), 1);
-  EXPECT_GT(plate["foot"][1].get<double>(), plate["top"][1].get<double>() + 20);
-}
-
-TEST_F(EngineTest, LaysTheFaceUnderThePointerOnThePlate) {
-  load(shapes::box({60, 50, 20}));
-  const auto buildUpSeenFrom = [&](const char* side) {
-    engine_->look(Json{{"kind", "standard"}, {"name", side}}.dump());
-    for (bool gliding = true; gliding;) gliding = engine_->draw();
-    return Json::parse(engine_->layFace("[200, 150]"))["buildUp"];
-  };
-  EXPECT_EQ(buildUpSeenFrom("right"), Json({-1.0, 0.0, 0.0}));
-  EXPECT_EQ(buildUpSeenFrom("front"), Json({0.0, 1.0, 0.0}));
-  EXPECT_EQ(buildUpSeenFrom("top"), Json({0.0, 0.0, -1.0}));
-  EXPECT_EQ(buildUpSeenFrom("bottom"), "as-modelled");
-  EXPECT_EQ(Json::parse(engine_->layFace("[1, 1]"))["hit"], false);
-}
-
 TEST_F(EngineTest, ReportsWhereAPlacedCodeIsAndTurnsAndResizesIt) {
   const auto resize = [&](double rotateDeg, double symbolMm) {
     return engine_->adjustCode(Json{{"rotateDeg", rotateDeg}, {"symbolMm", symbolMm}}.dump());
@@ -553,31 +447,6 @@ TEST_F(EngineTest, ShowsACodeThatDoesNotFit) {
   engine_->setCentre(R"({"mm": [0, 0, 10]})");
   EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
-}
-
-TEST_F(EngineTest, DrawsPicturesOfSpotsAndDepthsOfCarvings) {
-  load(shapes::box({60, 60, 20}));
-  engine_->configure(kSettings);
-  EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
-  engine_->startJob("spots");
-  while (!Json::parse(engine_->advanceJob("spots"))["done"]) {
-  }
-  const ColourImage picture = engine_->spotPicture(0, 96, 96);
-  ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
-  const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
-  EXPECT_GT(*lightest - *darkest, 100);  // a code
-
-  EXPECT_EQ(Json::parse(engine_->show(R"({"depths": true})"))["topMm"], 0);
-  engine_->setCentre(R"({"mm": [0, 0, 10]})");
-  engine_->startJob("engrave");
-  while (!Json::parse(engine_->advanceJob("engrave"))["done"]) {
-  }
-  const Json colours = Json::parse(engine_->show(R"({"depths": true})")),
-             depth = Json::parse(engine_->report())["depth"];
-  const double top = colours["topMm"], most = depth["p95Mm"];
-  EXPECT_GE(top, most - 1e-6);
-  EXPECT_LT(top, most + 0.1);
-  EXPECT_NEAR(colours["deepestMm"].get<double>(), depth["maxMm"].get<double>(), 1e-3);
 }
 
 }  // namespace
