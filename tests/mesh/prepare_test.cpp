@@ -74,22 +74,6 @@ PolygonSoup loose(const Mesh& mesh) {
   return soup;
 }
 
-TEST(Prepare, ColoursStayWithTheirTriangles) {
-  const Mesh box = shapes::box({30, 20, 10});
-  PolygonSoup soup = loose(box);
-  soup.triangles.push_back(soup.triangles[0]);  // a duplicate, which is dropped
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    soup.colours.emplace_back(t % 12 < 2 ? std::optional(Colour{9, 8, 7}) : std::nullopt);
-  const auto model = prepareModel(soup, {});
-  ASSERT_TRUE(model);
-  ASSERT_EQ(model->colours.size(), model->mesh.triangles.size());
-  const Vec3 coloured = triangleNormal(box, 0);
-  for (std::size_t t = 0; t < model->colours.size(); ++t)
-    EXPECT_EQ(model->colours[t].has_value(), glm::dot(triangleNormal(model->mesh, t), coloured) > 0.9) << t;
-  soup.colours.assign(soup.triangles.size(), Colour{1, 2, 3});
-  EXPECT_TRUE(prepareModel(soup, {})->colours.empty()) << "one colour tells nothing apart";
-}
-
 TEST(PrepareModel, WeldsLooseTrianglesIntoAClosedSolid) {
   const Mesh mesh = shapes::icosphere(20, 2);
   const auto model = prepareModel(loose(mesh), {});
@@ -220,78 +204,6 @@ TEST(PrepareModel, ReportsThatNotAllOpenEdgesWereCompared) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::Warning);
   EXPECT_NE(hint(finding->message), "");
-}
-
-/// Returns a soup of two bodies, as a 3MF file has them.
-PolygonSoup soupOfBodies(const Mesh& first, const Mesh& second) {
-  PolygonSoup soup = shapes::soupOf(shapes::together(first, second));
-  soup.bodies = {{"first", 0}, {"second", 0}};
-  soup.bodyOf.assign(first.triangles.size(), 0);
-  soup.bodyOf.resize(soup.triangles.size(), 1);
-  return soup;
-}
-
-TEST(PrepareModel, KeepsTheBodyOfEachTriangle) {
-  Mesh box = shapes::box({10, 10, 10}), ball = shapes::translated(shapes::icosphere(5, 1), {20, 0, 0});
-  box.triangles.insert(box.triangles.begin(), {0, 0, 1});  // dropped, so the triangle numbers shift
-  ball.triangles.pop_back();                               // a hole, to be filled
-  const PolygonSoup soup = soupOfBodies(box, ball);
-  const auto model = prepareModel(soup, {.repair = {.maxHoleMm = 10}});
-  ASSERT_TRUE(model && model->engravable());
-  ASSERT_EQ(model->bodies.size(), 2u);
-  ASSERT_EQ(model->mesh.bodyOf.size(), model->mesh.triangles.size());
-  for (std::size_t t = 0; t < model->mesh.triangles.size(); ++t)
-    EXPECT_EQ(model->mesh.body(t), model->mesh.corner(t, 0).x > 10 ? 1u : 0u);
-}
-
-TEST(PrepareModel, HasOneBodyWithoutNumbersOfTrianglesIfThereIsOneShell) {
-  const PreparedModel model = prepared(shapes::box({10, 10, 10}));
-  EXPECT_EQ(model.bodies.size(), 1u);
-  EXPECT_TRUE(model.mesh.bodyOf.empty());
-}
-
-TEST(PrepareModel, KeepsBodiesThatTouchOrOverlapAsTheyAre) {
-  const Mesh box = shapes::box({10, 10, 10});
-  for (const Vec3 offset :
-       {Vec3{0, 0, 10}, Vec3{10, 0, 10}, Vec3{10, 10, 10}, Vec3{3, 2, 10}, Vec3{3, 2, 1}, Vec3{0}}) {
-    const Mesh other = shapes::translated(box, offset);
-    const auto model = prepareModel(soupOfBodies(box, other), {});
-    ASSERT_TRUE(model && model->engravable()) << offset.x << offset.y << offset.z;
-    const Mesh both = shapes::together(box, other);
-    ASSERT_EQ(model->mesh.triangles.size(), both.triangles.size());
-    for (std::size_t t = 0; t < both.triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) EXPECT_EQ(model->mesh.corner(t, k), both.corner(t, k));
-    EXPECT_TRUE(shapes::isClosed(model->mesh));
-    EXPECT_EQ(model->findings.size(), 1u);  // several shells
-    EXPECT_FALSE(model->crossesItself);
-    EXPECT_TRUE(model->hasCrossings);
-  }
-}
-
-TEST(PrepareModel, WeldsNoSeamBetweenBodies) {
-  Mesh open = shapes::box({10, 10, 10});
-  open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
-  const auto model =
-      prepareModel(soupOfBodies(open, shapes::translated(open, {0, 0, 20})), {.repair = {.maxHoleMm = 100}});
-  ASSERT_TRUE(model);
-  expectFinding(*model, "holes-filled", Severity::Warning, 2);
-}
-
-TEST(PrepareModel, MakesABodyOfEachShellWithItsCavities) {
-  const Mesh box = shapes::box({20, 20, 20}), cavity = shapes::insideOut(shapes::box({8, 8, 8}));
-  const Mesh other = shapes::translated(box, {30, 0, 0});
-  const PreparedModel model = prepared(shapes::together(shapes::together(box, other), cavity));
-  ASSERT_EQ(model.bodies.size(), 2u);
-  EXPECT_TRUE(model.bodies[0].isShell);
-  ASSERT_EQ(model.mesh.bodyOf.size(), 36u);
-  for (std::size_t t = 0; t < 36; ++t) EXPECT_EQ(model.mesh.body(t), t >= 12 && t < 24 ? 1u : 0u) << t;
-}
-
-TEST(PrepareModel, FindsNoCavityOfAnotherBody) {
-  const auto model = prepareModel(soupOfBodies(shapes::box({20, 20, 20}), shapes::box({8, 8, 8})), {});
-  ASSERT_TRUE(model && model->engravable());
-  EXPECT_EQ(model->findings.size(), 1u);  // several shells: a solid within another body is no mistake
-  EXPECT_GT(signedVolume(model->mesh), 8000);
 }
 
 TEST(PrepareModel, RefusesAnInvalidTolerance) {
