@@ -2,6 +2,7 @@
 #include "io/rewritten_3mf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "math/box.h"
