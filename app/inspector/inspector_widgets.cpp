@@ -100,6 +100,8 @@ void styleInspector(bool dark) {
 
 void noteControl(ControlAreas& areas, std::string_view name) {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (min.y < draw->GetClipRectMin().y || max.y > draw->GetClipRectMax().y) return;
   areas[std::string(name)] = {min.x, min.y, max.x - min.x, max.y - min.y};
 }
 

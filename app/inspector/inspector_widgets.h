@@ -30,7 +30,7 @@ void styleInspector(bool dark);
 /// Positions of a frame's controls, by their English names, for clients that cannot see the canvas.
 using ControlAreas = std::map<std::string, std::array<float, 4>>;
 
-/// Adds the last item to the control areas.
+/// Adds the last item to the control areas, unless it is scrolled out of sight, wholly or in part.
 void noteControl(ControlAreas& areas, std::string_view name);
 
 /// Writes text, wrapped at the window's edge. @param isSoft  in the soft ink

@@ -35,7 +35,7 @@ export class Inspector {
   }
 
   /**
-   * Returns a point of a control in page coordinates, once the window no longer changes.
+   * Returns a point of a control in page coordinates, once the window no longer changes. Scrolls down to it.
    * @param {string} control
    * @param {{ x: number, y: number }} [share]  fraction of the control's width and height; the middle if left out
    */
@@ -43,11 +43,20 @@ export class Inspector {
     /** @type {State | undefined} */ let state;
     await poll(async () => {
       state = await this.state();
-      return state?.still ? Object.keys(state.controls) : [];
+      if (!state?.still) return [];
+      if (!(control in state.controls)) await this.scrollDown_(state);
+      return Object.keys(state.controls);
     }).toContain(control);
     const [x, y, width, height] = /** @type {State} */ (state).controls[control];
     const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
     return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
+  }
+
+  /** Turns the wheel over the lower part of the window. @param {State} state */
+  async scrollDown_({ window: [x, y, width, height] }) {
+    const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
+    await this.page.mouse.move(box.x + x + width / 2, box.y + y + height * 0.8);
+    await this.page.mouse.wheel(0, 100);
   }
 
   /** @param {string} control @param {{ x: number, y: number }} [share] */

@@ -45,6 +45,7 @@ export class InspectorView {
   update(state) {
     this.takesKeys_ = state?.keyboard ?? false;
     this.figures_.show(state?.figures);
+    this.view_.style.setProperty('--beside-inspector', state ? beside(state.window) : 'none');
     const canvas = this.view_.querySelector('canvas');
     if (canvas) canvas.style.cursor = state?.cursor ?? '';
     if (!state) {
@@ -67,3 +68,7 @@ export class InspectorView {
     event.stopPropagation();
   }
 }
+
+/** Returns a clip path of everything but a window. @param {InspectorState['window']} window */
+const beside = ([x, y, width, height]) =>
+  `path(evenodd, 'M-9999-9999H9999V9999H-9999Z M${x} ${y}h${width}v${height}h${-width}Z')`;
