@@ -5,8 +5,8 @@ import { defineConfig } from 'vite';
 import { gallery } from './study/gallery/build_plugin.js';
 import { study } from './study/page/build_plugin.js';
 import { offline } from './web/offline/build_plugin.js';
-import { oneLanguage } from './web/i18n/cut_language.js';
 import { fillTexts } from './web/i18n/fill.js';
+import { locales } from './web/i18n/locale_plugin.js';
 import { linkProject } from './web/i18n/project_links.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
@@ -74,7 +74,7 @@ export default defineConfig({
   plugins: [
     requireModule(),
     texts(),
-    oneLanguage(),
+    locales(),
     study({ tables: `${root}study/results` }),
     gallery(),
     contentSecurityPolicy(),

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "messages/catalogues.h"
+#include "messages/words.h"
 #include "settings/units.h"
 
 namespace qrelief {
@@ -17,10 +17,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-const Json& catalogue() {
+/// Returns the words of all messages by code.
+const Json& allWords() {
   static const Json kAll = [] {
     Json all = Json::object();
-    for (const char* file : catalogues()) all.update(Json::parse(file));
+    for (const Json& part : Json::parse(messageWordsAsJson())) all.update(part);
     return all;
   }();
   return kAll;
@@ -94,9 +95,11 @@ const MessageValue* find(const Message& message, std::string_view name) {
   return value == message.values.end() ? nullptr : &*value;
 }
 
-/// The text of an entry in which `en` may be a text or one of { one, other }.
-std::string templateOf(const Json& entry, const Message& message) {
-  const Json& forms = entry.contains("command") ? entry.at("command") : entry.at("en");
+/// Returns the text of a message's sentence or hint, the command's own if it has one.
+/// @param what  "says" or "hint"
+std::string templateOf(const Json& entry, const char* what, const Message& message) {
+  const Json& own = entry.contains("command") ? entry.at("command") : entry;
+  const Json& forms = own.contains(what) ? own.at(what) : entry.at(what);
   if (forms.is_string()) return forms.get<std::string>();
   const MessageValue* count = find(message, "count");
   return forms.at(count && count->numbers[0] == 1 ? "one" : "other").get<std::string>();
@@ -122,12 +125,12 @@ std::string filled(const std::string& pattern, const Message& message, const Jso
 
 }  // namespace
 
-std::string sentence(const Message& message) { return sentence(message, catalogue()); }
-std::string hint(const Message& message) { return hint(message, catalogue()); }
+std::string sentence(const Message& message) { return sentence(message, allWords()); }
+std::string hint(const Message& message) { return hint(message, allWords()); }
 
 std::string sentence(const Message& message, const Json& words) {
   const auto entry = words.find(message.code);
-  if (entry != words.end()) return filled(templateOf(*entry, message), message, words);
+  if (entry != words.end()) return filled(templateOf(*entry, "says", message), message, words);
   std::ostringstream unworded;
   unworded << message;
   return unworded.str();
@@ -136,7 +139,7 @@ std::string sentence(const Message& message, const Json& words) {
 std::string hint(const Message& message, const Json& words) {
   const auto entry = words.find(message.code);
   if (entry != words.end() && entry->contains("hint"))
-    return filled(templateOf(entry->at("hint"), message), message, words);
+    return filled(templateOf(*entry, "hint", message), message, words);
   for (const MessageValue& value : message.values)
     if (value.kind == MessageValue::Kind::Cause) return hint(value.cause.front(), words);
   return {};

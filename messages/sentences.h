@@ -11,24 +11,23 @@ namespace qrelief {
 
 /// Returns the problem or fact that a message states, in the command's English: settings are flags. No full stop.
 ///
-/// The words come from messages/*.json, by code:
+/// The words come from locales/en.json, by code:
 ///
 ///     "stl-cut-off": {
-///       "en": "The file declares {announced} facets, but has room for {room}",   `{name}` is a value
-///       "de": "…",
-///       "hint": { "en": "Raise {@minWallMm}", "de": "…" }                           `{@key}` is a setting
+///       "says": "The file declares {announced} facets, but has room for {room}",   `{name}` is a value
+///       "hint": "Raise {@minWallMm}",                                              `{@key}` is a setting
+///       "command": { "hint": "Give --min-wall more" }
 ///     }
 ///
-/// A sentence is a text, or { "one": …, "other": … } selected by the value `count`. If there is a "command" next to
-/// "en", the command uses it, because the page's words do not fit there. The page reads the same files
-/// (web/i18n/sentences.js).
+/// A text may have forms, { "one": …, "other": … }, of which the value `count` selects one. The command uses the texts
+/// in "command" where the page's words do not fit. The page reads the same file (web/i18n/sentences.js).
 /// @returns the code and its values without words for an unknown code; tests find such a fault
 std::string sentence(const Message& message);
 
 /// Returns the message's hint, or else the hint of its cause; empty if there is none.
 std::string hint(const Message& message);
 
-/// Do the same with other words, for tests. @param words  by code, like the files
+/// Do the same with other words, for tests. @param words  by code
 std::string sentence(const Message& message, const nlohmann::json& words);
 std::string hint(const Message& message, const nlohmann::json& words);
 

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "messages/catalogues.h"
+#include "messages/words.h"
 
 namespace qrelief {
 
 const nlohmann::json& settingWords() {
-  static const nlohmann::json kWords = nlohmann::json::parse(settingCatalogue());
+  static const nlohmann::json kWords = nlohmann::json::parse(settingWordsAsJson());
   return kWords;
 }
 

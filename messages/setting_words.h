@@ -5,21 +5,17 @@
 
 namespace qrelief {
 
-/// Returns the words of the settings, from messages/settings/settings.json. In a text, `{@key}` names a setting.
+/// Returns the English words of the settings, from locales/en.json. In a text, `{@key}` names a setting.
 ///
 ///     "settings": {
 ///       "minWallMm": {
-///         "label":   { "en": "Minimum wall", "de": "Restwand" },
-///         "help":    { "en": "…", "de": "…" },
-///         "hint":    { "en": "…", "de": "…" },
-///         "empty":   { "en": "…", "de": "…" },
-///         "without": { "en": "…", "de": "…" },
-///         "choices": { "name": { "en": "…", "de": "…" } },
-///         "parts":   { "number": { "en": "…", "de": "…" } }
+///         "label": "Minimum wall", "help": "…", "hint": "…", "empty": "…", "without": "…",
+///         "choices": { "name": "…" },
+///         "parts": { "number": "…" }
 ///       }
 ///     },
-///     "groups": { "depth": { "en": "…", "de": "…" } },
-///     "units": { "mm": { "en": "…", "de": "…" } }
+///     "groups": { "depth": "…" },
+///     "units": { "mm": "…" }
 ///
 /// "label" names the control, without the unit. "hint" is a sentence under the control on the page, if it needs one.
 /// "empty" describes the effect of an empty setting, if no value does. "without" is the help of the flag that switches

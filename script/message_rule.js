@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rule for ESLint: `message('code', { name: value })` needs a code in messages/ and exactly the values in its words.
-import { readFileSync, readdirSync } from 'node:fs';
+// A rule for ESLint: `message('code', { name: value })` needs a code in locales/ and exactly the values in its words.
+import { readFileSync } from 'node:fs';
 
 /** @typedef {string | Record<string, string>} Forms  `count` chooses the form */
-/** @typedef {{ en: Forms, hint?: { en: Forms } }} Entry */
+/** @typedef {{ says: Forms, hint?: Forms }} Entry */
 
 /** Returns the names of the values in a text, or in its forms. @param {Forms} forms @returns {string[]} */
 const namesIn = (forms) =>
@@ -18,21 +18,16 @@ const namesIn = (forms) =>
  */
 export const valuesByCode = (entries) =>
   new Map(
-    Object.entries(entries).map(([code, { en, hint }]) => [
+    Object.entries(entries).map(([code, { says, hint }]) => [
       code,
-      new Set([...namesIn(en), ...(hint ? namesIn(hint.en) : [])]),
+      new Set([...namesIn(says), ...(hint ? namesIn(hint) : [])]),
     ]),
   );
 
-/** Reads messages/*.json. @returns {Record<string, Entry>} */
+/** Reads the English messages. @returns {Record<string, Entry>} */
 export function readMessages() {
-  const folder = new URL('../messages/', import.meta.url);
-  return Object.assign(
-    {},
-    ...readdirSync(folder)
-      .filter((name) => name.endsWith('.json'))
-      .map((name) => JSON.parse(readFileSync(new URL(name, folder), 'utf8'))),
-  );
+  const { messages } = JSON.parse(readFileSync(new URL('../locales/en.json', import.meta.url), 'utf8'));
+  return Object.assign({}, ...Object.values(messages));
 }
 
 /**
@@ -46,7 +41,7 @@ export const messageRule = (known) => ({
     messages: {
       literal: 'The code of a message must be a string literal',
       names: 'The values of a message must be an object literal with plain names',
-      unknown: '"{{code}}" has no words in messages/',
+      unknown: '"{{code}}" has no words in locales/',
       missing: '"{{code}}" needs the value {{name}}',
       surplus: '"{{code}}" has no value {{name}}',
     },

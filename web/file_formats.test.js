@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { kLanguages } from './i18n/locales.js';
 
 /** @param {string} path  from the repository's folder */
 const contentOf = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
@@ -26,7 +27,6 @@ test('The formats are found in the source', () => {
 });
 
 test('Every list of the readable formats is complete', () => {
-  const { 'format-unknown': unknown, 'format-unreadable': unreadable } = JSON.parse(contentOf('messages/files.json'));
   const kLists = /** @type {const} */ ([
     ['README.md', /^- Takes (.*);/m],
     ['ARCHITECTURE.md', /parsers \(([^)]*)\)/],
@@ -38,8 +38,11 @@ test('Every list of the readable formats is complete', () => {
   ]);
   /** @type {{ path: string, list: string }[]} */
   const lists = kLists.map(([path, list]) => ({ path, list: list.exec(contentOf(path))?.[1] ?? '' }));
-  for (const { hint } of [unknown, unreadable])
-    for (const language of ['en', 'de']) lists.push({ path: 'messages/files.json', list: hint[language] });
+  for (const { code } of kLanguages) {
+    const path = `locales/${code}.json`;
+    const { files } = JSON.parse(contentOf(path)).messages;
+    for (const key of ['format-unknown', 'format-unreadable']) lists.push({ path, list: files[key].hint });
+  }
   for (const { path, list } of lists)
     for (const { name } of kReadable) assert.match(list, new RegExp(`\\b${name}\\b`), path);
 });

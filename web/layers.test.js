@@ -110,7 +110,7 @@ test('Forbidden imports are detected', () => {
     'session/a.js imports nowhere/b.js',
   ]);
   assert.deepEqual(
-    violationsIn('session/a.js', "import { b } from '../ui/b.js';\nimport c from '../../messages/c.json';"),
+    violationsIn('session/a.js', "import { b } from '../ui/b.js';\nimport c from '../../locales/c.json';"),
     [],
   );
   const loop = { 'a.js': "import { b } from './b.js';", 'b.js': "import { a } from './a.js';" };

@@ -2,9 +2,10 @@
 import { App } from './app.js';
 import { Notices } from './ui/notices.js';
 import { keepOffline } from './offline/updates.js';
-import { text } from './i18n/catalogue.js';
+import { startTexts, text } from './i18n/catalogue.js';
 import { byId } from './dom/dom.js';
 
+await startTexts();
 const notices = new Notices(byId('stage', HTMLElement));
 await new App(notices).start(new URLSearchParams(location.search));
 if (import.meta.env.PROD) {

@@ -85,8 +85,8 @@ struct NamedValue {
   MessageValue value;
 };
 
-/// The names of the values in the words of the message `kCode`, as `kNames`. Its catalogue, say messages/files.json,
-/// has a header that defines it and that the build generates: message_codes/files.h.
+/// The names of the values in the words of the message `kCode`, as `kNames`. The build generates a header that defines
+/// it for each part of the messages in locales/en.json: message_codes/files.h.
 template <ValueName kCode>
 struct ValuesOfMessage;
 

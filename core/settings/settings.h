@@ -26,7 +26,7 @@ struct PrinterRequest;
 using SettingValue = std::variant<std::monostate, bool, double, std::string, Vec3, std::vector<DirectionalLight>>;
 
 /// A part of a request that the user can set. Its words (label, help, names of choices) are in
-/// messages/settings/settings.json under its key. Its default is its value in a default request.
+/// locales/ under its key. Its default is its value in a default request.
 struct Setting {
   enum class Kind {
     Text,

@@ -25,7 +25,7 @@ std::string helpOf(const OptionTexts& texts, std::string_view before) {
 /// Heading in `--help`. A command's own options, such as the text, stay under its first heading.
 std::string headingOf(const Setting& setting) {
   if (setting.key == "text") return "Options";
-  return settingWords().at("groups").at(setting.group).at("en");
+  return settingWords().at("groups").at(setting.group);
 }
 
 }  // namespace

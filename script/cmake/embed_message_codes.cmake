@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run by core/CMakeLists.txt: CATALOGUE = a file messages/*.json, OUT = header to write. Lists the code of each message and
-# the names of the values in its English sentence and hint, so that the compiler can check message<"code">(…). Leaves an
-# unchanged header as it is, so that new words alone compile nothing.
+# Run by core/CMakeLists.txt: ENGLISH = locales/en.json, PART = a part of its messages, OUT = header to write. Lists the
+# code of each message and the names of the values in its sentence and hint, so that the compiler can check
+# message<"code">(…). Leaves an unchanged header as it is, so that new words alone compile nothing.
 cmake_minimum_required(VERSION 3.25)
 set(codes "")
-file(READ ${CATALOGUE} catalogue)
-string(JSON count LENGTH "${catalogue}")
+file(READ ${ENGLISH} english)
+string(JSON entries GET "${english}" messages ${PART})
+string(JSON count LENGTH "${entries}")
 math(EXPR last "${count} - 1")
 foreach(index RANGE ${last})
-  string(JSON code MEMBER "${catalogue}" ${index})
-  string(JSON entry GET "${catalogue}" ${code})
-  string(JSON words GET "${entry}" en)
-  string(JSON kind TYPE "${entry}" en)
+  string(JSON code MEMBER "${entries}" ${index})
+  string(JSON entry GET "${entries}" ${code})
+  string(JSON words GET "${entry}" says)
+  string(JSON kind TYPE "${entry}" says)
   if(kind STREQUAL "OBJECT")
     string(APPEND words "{count}")  # it chooses the form
   endif()
-  string(JSON hint ERROR_VARIABLE none GET "${entry}" hint en)
+  string(JSON hint ERROR_VARIABLE none GET "${entry}" hint)
   if(NOT none)
     string(APPEND words "${hint}")
   endif()

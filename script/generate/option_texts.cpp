@@ -61,11 +61,11 @@ OptionTexts optionTexts(const Setting& setting) {
   texts.flag = flagOf(setting.key);
   if (isOnAlready) texts.flag.insert(2, "no-");
   texts.values = valuesOf(setting);
-  texts.help = filled(words.at(isOnAlready ? "without" : "help").at("en"));
+  texts.help = filled(words.at(isOnAlready ? "without" : "help"));
   if (setting.takesNumber()) texts.range = fmt::format("{} to {}", setting.min, setting.max);
   if (setting.kind == Kind::Switch) texts.initial = "off";
   if (words.contains("empty"))
-    texts.initial = filled(words.at("empty").at("en"));
+    texts.initial = filled(words.at("empty"));
   else if (setting.kind != Kind::Switch)
     texts.initial = valueText(initial);
   return texts;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kPageHead = R"(# Options
 
-<!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
+<!-- Written by build/release/bin/qrelief_generate from core/settings and locales/en.json: do not edit. -->
 
 Every setting of an engraving, with its flag for `qrelief engrave` and its key in reports, settings files and the page.
 The [command line](command-line.md) has the options for files, repairs and batches.
@@ -28,7 +28,7 @@ std::string inCell(std::string text) {
 }
 
 std::string nameOfGroup(std::string_view group) {
-  return settingWords().at("groups").at(std::string(group)).at("en").get<std::string>();
+  return settingWords().at("groups").at(std::string(group)).get<std::string>();
 }
 
 /// Says which flags a command accepts.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "messages/setting_words.h"
 #include "settings/engrave_request.h"
 #include "settings/setting_json.h"
 #include "settings/settings.h"
@@ -15,9 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-later
-// Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit.
-
-/** @typedef {{ en: string, de: string }} Words  in every language of the page */
+// Written by build/release/bin/qrelief_generate from core/settings: do not edit.
 
 /**
  * @typedef {object} Setting
@@ -31,10 +28,6 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @property {boolean} [mayBeEmpty]  may be left out: what then counts follows from the rest
  * @property {readonly string[]} [choices]
  * @property {unknown} default       null: it is empty
- * @property {Words} label           without the unit
- * @property {Words} [hint]          a sentence under the control
- * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
- * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
  * @property {number} [most]         lamps
  */
@@ -73,7 +66,6 @@ Json partsOfLamp() {
 }
 
 Json describe(const Setting& setting, const Json& defaults) {
-  const nlohmann::json& words = settingWords().at("settings").at(setting.key);
   Json entry = {{"group", setting.group}, {"kind", nameOf(setting.kind)}};
   if (setting.unit != Unit::None) entry["unit"] = traitsOf(setting.unit).name;
   if (setting.takesNumber()) {
@@ -85,10 +77,6 @@ Json describe(const Setting& setting, const Json& defaults) {
   if (setting.mayBeEmpty) entry["mayBeEmpty"] = true;
   if (!setting.choices.empty()) entry["choices"] = setting.choices;
   entry["default"] = defaults.at(setting.key);
-  entry["label"] = words.at("label");
-  if (words.contains("hint")) entry["hint"] = words.at("hint");
-  if (words.contains("choices")) entry["choiceNames"] = words.at("choices");
-  if (words.contains("parts")) entry["partLabels"] = words.at("parts");
   if (setting.kind == Setting::Kind::Lamps) {
     entry["parts"] = partsOfLamp();
     entry["most"] = kMaxLights;
@@ -130,9 +118,7 @@ std::string settingsModule() {
     if (!unit.name.empty()) unitNames.push_back(unit.name);
   return kModuleHead + choiceType("SettingKey", keys) + choiceType("UnitName", unitNames) + "\n" +
          constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
-         constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
-         constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +
-         constant("kUnits", "Readonly<Record<string, Words>>", Json(settingWords().at("units")));
+         constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes());
 }
 
 }  // namespace qrelief

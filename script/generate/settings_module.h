@@ -6,7 +6,7 @@
 namespace qrelief {
 
 /// Returns web/generated/settings.js, the page's description of the settings, with types: kinds, units, ranges,
-/// defaults, choices, and the labels in both languages.
+/// defaults and choices.
 std::string settingsModule();
 
 }  // namespace qrelief

@@ -2,12 +2,12 @@
 // Part of the build: puts the kept pictures (script/gallery), with their captions, into gallery.html.
 import { readFileSync } from 'node:fs';
 import { escaped } from '../../web/i18n/fill.js';
-import { samples as sampleNames } from '../../web/i18n/parts/samples.js';
+import { partOf } from '../../web/i18n/locale_files.js';
 import { inEach } from '../page/markup.js';
 import { mm, name, said, sentence } from '../page/say.js';
 import { kFinders, kPatterns, kPicturesFolder, readGallery } from './exhibits.js';
 
-/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/** @typedef {import('../page/say.js').Language} Language */
 /** @typedef {import('./exhibits.js').Exhibit} Exhibit */
 /** @typedef {import('./exhibits.js').Room} Room */
 
@@ -30,8 +30,7 @@ function card(language, sample, exhibit, title) {
 }
 
 /** @param {Language} language @param {string} sample */
-const titleOf = (language, sample) =>
-  escaped(sampleNames[language][/** @type {keyof typeof sampleNames.en} */ (sample)] ?? sample);
+const titleOf = (language, sample) => escaped(partOf(language, 'app').page.samples[sample] ?? sample);
 
 /** @param {Language} language @param {Room} room */
 function roomMarkup(language, { sample, exhibits }) {

@@ -2,7 +2,7 @@
 // The gallery's codes and their pictures, as kept in study/gallery/pictures.
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { samples } from '../../web/i18n/parts/samples.js';
+import { kEnglish } from '../../web/i18n/locales.js';
 
 /**
  * One code, as written by make_gallery.cpp; its pictures are WebP files.
@@ -24,7 +24,7 @@ export const kPatterns = ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'
 export const kFinders = ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sharp'];
 
 /** The samples in the page's order. */
-export const kSamples = Object.keys(samples.en);
+export const kSamples = Object.keys(kEnglish.page.samples);
 
 /** Samples with every pattern: a curved and a flat one. */
 export const kPatterned = ['bunny', 'plate'];

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of the build: draws the figures of study.html from the measured tables, states the findings, and writes figures
 // and tables next to the page.
-import { kLanguages } from '../../web/i18n/languages.js';
 import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';
 import { kFigures } from './figures.js';
 import { kFindings } from './findings.js';
 import { figureMarkup, findingMarkup, linkMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
-import { cases, models, said } from './say.js';
+import { cases, kLanguages, models, said } from './say.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
 

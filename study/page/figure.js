@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Common parts of the figures: measures, colours, names in the page's language.
-import { figures } from '../../web/i18n/parts/figures.js';
-import { name, sentence } from './say.js';
+import { kWords, name, sentence } from './say.js';
 
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {import('./say.js').Said} Said */
 /** @typedef {import('./say.js').Word} Word */
-/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/** @typedef {import('./say.js').Language} Language */
 /** @typedef {import('vega-lite').TopLevelSpec} Spec */
 
 /**
@@ -44,7 +43,7 @@ export const kColours = {
  * @returns {any[]}
  */
 export function inOrder(rows, column, kind) {
-  const words = Object.keys(figures.en);
+  const words = Object.keys(kWords.en);
   const at = (/** @type {any} */ value) => words.indexOf(`${kind}-${value}`);
   return [...new Set(rows.map((row) => row[column]))].sort((a, b) => at(a) - at(b));
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures and the sentences about them as markup, in every language; article.css shows the page's language.
-import { kLanguages } from '../../web/i18n/languages.js';
 import { escaped } from '../../web/i18n/fill.js';
-import { isKnown, said, sentence } from './say.js';
+import { isKnown, kLanguages, said, sentence } from './say.js';
 
-/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/** @typedef {import('./say.js').Language} Language */
 /** @typedef {import('./figure.js').Figure} Figure */
 /** @typedef {import('./say.js').Said} Said */
 /** @typedef {{ path: string, width: number, height: number }} Drawn */

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sentences about tables, in any language. The data decide which sentence is chosen and its values.
-import { addTexts, textIn } from '../../web/i18n/catalogue.js';
-import { figures } from '../../web/i18n/parts/figures.js';
+import { filled } from '../../web/i18n/catalogue.js';
+import de from '../locales/de.json' with { type: 'json' };
+import en from '../locales/en.json' with { type: 'json' };
 
-/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
-/** @typedef {keyof typeof figures.en} Word  of web/i18n/parts/figures.js */
+/** @typedef {'en' | 'de'} Language  of the study */
+/** @typedef {keyof typeof en} Word */
 /** @typedef {{ say: Word, with?: Record<string, Value> }} Said */
 /** A number with `digits` after the point. @typedef {{ number: number, digits: number }} Measured */
 /** @typedef {string | number | Measured | Said | Said[]} Value  several make a list */
 
-addTexts({ figures });
+/** The words of the figures. */
+export const kWords = { en, de };
+
+/** The languages of the study. */
+export const kLanguages = /** @type {Language[]} */ (Object.keys(kWords));
 
 /** @param {Word} word @param {Record<string, Value>} [values] @returns {Said} */
 export const said = (word, values) => (values ? { say: word, with: values } : { say: word });
@@ -25,7 +30,7 @@ export const mm = (value) => ({ number: value, digits: 2 });
  */
 export function name(kind, value) {
   const word = /** @type {Word} */ (`${kind}-${value}`);
-  return word in figures.en ? said(word) : said('asIs', { value });
+  return word in en ? said(word) : said('asIs', { value });
 }
 
 /** Says "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
@@ -63,8 +68,8 @@ function written(language, value) {
 
 /** @param {Language} language @param {Said} said @returns {string} */
 export const sentence = (language, { say, with: values = {} }) =>
-  textIn(
-    language,
-    `figures.${say}`,
+  filled(
+    kWords[language][say],
     Object.fromEntries(Object.entries(values).map(([key, value]) => [key, written(language, value)])),
+    language,
   );

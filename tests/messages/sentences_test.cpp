@@ -69,16 +69,19 @@ TEST(Sentences, MatchTheSharedCases) {
   for (const Json& one : shared.at("cases")) {
     const Message message = messageOf(one.at("message"));
     EXPECT_EQ(Json(jsonOf(message)), one.at("message"));
-    EXPECT_EQ(sentence(message, shared.at("catalogue")), withPlainQuotes(one.at("en").get<std::string>()));
+    EXPECT_EQ(sentence(message, shared.at("words").at("en")), withPlainQuotes(one.at("en").get<std::string>()));
     if (!one.contains("hint")) continue;
-    EXPECT_EQ(hint(message, shared.at("catalogue")), withPlainQuotes(one.at("hint").get<std::string>())) << message;
+    EXPECT_EQ(hint(message, shared.at("words").at("en")), withPlainQuotes(one.at("hint").get<std::string>()))
+        << message;
   }
 }
 
 TEST(Sentences, NameFlagsAndPreferTheCommandsWords) {
-  const Json words = Json::parse(R"({"thin": {"en": "Raise {@minWallMm}", "de": "{@minWallMm}"},
-      "busy": {"en": "Press Engrave", "command": "Run it again", "de": "Neu"}})");
+  const Json words =
+      Json::parse(R"({"thin": {"says": "Raise {@minWallMm}", "hint": "Less", "command": {"hint": "Else"}},
+      "busy": {"says": "Press Engrave", "command": {"says": "Run it again"}}})");
   EXPECT_EQ(sentence(Message("thin", {}), words), "Raise --min-wall");
+  EXPECT_EQ(hint(Message("thin", {}), words), "Else");
   EXPECT_EQ(sentence(Message("busy", {}), words), "Run it again");
 }
 

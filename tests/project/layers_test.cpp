@@ -26,7 +26,7 @@ const std::vector<std::string> kLayers = {
     "base",  "math",    "mesh",     "io",           "qr",       "light",    "gl",      "render", "projection", "label",
     "depth", "carving", "printing", "verification", "settings", "pipeline", "verdict", "report", "batch"};
 
-/// Headers that the build generates from shaders/ and the font of labels; those of messages/ are in message_codes/.
+/// Headers that the build generates from shaders/ and the font of labels; those of locales/ are in message_codes/.
 const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "label_font.h"};
 
 bool isGenerated(const std::string& path) {

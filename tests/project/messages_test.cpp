@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the words in messages/. The compiler checks that each message in C++ has words for exactly its values
+// Checks the messages in locales/. The compiler checks that each message in C++ has words for exactly its values
 // (base/message.h), and `npm run lint` does the same for JavaScript (script/message_rule.js).
 #include <algorithm>
 #include <filesystem>
@@ -7,13 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/message.h"
@@ -32,22 +30,16 @@ using testing::IsEmpty;
 const std::vector<std::string> kOfPage = {"core", "app", "wasm", "web"};
 const std::vector<std::string> kOfCommand = {"native", "study"};
 
-/// Words of messages that only the command makes, in English only.
-constexpr const char* kCommandWords = "command.json";
+/// The part of the messages that only the command makes, in English only.
+constexpr const char* kCommandPart = "command";
 
 std::string contentsOf(const fs::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Returns the files of messages/ by name.
-std::map<std::string, Json> catalogues() {
-  std::map<std::string, Json> files;
-  for (const auto& entry : fs::directory_iterator(sourceFolder() / "messages"))
-    if (entry.path().extension() == ".json")
-      files[entry.path().filename().string()] = Json::parse(contentsOf(entry.path()));
-  return files;
-}
+/// Returns the English messages by part and code.
+Json english() { return Json::parse(contentsOf(sourceFolder() / "locales/en.json")).at("messages"); }
 
 /// Returns the names of the values in a text, or in its two forms, of which `count` chooses one.
 Names placeholders(const Json& forms) {
@@ -64,26 +56,20 @@ Names placeholders(const Json& forms) {
 }
 
 /// Returns the names of the values in the sentence and the hint of an entry.
-Names valuesOf(const Json& entry, const std::string& language) {
-  Names names = placeholders(entry.at(language));
-  if (entry.contains("hint")) names.merge(placeholders(entry.at("hint").at(language)));
+Names valuesOf(const Json& entry) {
+  Names names = placeholders(entry.at("says"));
+  if (entry.contains("hint")) names.merge(placeholders(entry.at("hint")));
   return names;
 }
 
-std::vector<std::string> complaintsAbout(const std::string& code, const Json& entry, bool isOnPage) {
-  if (!entry.contains("en")) return {code + " has no English"};
-  if (!isOnPage) return {};
-  if (!entry.contains("de")) return {code + " has no German"};
-  if (entry.contains("hint") && !entry.at("hint").contains("de")) return {code + " has no German hint"};
-  std::vector<std::string> complaints;
-  const Names english = valuesOf(entry, "en");
-  if (valuesOf(entry, "de") != english) complaints.push_back(code + " has other values in German");
-  if (entry.contains("command")) {
-    const Names used = placeholders(entry.at("command"));
-    if (!std::includes(english.begin(), english.end(), used.begin(), used.end()))
-      complaints.push_back(code + " has other values on the command line");
+/// Tells whether the command's own words, if an entry has any, have only the values of the others.
+bool fitsTheCommand(const Json& entry) {
+  const Names names = valuesOf(entry);
+  for (const Json& words : entry.value("command", Json::object())) {
+    const Names used = placeholders(words);
+    if (!std::includes(names.begin(), names.end(), used.begin(), used.end())) return false;
   }
-  return complaints;
+  return true;
 }
 
 /// Returns the codes of all messages made in the sources of some folders, and of the stages of jobs
@@ -104,57 +90,39 @@ Names codesMadeIn(const std::vector<std::string>& folders) {
   return codes;
 }
 
-TEST(Messages, HaveTheSameValuesInEveryLanguage) {
-  std::vector<std::string> complaints;
-  for (const auto& [file, entries] : catalogues())
-    for (const auto& [code, entry] : entries.items()) {
-      const auto found = complaintsAbout(code, entry, file != kCommandWords);
-      complaints.insert(complaints.end(), found.begin(), found.end());
-    }
-  EXPECT_THAT(complaints, IsEmpty());
+// web/i18n/locales.test.js compares the languages.
+TEST(Messages, HaveNoOtherValuesOnTheCommandLine) {
+  for (const auto& [part, entries] : english().items())
+    for (const auto& [code, entry] : entries.items()) EXPECT_TRUE(fitsTheCommand(entry)) << code;
+  EXPECT_FALSE(fitsTheCommand(Json::parse(R"({"says": "{a}", "command": {"says": "{b}"}})")));
+  EXPECT_TRUE(fitsTheCommand(Json::parse(R"({"says": "{a}", "hint": "{b}", "command": {"says": "{b}"}})")));
 }
 
-// The build generates what the compiler knows of messages/ (script/cmake/embed_message_codes.cmake).
+// The build generates what the compiler knows of the messages (script/cmake/embed_message_codes.cmake).
 TEST(Messages, AreKnownToTheCompilerWithTheValuesOfSentenceAndHint) {
-  const Json files = catalogues().at("files.json");
+  const Json files = english().at("files");
   const auto known = [](std::span<const std::string_view> names) { return Names(names.begin(), names.end()); };
-  EXPECT_EQ(known(ValuesOfMessage<"file-empty">::kNames), valuesOf(files.at("file-empty"), "en"));
-  EXPECT_EQ(known(ValuesOfMessage<"file-no-face">::kNames), valuesOf(files.at("file-no-face"), "en"));
-  EXPECT_EQ(known(ValuesOfMessage<"stl-cut-off">::kNames), valuesOf(files.at("stl-cut-off"), "en"));
-  EXPECT_EQ(known(ValuesOfMessage<"3mf-slices">::kNames), valuesOf(files.at("3mf-slices"), "en"));
+  EXPECT_EQ(known(ValuesOfMessage<"file-empty">::kNames), valuesOf(files.at("file-empty")));
+  EXPECT_EQ(known(ValuesOfMessage<"file-no-face">::kNames), valuesOf(files.at("file-no-face")));
+  EXPECT_EQ(known(ValuesOfMessage<"stl-cut-off">::kNames), valuesOf(files.at("stl-cut-off")));
+  EXPECT_EQ(known(ValuesOfMessage<"3mf-slices">::kNames), valuesOf(files.at("3mf-slices")));
 }
 
 TEST(Messages, AreAllUsed) {
   Names used = codesMadeIn(kOfPage);
   used.merge(codesMadeIn(kOfCommand));
   std::vector<std::string> unused;
-  for (const auto& [file, entries] : catalogues())
+  for (const auto& [part, entries] : english().items())
     for (const auto& [code, entry] : entries.items())
       if (!used.contains(code)) unused.push_back(code);
   EXPECT_THAT(unused, IsEmpty());
 }
 
-TEST(Messages, OfThePageAreNotAmongTheCommandsWords) {
+TEST(Messages, OfThePageAreNotAmongTheCommands) {
   const Names onPage = codesMadeIn(kOfPage);
-  const Json commandWords = catalogues().at(kCommandWords);
-  for (const auto& [code, entry] : commandWords.items())
-    EXPECT_FALSE(onPage.contains(code)) << code << " needs German, so it belongs in another file";
-}
-
-TEST(Messages, AreReportedIfTheirWordsDoNotFit) {
-  const auto about = [](const std::string& entry, bool isOnPage = true) {
-    return complaintsAbout("x", Json::parse(entry), isOnPage);
-  };
-  EXPECT_THAT(about(R"({"en": "{a}", "de": "{a}", "hint": {"en": "Do", "de": "Tun"}})"), IsEmpty());
-  EXPECT_THAT(about(R"({"en": {"one": "a hole", "other": "{count} holes"}, "de": "{count} mal"})"), IsEmpty());
-  EXPECT_THAT(about(R"({"en": "A"})", false), IsEmpty());
-  const std::vector<std::pair<std::string, std::string>> wrong = {
-      {R"({"de": "A"})", "x has no English"},
-      {R"({"en": "A"})", "x has no German"},
-      {R"({"en": "A", "de": "A", "hint": {"en": "Do"}})", "x has no German hint"},
-      {R"({"en": "{a}", "de": "{b}"})", "x has other values in German"},
-      {R"({"en": "{a}", "de": "{a}", "command": "{b}"})", "x has other values on the command line"}};
-  for (const auto& [entry, complaint] : wrong) EXPECT_THAT(about(entry), testing::ElementsAre(complaint));
+  const Json ofCommand = english().at(kCommandPart);
+  for (const auto& [code, entry] : ofCommand.items())
+    EXPECT_FALSE(onPage.contains(code)) << code << " is on the page, so it belongs in another part";
 }
 
 }  // namespace

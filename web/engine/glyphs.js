@@ -5,11 +5,11 @@ const kFamily = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Lib
 const kMarginPx = 2; // empty border, so that interpolation never picks up a neighbouring letter
 const kLineHeight = 1.3; // as a multiple of the letter size
 
-const range = (/** @type {number} */ from, /** @type {number} */ to) =>
-  Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)).join('');
+/** Printable ASCII, and the other letters of the inspector's English texts. */
+const kEnglish = String.fromCodePoint(...Array.from({ length: 0x7f - 0x20 }, (_, i) => 0x20 + i)) + '×·°„“”…';
 
-/** Printable ASCII, Latin-1 and the other letters of the inspector's texts. */
-export const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff) + '„“';
+/** Returns the letters that the inspector needs to show texts. @param {string[]} texts */
+export const lettersOf = (texts) => [...new Set(kEnglish + texts.join(''))].join('');
 
 /**
  * @typedef {object} Glyphs
@@ -19,11 +19,12 @@ export const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff) + '„“';
  */
 
 /**
- * Draws all letters.
+ * Draws letters.
+ * @param {string} letters
  * @param {number} sizePx  letter size, device pixels
  * @returns {Glyphs | null}  null without OffscreenCanvas or its 2D context
  */
-export function drawGlyphs(sizePx) {
+export function drawGlyphs(letters, sizePx) {
   const edge = Math.ceil(sizePx * 2);
   const context =
     typeof OffscreenCanvas === 'function'
@@ -39,7 +40,7 @@ export function drawGlyphs(sizePx) {
   const baseline = Math.round((lineHeight - sizePx) / 2 + sizePx * 0.8);
   const metrics = [];
   const pictures = [];
-  for (const letter of kLetters) {
+  for (const letter of letters) {
     const measured = context.measureText(letter);
     const left = Math.floor(-measured.actualBoundingBoxLeft) - kMarginPx;
     const above = Math.ceil(measured.actualBoundingBoxAscent) + kMarginPx;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inspector over the canvas: its events, its letters and its state for the page.
-import { drawGlyphs } from './glyphs.js';
+import { drawGlyphs, lettersOf } from './glyphs.js';
 
 /** @typedef {import('./types.js').InspectorEvent} InspectorEvent */
 /** @typedef {Pick<import('./verbs.js').Calls<typeof import('./verbs.js').kInnerVerbs>, 'inspector' | 'inspectorGlyphs'>} InspectorVerbs */
@@ -13,7 +13,8 @@ export class InspectorLink {
   frames_ = 0; // since it was opened
   stateText_ = '';
   isStill_ = false;
-  glyphsPx_ = 0; // size of the letters
+  letters_ = lettersOf([]);
+  glyphsPx_ = 0; // size of the letters that were given; 0: none
 
   /**
    * @param {InspectorVerbs} engine
@@ -33,6 +34,10 @@ export class InspectorLink {
       this.stateText_ = '';
       this.isStill_ = false;
     }
+    if (event.kind === 'texts') {
+      this.letters_ = lettersOf(Object.values(event.texts));
+      this.glyphsPx_ = 0;
+    }
     this.engine_.inspector(event);
     this.giveGlyphs(pixelRatio);
   }
@@ -46,7 +51,7 @@ export class InspectorLink {
   giveGlyphs(pixelRatio) {
     const sizePx = kFontPx * pixelRatio;
     if (!this.isShown || this.glyphsPx_ === sizePx) return;
-    const glyphs = drawGlyphs(sizePx);
+    const glyphs = drawGlyphs(this.letters_, sizePx);
     if (!glyphs) return;
     this.engine_.inspectorGlyphs(glyphs.lineHeight, glyphs.metrics, glyphs.alpha);
     this.glyphsPx_ = sizePx;

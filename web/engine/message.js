@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages without words: a code and its values, as core/base/message_json.h writes them. The words are in
-// messages/*.json; web/i18n/sentences.js makes the sentences.
+// locales/; web/i18n/sentences.js makes the sentences.
 
 /**
  * A value of a message. Its kind decides its format.
@@ -11,7 +11,7 @@
  */
 
 /**
- * Makes a message, as in `message('engine-hung', { count: { count: 3 } })`. `npm run lint` checks that messages/ has the
+ * Makes a message, as in `message('engine-hung', { count: { count: 3 } })`. `npm run lint` checks that locales/ has the
  * code and these values (script/message_rule.js).
  * @param {string} code  a literal
  * @param {Record<string, Value>} [values]  by literal names

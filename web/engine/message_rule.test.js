@@ -4,8 +4,8 @@ import { RuleTester } from 'eslint';
 import { messageRule, valuesByCode } from '../../script/message_rule.js';
 
 const known = valuesByCode({
-  plain: { en: 'The file is empty' },
-  counted: { en: { one: 'a hole', other: '{count} holes' }, hint: { en: 'Fill it at {at}' } },
+  plain: { says: 'The file is empty' },
+  counted: { says: { one: 'a hole', other: '{count} holes' }, hint: 'Fill it at {at}' },
 });
 
 test('The linter compares each message with its words', () => {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gallery page. The build makes all of it except the frame (study/gallery).
-import { addTexts } from '../i18n/catalogue.js';
-import { gallery } from '../i18n/parts/gallery.js';
+import { startTexts } from '../i18n/catalogue.js';
 import { openArticle } from '../guide/article.js';
 
-addTexts({ gallery });
+await startTexts('gallery');
 openArticle();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { addTexts, currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
-import { guide } from '../i18n/parts/guide.js';
+import { currentLanguage, onLanguage, startTexts, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { openArticle } from './article.js';
 import { kSizes, widthMm } from './sizes.js';
@@ -23,7 +22,7 @@ function showSizes() {
   );
 }
 
-addTexts({ guide });
+await startTexts('guide');
 openArticle();
 onLanguage(showSizes);
 showSizes();

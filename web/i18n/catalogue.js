@@ -1,49 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All texts of the app in all languages. The texts of each part of the page are in parts/, all languages side by side.
-// An article adds its own texts.
+// The texts of the page in the chosen language. English is always there; other languages, and the texts of articles, are
+// loaded (locales.js).
 import { recall, remember } from '../storage/remembered.js';
-import { kLanguages } from './languages.js';
-import { batch } from './parts/batch.js';
-import { check } from './parts/check.js';
-import { code } from './parts/code.js';
-import { help } from './parts/help.js';
-import { inspector } from './parts/inspector.js';
-import { autosave } from './parts/autosave.js';
-import { links } from './parts/links.js';
-import { page } from './parts/page.js';
-import { samples } from './parts/samples.js';
-import { settings } from './parts/settings.js';
-import { exports } from './parts/exports.js';
-import { view } from './parts/view.js';
+import { kEnglish, kLanguages, load } from './locales.js';
 
-/** @typedef {import('./languages.js').Language} Language */
+/** @typedef {typeof import('../../locales/en.json')} English */
+/** @typedef {Pick<English, 'format' | 'page' | 'settings'>} AppTexts */
+/** @typedef {keyof English['articles']} Article */
+/** @typedef {English['page'] & English['articles']} Groups */
+/** @typedef {{ [G in keyof Groups]: `${G}.${string & keyof Groups[G]}` }[keyof Groups]} Key */
 /**
  * @typedef {string | { one: string, other: string }} Entry  the value `count` selects the form; `{name}` stands for a
  *   value
  */
 
-const kParts = { batch, check, code, help, inspector, autosave, links, page, samples, settings, exports, view };
-
-/**
- * @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method,
- *   gallery: typeof import('./parts/gallery.js').gallery,
- *   study: typeof import('./parts/study.js').study, figures: typeof import('./parts/figures.js').figures }} Articles
- */
-/** @typedef {typeof kParts & Articles} Parts */
-/** @typedef {{ [P in keyof Parts]: `${P}.${string & keyof Parts[P]['en']}` }[keyof Parts]} Key */
-
-/** @param {Partial<Articles>} articles  articles whose texts `text` will find from now on */
-export const addTexts = (articles) => void Object.assign(kParts, articles);
-
 const kStored = 'language';
 
-/** @param {unknown} value @returns {value is Language} */
-const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value));
+/** The texts that are loaded: languages, then parts. @type {Map<string, Map<string, any>>} */
+const loaded = new Map([['en', new Map([['app', kEnglish]])]]);
+/** The parts that the page shows. @type {Set<import('./locales.js').Part>} */
+const shown = new Set(['app']);
+let language = 'en';
+let asked = language;
+
+/** @type {(() => void)[]} */
+const listeners = [];
+
+/** Returns the code of the language in which texts are: "de". */
+export const currentLanguage = () => language;
+
+/** Returns the app's texts in the current language. @returns {AppTexts} */
+export const appTexts = () => loaded.get(language)?.get('app');
 
 /**
- * Returns the language named in the address, else the stored choice, else the first of the browser's languages that we
- * have.
+ * Loads the texts of articles, in the language named in the address, else in the stored one, else in the first of the
+ * browser's languages that we have. Without a network they stay in English.
+ * @param {Article[]} articles
  */
+export async function startTexts(...articles) {
+  for (const article of articles) shown.add(article);
+  await use('en');
+  await use(preferredLanguage()).catch(() => {});
+}
+
+/** Returns the languages that have texts for all that the page shows. */
+export const offeredLanguages = () => kLanguages.filter(({ hasArticles }) => hasArticles || shown.size === 1);
+
 function preferredLanguage() {
   if (typeof document === 'undefined') return 'en';
   const preferred = [
@@ -51,16 +53,21 @@ function preferredLanguage() {
     recall(kStored),
     ...navigator.languages.map((tag) => tag.split('-')[0]),
   ];
-  return preferred.find(isLanguage) ?? 'en';
+  return preferred.find((one) => offeredLanguages().some(({ code }) => code === one)) ?? 'en';
 }
 
-/** @type {Language} */
-let language = preferredLanguage();
-
-export const currentLanguage = () => language;
-
-/** @type {(() => void)[]} */
-const listeners = [];
+/** Loads a language, and has texts in it from then on, unless another was asked for meanwhile. @param {string} chosen */
+async function use(chosen) {
+  asked = chosen;
+  const parts = loaded.get(chosen) ?? new Map();
+  await Promise.all(
+    [...shown].map(async (part) => {
+      if (!parts.has(part)) parts.set(part, await load(chosen, part));
+    }),
+  );
+  loaded.set(chosen, parts);
+  if (asked === chosen) language = chosen;
+}
 
 /**
  * @param {() => void} listener  writes its texts again after the language has changed or the words of a message have
@@ -70,19 +77,25 @@ export function onLanguage(listener) {
   listeners.push(listener);
 }
 
-/** Stores the language for the next visit and has all texts on the page written again. @param {Language} chosen */
-export function setLanguage(chosen) {
-  language = chosen;
+/**
+ * Loads a language, stores it for the next visit, and has all texts on the page written again.
+ * @param {string} chosen
+ * @throws {Error} if it cannot be loaded; the language stays
+ */
+export async function setLanguage(chosen) {
+  await use(chosen);
+  if (language !== chosen) return;
   remember(kStored, chosen);
   writeAgain();
 }
 
 export const writeAgain = () => listeners.forEach((listener) => listener());
 
-/** @param {Language} of @param {string} key @returns {Entry | undefined} */
-function entry(of, key) {
-  const dot = key.indexOf('.');
-  return /** @type {any} */ (kParts)[key.slice(0, dot)]?.[of]?.[key.slice(dot + 1)];
+/** @param {string} key @returns {Entry | undefined} */
+function entry(key) {
+  const [group, name] = key.split(/\.(.*)/);
+  const texts = /** @type {any} */ (appTexts().page)[group] ?? loaded.get(language)?.get(group);
+  return texts?.[name];
 }
 
 /**
@@ -90,24 +103,27 @@ function entry(of, key) {
  * @param {Record<string, string | number>} [values]
  * @throws {Error} if the key or a value is missing
  */
-export const text = (key, values = {}) => textIn(language, key, values);
+export function text(key, values = {}) {
+  const words = entry(key);
+  if (words === undefined) throw new Error(`There is no text "${key}" in "${language}"`);
+  return filled(words, values, language);
+}
 
 /**
- * Returns a text like `text`, but in any language.
- * @param {Language} of
- * @param {Key} key
- * @param {Record<string, string | number>} [values]
+ * Puts values into a text.
+ * @param {Entry} words
+ * @param {Record<string, string | number>} values
+ * @param {string} of  the language
+ * @throws {Error} if a value is missing
  */
-export function textIn(of, key, values = {}) {
-  const words = entry(of, key);
-  if (words === undefined) throw new Error(`There is no text "${key}" in "${of}"`);
+export function filled(words, values, of) {
   const template =
     typeof words === 'string'
       ? words
       : words[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
   return template.replace(/\{(\w+)\}/g, (_, name) => {
     const value = values[name];
-    if (value === undefined) throw new Error(`The text "${key}" lacks the value "${name}"`);
+    if (value === undefined) throw new Error(`The text "${template}" lacks the value "${name}"`);
     return typeof value === 'number' ? value.toLocaleString(of) : value;
   });
 }
@@ -139,13 +155,12 @@ export function localise(root) {
 
 /**
  * Returns the text for a name from the core or from a list of samples, or `otherwise` if the name is unknown.
- * @param {keyof typeof kParts} part
+ * @param {keyof Groups} group
  * @param {string} name
  * @param {string} [otherwise]
  * @param {Record<string, string | number>} [values]
  */
-export const textOr = (part, name, otherwise = name, values = {}) =>
-  entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values);
-
-/** Returns every loaded part, for tests. */
-export const allParts = () => kParts;
+export const textOr = (group, name, otherwise = name, values = {}) => {
+  const words = entry(`${group}.${name}`);
+  return words === undefined ? otherwise : filled(words, values, language);
+};

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of the build: puts the English texts into the markup, for readers without scripts and for the time before
 // scripts run.
-import { addTexts, text } from './catalogue.js';
-import { gallery } from './parts/gallery.js';
-import { guide } from './parts/guide.js';
-import { method } from './parts/method.js';
-import { study } from './parts/study.js';
+import { startTexts, text } from './catalogue.js';
 
-addTexts({ gallery, guide, method, study });
+await startTexts('gallery', 'guide', 'method', 'study');
 
 /** @param {string} words */
 export const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');

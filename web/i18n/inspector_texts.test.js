@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { after, test } from 'node:test';
-import { kLetters } from '../engine/glyphs.js';
+import { lettersOf } from '../engine/glyphs.js';
 import { setLanguage } from './catalogue.js';
 import { inspectorTexts } from './inspector_texts.js';
+import { kLanguages } from './locales.js';
 import { settingTexts } from './setting_names.js';
 
 const folder = new URL('../../app/inspector/', import.meta.url);
@@ -26,16 +27,17 @@ const places = (/** @type {string} */ text) => text.match(/\{[^}]*\}|%d/g) ?? []
 after(() => setLanguage('en'));
 
 /** Returns the texts that the engine does not get with the settings. */
-const ownTexts = () => Object.fromEntries(Object.entries(inspectorTexts()).filter(([key]) => !(key in settingTexts())));
+const ownTexts = async () =>
+  Object.fromEntries(Object.entries(await inspectorTexts()).filter(([key]) => !(key in settingTexts())));
 
-test('The English texts equal the module’s own, except for settings', () => {
-  setLanguage('en');
-  assert.deepEqual(inspectorTexts(), settingTexts());
+test('The English texts equal the module’s own, except for settings', async () => {
+  await setLanguage('en');
+  assert.deepEqual(await inspectorTexts(), settingTexts());
 });
 
-test('Every translation belongs to a text of the inspector and has the same values', () => {
-  setLanguage('de');
-  const texts = Object.entries(ownTexts());
+test('Every translation belongs to a text of the inspector and has the same values', async () => {
+  await setLanguage('de');
+  const texts = Object.entries(await ownTexts());
   assert.ok(texts.length > 80);
   for (const [english, german] of texts) {
     assert.ok(literals.has(english), `no source says "${english}"`);
@@ -44,18 +46,20 @@ test('Every translation belongs to a text of the inspector and has the same valu
   }
 });
 
-test('Every letter has a glyph', () => {
-  setLanguage('de');
-  const letters = new Set(Object.values(inspectorTexts()).join(''));
-  assert.deepEqual(
-    [...letters].filter((letter) => !kLetters.includes(letter)),
-    [],
-  );
+test('Every letter has a glyph, whatever the language', async () => {
+  for (const { code } of kLanguages) {
+    await setLanguage(code);
+    const texts = Object.values(await inspectorTexts());
+    const there = new Set(lettersOf(texts));
+    for (const letter of texts.join('')) assert.ok(there.has(letter), `${letter} in ${code}`);
+  }
+  for (const literal of literals)
+    for (const letter of literal) assert.ok(lettersOf([]).includes(letter), `${letter} in "${literal}"`);
 });
 
-test('Every text that the inspector writes is translated', () => {
-  setLanguage('de');
-  const texts = inspectorTexts();
+test('Every text that the inspector writes is translated', async () => {
+  await setLanguage('de');
+  const texts = await inspectorTexts();
   const literals = [...source.matchAll(kShown)].map(([, literal]) => literal);
   assert.ok(literals.length > 40);
   assert.deepEqual(
@@ -64,9 +68,9 @@ test('Every text that the inspector writes is translated', () => {
   );
 });
 
-test('Every channel is translated', () => {
-  setLanguage('de');
-  const texts = inspectorTexts();
+test('Every channel is translated', async () => {
+  await setLanguage('de');
+  const texts = await inspectorTexts();
   const channels = /kChannels = \{\{([\s\S]*?)\}\};/.exec(source)?.[1] ?? '';
   const named = [...channels.matchAll(/\{"([^"]*)", "([^"]*)"/g)].flatMap(([, name, what]) => [name, what]);
   assert.equal(named.length, 26);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loads the words of messages, which are larger than all other texts of the page. It loads them when the first message
-// is to be shown, and only in the current language (cut_language.js).
+// is to be shown, and only in the current language.
 import { currentLanguage, writeAgain } from './catalogue.js';
+import { load } from './locales.js';
 
-/** @typedef {import('./languages.js').Language} Language */
 /** @typedef {import('./sentences.js').Catalogue} Catalogue */
 
 const kRetryMs = 10_000; // least time between a failed fetch and the next try
@@ -16,15 +16,15 @@ export const kNoWords = {};
 
 export class MessageWords {
   /**
-   * @param {Record<Language, () => Promise<{ catalogue: Catalogue }>>} fetches
+   * @param {(language: string) => Promise<Catalogue>} fetch
    * @param {() => void} onChange  words have arrived or failed, so messages shown without them need writing again
    */
-  constructor(fetches, onChange) {
-    this.fetches_ = fetches;
+  constructor(fetch, onChange) {
+    this.load_ = fetch;
     this.onChange_ = onChange;
-    /** @type {Map<Language, Catalogue>} */ this.there_ = new Map();
-    /** @type {Map<Language, Promise<void>>} */ this.coming_ = new Map();
-    /** @type {Map<Language, number>} */ this.failed_ = new Map(); // when its fetch failed, ms
+    /** @type {Map<string, Catalogue>} */ this.there_ = new Map();
+    /** @type {Map<string, Promise<void>>} */ this.coming_ = new Map();
+    /** @type {Map<string, number>} */ this.failed_ = new Map(); // when its fetch failed, ms
     this.isMissed_ = false;
   }
 
@@ -43,16 +43,16 @@ export class MessageWords {
     return other ?? (this.coming_.has(language) ? kComing : kNoWords);
   }
 
-  /** @param {Language} [language] @returns {Promise<void>}  settles once the words have arrived or failed */
+  /** @param {string} [language] @returns {Promise<void>}  settles once the words have arrived or failed */
   come(language = currentLanguage()) {
     const coming = this.coming_.get(language) ?? this.fetch_(language);
     this.coming_.set(language, coming);
     return coming;
   }
 
-  /** @param {Language} language */
+  /** @param {string} language */
   async fetch_(language) {
-    const arrived = this.fetches_[language]().then(({ catalogue }) => {
+    const arrived = this.load_(language).then((catalogue) => {
       this.there_.set(language, catalogue);
       this.tellAgain_();
     });
@@ -81,7 +81,4 @@ async function inTime(arrived) {
   await Promise.race([arrived, late]).finally(() => clearTimeout(timer));
 }
 
-export const messageWords = new MessageWords(
-  { en: () => import('./message_catalogues.js?language=en'), de: () => import('./message_catalogues.js?language=de') },
-  writeAgain,
-);
+export const messageWords = new MessageWords((language) => load(language, 'messages'), writeAgain);

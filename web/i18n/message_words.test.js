@@ -3,27 +3,24 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { onLanguage, setLanguage, text } from './catalogue.js';
-import { wordsIn } from './cut_language.js';
-import { catalogue } from './message_catalogues.js';
+import { load } from './locales.js';
 import { MessageWords, messageWords } from './message_words.js';
 import { hintOf, sentenceOf } from './messages.js';
 import { asSentence } from './sentences.js';
-
-/** @typedef {import('./catalogue.js').Language} Language */
 
 const kTold = message('no-such-spot', { index: { count: 7 } });
 const kSentence = { en: 'The spot index 7 is out of range', de: 'Der Index 7 einer Stelle ist zu groß' };
 
 /** Fetches that end when and how the test decides. */
 class Fetches {
-  /** @type {Language[]} */ asked = [];
+  /** @type {string[]} */ asked = [];
   /** @type {(() => void)[]} */ arrive = [];
   /** @type {(() => void)[]} */ fail = [];
-  /** @param {Language} language @returns {Promise<any>} */
+  /** @param {string} language @returns {Promise<any>} */
   of(language) {
     this.asked.push(language);
     return new Promise((resolve, reject) => {
-      this.arrive.push(() => resolve({ catalogue: wordsIn(language) }));
+      this.arrive.push(() => resolve(load(language, 'messages')));
       this.fail.push(() => reject(new TypeError('Failed to fetch')));
     });
   }
@@ -39,21 +36,21 @@ const settled = () =>
     setImmediate(resolve);
   });
 
-beforeEach(() => {
+beforeEach(async () => {
   mock.timers.enable({ apis: ['Date', 'setTimeout'] });
-  setLanguage('en');
+  await setLanguage('en');
   fetches = new Fetches();
-  words = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
+  words = new MessageWords((language) => fetches.of(language), show);
   sentences = [];
 });
-afterEach(() => {
+afterEach(async () => {
   mock.timers.reset();
-  setLanguage('en');
+  await setLanguage('en');
 });
 
 test('Words are fetched with the first message, once, in the chosen language', async () => {
   assert.deepEqual(fetches.asked, []);
-  setLanguage('de');
+  await setLanguage('de');
   show();
   show();
   fetches.arrive[0]();
@@ -71,7 +68,7 @@ test('A message shown before its words arrive is written again; an empty place s
   assert.deepEqual(sentences, ['', kSentence.en]);
 
   sentences = [];
-  const others = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
+  const others = new MessageWords((language) => fetches.of(language), show);
   const coming = others.come();
   fetches.arrive[1]();
   await coming;
@@ -83,11 +80,11 @@ test('Another language is fetched with its first message; until then the sentenc
   show();
   fetches.arrive[0]();
   await settled();
-  setLanguage('de');
+  await setLanguage('de');
   show();
   fetches.arrive[1]();
   await settled();
-  setLanguage('en');
+  await setLanguage('en');
   show();
   assert.deepEqual(sentences, ['', kSentence.en, kSentence.en, kSentence.de, kSentence.en]);
   assert.deepEqual(fetches.asked, ['en', 'de']);
@@ -95,7 +92,7 @@ test('Another language is fetched with its first message; until then the sentenc
 
 test('A language chosen while another one loads gets its own words', async () => {
   show();
-  setLanguage('de');
+  await setLanguage('de');
   show();
   fetches.arrive[1]();
   await settled();
@@ -136,7 +133,7 @@ test('If another language cannot be fetched, the sentence stays in the previous 
   show();
   fetches.arrive[0]();
   await settled();
-  setLanguage('de');
+  await setLanguage('de');
   show();
   fetches.fail[1]();
   await settled();
@@ -162,18 +159,4 @@ test('The words of the current language load by themselves and notify listeners'
   await messageWords.come();
   assert.equal(sentenceOf(kTold), kSentence.en);
   assert.equal(heard, 1);
-});
-
-test('The build splits the words by language and drops the command’s', () => {
-  const codes = Object.keys(catalogue);
-  for (const language of /** @type {const} */ (['en', 'de'])) {
-    const cut = wordsIn(language);
-    assert.deepEqual(Object.keys(cut), codes);
-    for (const code of codes) {
-      assert.deepEqual(cut[code][language], catalogue[code][language], code);
-      assert.deepEqual(cut[code].hint?.[language], catalogue[code].hint?.[language], code);
-    }
-    const other = language === 'en' ? 'de' : 'en';
-    assert.doesNotMatch(JSON.stringify(cut), new RegExp(`"(${other}|command)":`));
-  }
 });

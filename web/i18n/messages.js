@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes sentences from messages in the current language (sentences.js). A sentence may be requested before its words
 // have loaded, so code that shows it writes it again in its `onLanguage` listener.
-import { currentLanguage, text } from './catalogue.js';
+import { appTexts, currentLanguage, text } from './catalogue.js';
 import { kComing, kNoWords, messageWords } from './message_words.js';
 import { hintIn, sentenceIn, writtenIn } from './sentences.js';
 
@@ -9,13 +9,16 @@ import { hintIn, sentenceIn, writtenIn } from './sentences.js';
 /** @typedef {import('../engine/message.js').Value} Value */
 /** @typedef {import('./sentences.js').Catalogue} Catalogue */
 
+/** @param {Catalogue} words @returns {import('./sentences.js').Wording} */
+const wordingWith = (words) => ({ language: currentLanguage(), words, names: appTexts() });
+
 /**
  * Returns the problem or fact that a message states, without full stop; '' until its words have loaded.
  * @param {Message} message
  * @param {Catalogue} [words]
  */
 export const sentenceOf = (message, words = messageWords.now) =>
-  words === kComing ? '' : sentenceIn(message, { language: currentLanguage(), words });
+  words === kComing ? '' : sentenceIn(message, wordingWith(words));
 
 /**
  * Returns the message's advice, or else the advice of its cause; '' if there is none.
@@ -25,14 +28,12 @@ export const sentenceOf = (message, words = messageWords.now) =>
  */
 export function hintOf(message, words = messageWords.now) {
   if (words === kComing) return '';
-  return words === kNoWords ? text('page.noWords') : hintIn(message, { language: currentLanguage(), words });
+  return words === kNoWords ? text('page.noWords') : hintIn(message, wordingWith(words));
 }
 
 /** Returns a value as a sentence writes it. @param {Value} value */
 export const writtenValue = (value) =>
-  'cause' in value
-    ? sentenceOf(value.cause)
-    : writtenIn(value, { language: currentLanguage(), words: messageWords.now });
+  'cause' in value ? sentenceOf(value.cause) : writtenIn(value, wordingWith(messageWords.now));
 
 /**
  * Returns a value of a report with the sentence and the hint added to each message in it, for people who read the file.

@@ -5,19 +5,16 @@ import { choiceIn, labelIn } from './setting_words.js';
 
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../engine/message.js').Value} Value */
-/** @typedef {import('./languages.js').Language} Language */
 /** @typedef {string | { one: string, other: string }} Forms  the value `count` selects the form */
-/** @typedef {{ [L in Language]?: Forms }} Words */
-/** @typedef {Words & { hint?: Words }} Entry */
+/** @typedef {{ says: Forms, hint?: Forms }} Entry */
 /** @typedef {Record<string, Entry>} Catalogue  by message code */
+/** @typedef {{ quotes: string[], and: string, between: string }} Format  `between`: separates coordinates */
 /**
- * The language of sentences, and the words of messages in it; words in another language serve where it has none.
- * @typedef {{ language: Language, words: Catalogue }} Wording
+ * The language of sentences, the words of messages, and the names of settings in it.
+ * @typedef {{ language: string, words: Catalogue, names: import('./setting_words.js').Names & { format: Format } }} Wording
  */
 
 const kMostNamed = 6; // most entries listed by name
-const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
-const kAnd = { en: ' and ', de: ' und ' };
 
 /**
  * Returns the problem or fact that a message states, without full stop.
@@ -26,7 +23,7 @@ const kAnd = { en: ' and ', de: ' und ' };
  */
 export function sentenceIn(message, wording) {
   const entry = wording.words[message.code];
-  return entry ? filled(entry, message, wording) : unworded(message);
+  return entry ? filled(entry.says, message, wording) : unworded(message);
 }
 
 /**
@@ -48,13 +45,11 @@ export function asSentence(said) {
   return said === '' || /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
-/** @param {Words} entry @param {Message} message @param {Wording} wording */
-function filled(entry, { values }, wording) {
-  const { language } = wording;
-  const forms = entry[language] ?? entry.en ?? entry.de ?? '';
+/** @param {Forms} forms @param {Message} message @param {Wording} wording */
+function filled(forms, { values }, wording) {
   const template = typeof forms === 'string' ? forms : forms[countIn(values) === 1 ? 'one' : 'other'];
   return template.replace(/\{(@?)(\w+)\}/g, (whole, ofSetting, name) => {
-    if (ofSetting) return quoted(labelIn(language, name), language);
+    if (ofSetting) return quoted(labelIn(wording.names, name), wording);
     return values[name] ? writtenIn(values[name], wording) : whole;
   });
 }
@@ -69,29 +64,29 @@ const countIn = ({ count }) => (count && 'count' in count ? count.count : undefi
  * @returns {string}
  */
 export function writtenIn(value, wording) {
-  const { language } = wording;
+  const { language, names } = wording;
   if ('count' in value) return digits(value.count, 15, language);
   if ('number' in value) return digits(value.number, 6, language);
   if ('lengthMm' in value) return `${digits(value.lengthMm, 3, language)} mm`;
   if ('angleDeg' in value) return `${digits(value.angleDeg, 3, language)}°`;
   if ('fraction' in value) return `${Math.round(100 * value.fraction)} %`;
-  if ('place' in value) return placed(value.place, language);
+  if ('place' in value) return placed(value.place, wording);
   if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(mm, 3, language)).join(' × ')} mm`;
-  if ('quoted' in value) return quoted(value.quoted, language);
+  if ('quoted' in value) return quoted(value.quoted, wording);
   if ('term' in value) return value.term;
-  if ('setting' in value) return quoted(labelIn(language, value.setting), language);
-  if ('choice' in value) return choiceIn(language, value.choice.key, value.choice.value);
-  if ('indices' in value) return listed(value.indices, language);
+  if ('setting' in value) return quoted(labelIn(names, value.setting), wording);
+  if ('choice' in value) return choiceIn(names, value.choice.key, value.choice.value);
+  if ('indices' in value) return listed(value.indices, names.format);
   return sentenceIn(value.cause, wording);
 }
 
-/** @param {string} words @param {Language} language */
-const quoted = (words, language) => kQuotes[language].join(words);
+/** @param {string} words @param {Wording} wording */
+const quoted = (words, { names: { format } }) => format.quotes.join(words);
 
-/** Formats a point; less than a millionth is rounding error. @param {number[]} place @param {Language} language */
-function placed(place, language) {
+/** Formats a point; less than a millionth is rounding error. @param {number[]} place @param {Wording} wording */
+function placed(place, { language, names: { format } }) {
   const coordinates = place.map((value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6, language));
-  return `(${coordinates.join(language === 'de' ? '; ' : ', ')})`;
+  return `(${coordinates.join(format.between)})`;
 }
 
 /**
@@ -99,7 +94,7 @@ function placed(place, language) {
  * for very large and very small numbers.
  * @param {number} value
  * @param {number} significant
- * @param {Language} language
+ * @param {string} language
  */
 function digits(value, significant, language) {
   const size = Math.abs(value);
@@ -112,19 +107,19 @@ function digits(value, significant, language) {
   });
 }
 
-/** @param {number} value @param {number} significant @param {Language} language */
+/** @param {number} value @param {number} significant @param {string} language */
 function withExponent(value, significant, language) {
   const figures = Number(value.toPrecision(significant))
     .toExponential()
     .replace(/e([+-])(\d)$/, 'e$10$2');
-  return language === 'de' ? figures.replace('.', ',') : figures;
+  return figures.replace('.', (0.5).toLocaleString(language).charAt(1));
 }
 
-/** @param {number[]} indices @param {Language} language */
-function listed(indices, language) {
+/** @param {number[]} indices @param {Format} format */
+function listed(indices, { and }) {
   const names = indices.slice(0, kMostNamed).map(String);
   if (indices.length > kMostNamed) return `${names.join(', ')}, …`;
-  return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + kAnd[language] + names[names.length - 1];
+  return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + and + names[names.length - 1];
 }
 
 /**

@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the settings and their choices in the current language (setting_words.js).
-import { kSettingGroups, kSettings, kUnits } from '../generated/settings.js';
-import { currentLanguage } from './catalogue.js';
+import { kSettings } from '../generated/settings.js';
+import { appTexts } from './catalogue.js';
 import { choiceIn, labelIn, nameIn } from './setting_words.js';
 
+const names = /** @type {() => import('./setting_words.js').Names} */ (appTexts);
+
 /** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of a setting of the core */
-export const controlLabel = (key) => labelIn(currentLanguage(), key);
+export const controlLabel = (key) => labelIn(names(), key);
 
 /** Returns the label of the control with its unit: "Minimum wall (mm)". @param {string} key  of a setting of the core */
-export const controlName = (key) => nameIn(currentLanguage(), key);
+export const controlName = (key) => nameIn(names(), key);
 
-/** Returns the sentence under the control; '' if it needs none. @param {import('../generated/settings.js').SettingKey} key */
-export const settingHint = (key) => kSettings[key].hint?.[currentLanguage()] ?? '';
+/** Returns the sentence under the control; '' if it needs none. @param {string} key */
+export const settingHint = (key) => names().settings.settings[key].hint ?? '';
 
 /** @param {string} key @param {string} value */
-export const choiceLabel = (key, value) => choiceIn(currentLanguage(), key, value);
+export const choiceLabel = (key, value) => choiceIn(names(), key, value);
 
 /**
  * Returns the texts of all settings by the keys that the engine uses (app/inspector/setting_labels.h).
  * @returns {Record<string, string>}
  */
 export function settingTexts() {
-  const language = currentLanguage();
+  const { settings, groups, units } = names().settings;
   /** @type {Record<string, string>} */
   const texts = {};
-  for (const [key, { kind, label, choiceNames = {}, partLabels = {} }] of Object.entries(kSettings)) {
-    texts[`setting:${key}`] = label[language];
-    for (const [choice, name] of Object.entries(choiceNames)) texts[`choice:${key}:${choice}`] = name[language];
-    for (const [part, name] of Object.entries(partLabels)) {
-      if (kind !== 'lamps') texts[`setting:${key}.${part}`] = name[language];
-      else
-        for (const lamp of [1, 2])
-          texts[`setting:${key}.${lamp}.${part}`] = `${label[language]} ${lamp}, ${name[language]}`;
+  for (const [key, { kind }] of Object.entries(kSettings)) {
+    const { label, choices = {}, parts = {} } = settings[key];
+    texts[`setting:${key}`] = label;
+    for (const [choice, name] of Object.entries(choices)) texts[`choice:${key}:${choice}`] = name;
+    for (const [part, name] of Object.entries(parts)) {
+      if (kind !== 'lamps') texts[`setting:${key}.${part}`] = name;
+      else for (const lamp of [1, 2]) texts[`setting:${key}.${lamp}.${part}`] = `${label} ${lamp}, ${name}`;
     }
   }
-  for (const [key, name] of Object.entries(kSettingGroups)) texts[`group:${key}`] = name[language];
-  for (const [key, name] of Object.entries(kUnits)) texts[`unit:${key}`] = name[language];
+  for (const [key, name] of Object.entries(groups)) texts[`group:${key}`] = name;
+  for (const [key, name] of Object.entries(units)) texts[`unit:${key}`] = name;
   return texts;
 }

@@ -9,8 +9,8 @@ import { isKnownSetting } from './setting_words.js';
 
 after(() => setLanguage('en'));
 
-test('a control is named as in the table, with its unit', () => {
-  setLanguage('en');
+test('a control is named as in the table, with its unit', async () => {
+  await setLanguage('en');
   assert.equal(controlName('minWallMm'), 'Minimum wall (mm)');
   assert.equal(controlName('rotateDeg'), 'Rotation (°)');
   assert.equal(controlName('contrast'), 'Contrast');
@@ -23,16 +23,16 @@ test('a control is named as in the table, with its unit', () => {
   assert.ok(isKnownSetting('sizeMm') && !isKnownSetting('colour'));
 });
 
-test('choices have names in the chosen language', () => {
-  setLanguage('de');
+test('choices have names in the chosen language', async () => {
+  await setLanguage('de');
   assert.equal(choiceLabel('pattern', 'thick-plus'), 'Dickes Plus');
   assert.equal(choiceLabel('units', 'in'), 'Zoll');
   assert.equal(choiceLabel('pattern', 'dots'), 'dots');
   assert.equal(controlName('minWallMm'), 'Restwand (mm)');
 });
 
-test('the module gets every label, choice and group', () => {
-  setLanguage('de');
+test('the module gets every label, choice and group', async () => {
+  await setLanguage('de');
   const texts = settingTexts();
   assert.equal(texts['setting:light.2.azimuthDeg'], 'Lampe 2, Azimut');
   assert.equal(texts['setting:size.number'], 'Breite');
@@ -46,8 +46,8 @@ test('the module gets every label, choice and group', () => {
   }
 });
 
-test('the labels in the HTML equal those that the script writes', () => {
-  setLanguage('en');
+test('the labels in the HTML equal those that the script writes', async () => {
+  await setLanguage('en');
   const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
   const controls = [...page.matchAll(/<(?:input|select) id="([^"]+)" data-setting="([^"]+)"/g)];
   assert.equal(controls.length, page.split('data-setting=').length - 1);

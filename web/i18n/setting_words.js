@@ -1,60 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of the settings and their choices in a language. The words come with the table of settings. Controls that
-// messages mention but that are no core settings have their names here.
-import { kSettings, kUnits } from '../generated/settings.js';
-import { settings } from './parts/settings.js';
+// The names of the settings and their choices, from the texts of a language. Controls that messages mention but that are
+// no core settings have their names among the page's texts.
+import { kSettings } from '../generated/settings.js';
 
-/** @typedef {import('../generated/settings.js').Setting} Setting */
-/** @typedef {import('./languages.js').Language} Language */
-
-/** @type {Record<string, keyof typeof settings.en>} */
-const kOtherControls = { centreMm: 'centre', units: 'unit', unit: 'unit', scale: 'unit', upAxis: 'upAxis' };
-const kUnitNames = /** @type {const} */ ({
-  m: 'metres',
-  cm: 'centimetres',
-  mm: 'millimetres',
-  in: 'inches',
-  um: 'micrometres',
-});
-
-/** @param {string} key @returns {Setting | undefined} */
-const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[key];
-
+/** @typedef {{ label: string, hint?: string, choices?: Record<string, string>, parts?: Record<string, string> }} SettingWords */
 /**
- * Returns the label of a number that has its own control next to the setting's choices: "sizeMm".
- * @param {string} key
+ * What this needs of a language's texts.
+ * @typedef {object} Names
+ * @property {{ settings: Record<string, SettingWords>, units: Record<string, string>, groups: Record<string, string> }} settings
+ * @property {{ settings: Record<string, string> }} page
  */
-const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.number : undefined);
+
+/** @type {Record<string, string>} */
+const kOtherControls = { centreMm: 'centre', units: 'unit', unit: 'unit', scale: 'unit', upAxis: 'upAxis' };
+/** @type {Record<string, string>} */
+const kUnitNames = { m: 'metres', cm: 'centimetres', mm: 'millimetres', in: 'inches', um: 'micrometres' };
+
+const settingOf = (/** @type {string} */ key) =>
+  /** @type {Record<string, import('../generated/settings.js').Setting>} */ (kSettings)[key];
 
 export const isKnownSetting = (/** @type {string} */ key) =>
-  key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
+  key in kSettings || key in kOtherControls || key === 'sizeMm';
 
 /**
- * Returns the label of the control without its unit: "Minimum wall".
- * @param {Language} language
+ * Returns the label of the control without its unit: "Minimum wall". "sizeMm" is the number beside the choices of `size`.
+ * @param {Names} names
  * @param {string} key  of a setting of the core
  */
-export function labelIn(language, key) {
-  const words = settingOf(key)?.label ?? numberBeside(key);
-  if (words) return words[language];
-  return key in kOtherControls ? settings[language][kOtherControls[key]].replace(/ \([^)]*\)$/, '') : key;
+export function labelIn({ settings: { settings }, page }, key) {
+  if (key === 'sizeMm') return settings.size.parts?.number ?? key;
+  if (key in kOtherControls) return page.settings[kOtherControls[key]].replace(/ \([^)]*\)$/, '');
+  return settings[key]?.label ?? key;
 }
 
 /**
  * Returns the label of the control with its unit: "Minimum wall (mm)".
- * @param {Language} language
+ * @param {Names} names
  * @param {string} key  of a setting of the core
  */
-export function nameIn(language, key) {
-  if (key in kOtherControls) return settings[language][kOtherControls[key]];
+export function nameIn(names, key) {
+  if (key in kOtherControls) return names.page.settings[kOtherControls[key]];
   const setting = settingOf(key);
-  const unit = setting?.kind === 'number' ? setting.unit : numberBeside(key) && 'mm';
-  return unit ? `${labelIn(language, key)} (${kUnits[unit][language]})` : labelIn(language, key);
+  const unit = key === 'sizeMm' ? 'mm' : setting?.kind === 'number' ? setting.unit : undefined;
+  return unit ? `${labelIn(names, key)} (${names.settings.units[unit]})` : labelIn(names, key);
 }
 
-/** @param {Language} language @param {string} key @param {string} value */
-export function choiceIn(language, key, value) {
-  if (key === 'units' && value in kUnitNames)
-    return settings[language][kUnitNames[/** @type {keyof typeof kUnitNames} */ (value)]];
-  return settingOf(key)?.choiceNames?.[value]?.[language] ?? value;
+/** @param {Names} names @param {string} key @param {string} value */
+export function choiceIn({ settings: { settings }, page }, key, value) {
+  if (key === 'units' && value in kUnitNames) return page.settings[kUnitNames[value]];
+  return settings[key]?.choices?.[value] ?? value;
 }

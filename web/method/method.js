@@ -5,10 +5,9 @@ import { describeThrown } from '../engine/engine_error.js';
 import { openArticle } from '../guide/article.js';
 import { kReaderName, readEach } from '../decoder/reader.js';
 import { fetchBytes, fetchJson } from '../session/fetch_file.js';
-import { addTexts, currentLanguage, text } from '../i18n/catalogue.js';
+import { currentLanguage, startTexts, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { method } from '../i18n/parts/method.js';
 import { byId, make } from '../dom/dom.js';
 import { View } from '../view/view.js';
 import { paintDepths, paintHeights, paintLight, paintNormals } from '../view/map_colours.js';
@@ -197,5 +196,5 @@ class Demonstration {
   }
 }
 
-addTexts({ method });
+await startTexts('method');
 void new Demonstration().run();

@@ -5,8 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, posix, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { wordsIn } from '../i18n/cut_language.js';
-import { kLanguages } from '../i18n/languages.js';
+import { kLanguageFiles, partOf } from '../i18n/locale_files.js';
 
 const kRoot = fileURLToPath(new URL('../..', import.meta.url));
 const kModuleFolder = process.env.QRELIEF_WASM_DIR ?? join(kRoot, 'build/wasm/wasm');
@@ -45,12 +44,9 @@ const kAddresses = {
   'zxing-wasm/reader/zxing_reader.wasm?url': 'zxing/zxing_reader.wasm',
 };
 
-/** The words of messages in a language, cut as for the page. */
-const kWords = /'[^']*\/message_catalogues\.js\?language=(\w+)'/g;
-
-/** Returns the place of a language's words in the package. @param {string} language */
-const wordsFile = (language) => `messages/${language}.js`;
-const kWordsFiles = kLanguages.map(wordsFile);
+/** The module that the package has in place of its source, and the place of a language's texts. */
+const kLocales = 'i18n/locales.js';
+const textsFile = (/** @type {string} */ code) => `messages/${code}.js`;
 
 /** Returns a path as an import from a file of the package. @param {string} file @param {string} target */
 function pathFrom(file, target) {
@@ -71,8 +67,7 @@ export function resolved(file, source) {
     })
     .replace(/(\bfrom |\bimport\()'([^'.][^']*)'/g, (whole, before, from) =>
       from in kModules ? `${before}'${pathFrom(file, kModules[from])}'` : whole,
-    )
-    .replace(kWords, (_, language) => `'${pathFrom(file, wordsFile(language))}'`);
+    );
 }
 
 /** Returns the files that a source imports when it runs. @param {string} file @param {string} source */
@@ -88,7 +83,7 @@ function copySources() {
   const open = [...kEntries];
   const seen = new Set(open);
   for (let file = open.pop(); file !== undefined; file = open.pop()) {
-    if (file in kForeign || kWordsFiles.includes(file)) continue;
+    if (file in kForeign || file === kLocales) continue;
     const source = resolved(file, readFileSync(join(kRoot, 'web', file), 'utf8'));
     const left = /(?:\bfrom |\bimport\()'((?!\.|node:)[^']*)'/.exec(source.replace(/\/\*[\s\S]*?\*\//g, ''));
     if (left) throw new Error(`${file} imports ${left[1]}, which the package does not have`);
@@ -114,9 +109,11 @@ function build(version) {
     mkdirSync(dirname(join(kPackage, file)), { recursive: true });
     copyFileSync(source, join(kPackage, file));
   }
-  for (const language of kLanguages) {
-    write(wordsFile(language), `export const catalogue = ${JSON.stringify(wordsIn(language))};\n`);
-    write(`messages/${language}.json`, `${JSON.stringify(sentencesIn(language), undefined, 1)}\n`);
+  write(kLocales, localesModule());
+  for (const { code } of kLanguageFiles) {
+    const texts = textsIn(code);
+    write(textsFile(code), `export default ${JSON.stringify(texts)};\n`);
+    write(`messages/${code}.json`, `${JSON.stringify(texts.messages, undefined, 1)}\n`);
   }
   execFileSync(join(kRoot, 'node_modules/.bin/tsc'), ['-p', join(kRoot, 'web/npm'), '--outDir', kPackage], {
     stdio: 'inherit',
@@ -126,14 +123,22 @@ function build(version) {
   console.log(relative(process.cwd(), kPackage));
 }
 
-/** Returns sentence and hint by message code, both as templates. @param {string} language */
-function sentencesIn(language) {
-  return Object.fromEntries(
-    Object.entries(wordsIn(language)).map(([code, entry]) => {
-      const words = /** @type {Record<string, any>} */ (entry);
-      return [code, { message: words[language], ...(words.hint && { hint: words.hint[language] }) }];
-    }),
-  );
+/** Returns the texts of a language that sentences need. @param {string} code */
+function textsIn(code) {
+  const { format, page, settings } = partOf(code, 'app');
+  return { app: { format, page: { settings: page.settings }, settings }, messages: partOf(code, 'messages') };
+}
+
+/** Returns the module that loads languages; English is always there. */
+function localesModule() {
+  const loads = kLanguageFiles.map(({ code }) => `  ${code}: () => import("../${textsFile(code)}"),\n`);
+  return `import english from "../${textsFile('en')}";
+export const kLanguages = ${JSON.stringify(kLanguageFiles)};
+export const kEnglish = english.app;
+const kLoads = {
+${loads.join('')}};
+export const load = async (language, part) => (await kLoads[language]()).default[part];
+`;
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -12,13 +12,6 @@ test('Imports of the page’s build become files of the package', () => {
   assert.equal(resolved('a.js', "import('zxing-wasm/reader')"), "import('./zxing/reader/index.js')");
 });
 
-test('The words of a language are a file of the package', () => {
-  assert.equal(
-    resolved('npm/a.js', "import { catalogue } from '../i18n/message_catalogues.js?language=de';"),
-    "import { catalogue } from '../messages/de.js';",
-  );
-});
-
 test('Other imports stay', () => {
   const source = "import { a } from './a.js';\nimport { readFile } from 'node:fs/promises';\n";
   assert.equal(resolved('b.js', source), source);

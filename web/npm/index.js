@@ -4,7 +4,7 @@ import { Planner } from './planner.js';
 
 export { EngineFailure as EngineError } from '../engine/engine_error.js';
 export { Engine, engrave } from './engine.js';
-export { hint, sentence } from './words.js';
+export { hint, languages, loadLanguage, sentence } from './words.js';
 
 /** @typedef {import('./arguments.js').Bytes} Bytes */
 /** @typedef {import('./arguments.js').Format} Format */
@@ -15,8 +15,6 @@ export { hint, sentence } from './words.js';
 /** @typedef {import('./engine.js').EngraveOptions} EngraveOptions */
 /** @typedef {import('./engine.js').Engraved} Engraved */
 /** @typedef {import('./planner.js').BatchRequest} BatchRequest */
-/** @deprecated use BatchRequest @typedef {BatchRequest} WantedBatch */
-/** @typedef {import('./words.js').Language} Language */
 /** @typedef {import('../engine/types.js').Message} Message */
 /** @typedef {import('../engine/types.js').Finding} Finding */
 /** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */

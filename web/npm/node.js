@@ -6,7 +6,7 @@ import { Planner } from './planner.js';
 
 export { EngineFailure as EngineError } from '../engine/engine_error.js';
 export { Engine, engrave } from './engine.js';
-export { hint, sentence } from './words.js';
+export { hint, languages, loadLanguage, sentence } from './words.js';
 
 /** @type {{ Worker?: unknown }} */ (globalThis).Worker ??= NodeWorker;
 

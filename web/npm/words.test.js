@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
-import { hint, sentence } from './words.js';
+import { hint, languages, loadLanguage, sentence } from './words.js';
+
+await loadLanguage('de');
 
 const kWall = message('label-too-deep', { wall: { lengthMm: 0.45 }, depth: { lengthMm: 0.4 } });
 
@@ -36,9 +38,11 @@ test('Other errors keep their own text and have no hint', () => {
   assert.deepEqual([sentence(error, 'de'), hint(error)], ['Stopped', '']);
 });
 
-test('An unknown language is refused with the known ones', () => {
-  assert.throws(() => sentence(kWall, /** @type {any} */ ('fr')), {
+test('A language that is unknown or not loaded is refused', async () => {
+  assert.throws(() => sentence(kWall, 'xx'), { name: 'RangeError', message: /"xx" is not loaded/ });
+  const known = languages.map(({ code }) => code).join(', ');
+  await assert.rejects(loadLanguage('xx'), {
     name: 'RangeError',
-    message: 'There is no language "fr". The languages are en, de.',
+    message: `There is no language "xx". The languages are ${known}.`,
   });
 });

@@ -62,6 +62,6 @@ export class Inspecting {
 
   async translate_() {
     const { inspectorTexts } = await import('../i18n/inspector_texts.js');
-    await this.client_.inspector({ kind: 'texts', texts: inspectorTexts() });
+    await this.client_.inspector({ kind: 'texts', texts: await inspectorTexts() });
   }
 }

@@ -145,7 +145,7 @@ test('A model that cannot be engraved says why, in the chosen language', async (
   await messageWords.come();
   await placing.begin();
   assert.equal(problem().found(), 'The spot index 7 is out of range');
-  setLanguage('de');
+  await setLanguage('de');
   await messageWords.come();
   assert.equal(problem().found(), 'Der Index 7 einer Stelle ist zu groß');
 });

@@ -144,7 +144,7 @@ function trialList({ tilts, safeTiltDeg: safe, forgiving, pixelsPerModule, dista
 /** @param {number} mm */
 const centimetres = (mm) => `${formatNumber(mm / 10)} cm`;
 
-/** @param {string} caption @param {Grades} grades @param {readonly (keyof typeof import('../i18n/parts/check.js').check.en)[]} parameters */
+/** @param {string} caption @param {Grades} grades @param {readonly (keyof import('../i18n/catalogue.js').English['page']['check'])[]} parameters */
 function gradeTable(caption, grades, parameters) {
   const cells = (/** @type {'th' | 'td'} */ tag, /** @type {string[]} */ ...texts) =>
     texts.map((words) => make(tag, { text: words }));

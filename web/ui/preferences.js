@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Language and appearance: chosen on the page, effective at once and kept for the next visit.
 import { recall, remember } from '../storage/remembered.js';
-import { currentLanguage, localise, onLanguage, setLanguage } from '../i18n/catalogue.js';
+import { currentLanguage, localise, offeredLanguages, onLanguage, setLanguage, text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
-
-/** @typedef {import('../i18n/catalogue.js').Language} Language */
 
 const kThemes = ['auto', 'light', 'dark'];
 const kThemeName = 'theme';
@@ -13,6 +11,7 @@ const kGround = { light: '#f4f4f1', dark: '#17191c' }; // --ground of styles.css
 /** Writes every text of the page and lists the languages. */
 export function offerLanguages() {
   const select = byId('language', HTMLSelectElement);
+  select.replaceChildren(...offeredLanguages().map(({ code, name }) => new Option(name, code)));
   const follow = () => {
     document.documentElement.lang = currentLanguage();
     select.value = currentLanguage();
@@ -20,7 +19,14 @@ export function offerLanguages() {
   };
   onLanguage(follow);
   follow();
-  select.addEventListener('change', () => setLanguage(/** @type {Language} */ (select.value)));
+  select.addEventListener('change', () => {
+    select.setCustomValidity('');
+    setLanguage(select.value).catch(() => {
+      select.value = currentLanguage();
+      select.setCustomValidity(text('page.languageNotLoaded'));
+      select.reportValidity();
+    });
+  });
 }
 
 export class Theme {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { kProcesses, kSettings } from '../generated/settings.js';
-import { settings as kWords } from '../i18n/parts/settings.js';
+import { kLanguages, load } from '../i18n/locales.js';
 import { SettingFields, broughtBy, controlValues } from './setting_fields.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
@@ -110,12 +110,15 @@ test('Every setting that follows another has a control', () => {
     );
 });
 
-test('The default lamp is the core’s', () => {
+test('The default lamp is the core’s', async () => {
   const source = readFileSync(new URL('../../core/settings/engrave_request.h', import.meta.url), 'utf8');
   const [, ...lamp] =
     /kOneLight = \{\.azimuthDeg = (\d+), \.elevationDeg = (\d+), \.strength = (\d+)\}/.exec(source) ?? [];
   assert.equal(lamp.length, 3);
-  for (const { lampHint } of Object.values(kWords)) assert.ok(lampHint.includes(`: ${lamp.join()},`), lampHint);
+  for (const { code } of kLanguages) {
+    const { lampHint } = (await load(code, 'app')).page.settings;
+    assert.ok(lampHint.includes(lamp.join()), lampHint);
+  }
 });
 
 const fields = new SettingFields(kControls, kDefaults);
