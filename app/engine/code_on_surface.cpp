@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/nearby_centre.h"
 #include "engine/symbol_decal.h"
 #include "math/angle.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/spot_concerns.h"
 #include "projection/flatness.h"
-#include "projection/nearby_centre.h"
 
 namespace qrelief {
 namespace {

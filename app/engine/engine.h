@@ -49,7 +49,7 @@ class Engine {
   /// centre, movedMm} if the model is there, else {hit: false}; BadUsage if the spot does not exist. `movedMm`: from
   /// the point at the screen position.
   /// @param where  {"at": [x, y], "exact": false}: the point at a screen position, moved to where the code lies flat
-  ///               (projection/nearby_centre.h) unless `exact`; {"mm": [x, y, z]}: the point nearest to this one;
+  ///               (engine/nearby_centre.h) unless `exact`; {"mm": [x, y, z]}: the point nearest to this one;
   ///               {"spot": index}: a spot of the last search, with the direction found for it
   std::string setCentre(const std::string& where);
 

@@ -7,7 +7,7 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "engine/printed_code.h"
-#include "io/slicer_names.h"
+#include "io/write_model.h"
 #include "report/json_parts.h"
 #include "verdict/other_prints.h"
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "engine/first_spots.h"
 #include "engine/model_file.h"
 #include "mesh/ray.h"
-#include "projection/first_spots.h"
 #include "projection/silhouette.h"
 #include "projection/size.h"
 #include "viewer/coloured_mesh.h"

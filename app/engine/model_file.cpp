@@ -6,7 +6,7 @@
 
 #include "base/clock.h"
 #include "io/read_model.h"
-#include "io/three_mf_source.h"
+#include "io/three_mf/source.h"
 #include "message_codes/engine.h"
 
 namespace qrelief {

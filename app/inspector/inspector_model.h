@@ -9,8 +9,8 @@
 
 #include "engine/engine.h"
 #include "inspector/map_channels.h"
+#include "inspector/request_overrides.h"
 #include "inspector/search_view.h"
-#include "settings/request_overrides.h"
 
 namespace qrelief {
 

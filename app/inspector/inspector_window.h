@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/engine.h"
-#include "settings/request_overrides.h"
+#include "inspector/request_overrides.h"
 
 namespace qrelief {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "settings/request_overrides.h"
+#include "inspector/request_overrides.h"
 
 namespace qrelief {
 

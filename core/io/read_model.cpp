@@ -5,14 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "io/identify_file.h"
 #include "io/polygon_list.h"
-#include "io/read_3mf.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
 #include "io/read_ply.h"
 #include "io/read_stl.h"
 #include "io/sniff_format.h"
+#include "io/three_mf/read_3mf.h"
 #include "io/zip_archive.h"
 #include "message_codes/files.h"
 

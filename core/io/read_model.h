@@ -20,7 +20,7 @@ struct ReadLimits {
 /// model of a ZIP archive.
 ///
 /// The extension of the name gives the format. If the content is clearly another format, that one is read with a
-/// warning, or the file is refused, by name if possible (io/identify_file.h). Text must be UTF-8 or ASCII; UTF-16 is
+/// warning, or the file is refused, by name if possible (io/sniff_format.h). Text must be UTF-8 or ASCII; UTF-16 is
 /// refused by name. Nothing is allocated for a count that exceeds what the file's size allows. Polygons are
 /// triangulated in their own plane (concave ones by ear clipping).
 /// @param bytes     the whole file

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "base/message.h"
 
 namespace qrelief {
 
@@ -26,5 +29,11 @@ ModelFormat formatOfContent(std::span<const std::uint8_t> bytes);
 /// Returns "UTF-16 LE" or "UTF-16 BE" if the bytes begin with text of that encoding, with or without byte order mark;
 /// else empty.
 std::string_view wideEncodingOf(std::span<const std::uint8_t> bytes);
+
+/// Returns what a file is that holds no model we can read, such as a picture, a web page or G-code, for an error; none
+/// if the file shows no sign of it.
+///
+/// Cost: looks at no more than the first kilobytes.
+std::optional<Message> identifyFile(std::span<const std::uint8_t> bytes);
 
 }  // namespace qrelief

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "io/read_model.h"
-#include "io/write_3mf.h"
+#include "io/three_mf/write_3mf.h"
 #include "message_codes/files.h"
 
 namespace qrelief {

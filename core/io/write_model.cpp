@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "io/write_3mf.h"
+#include "io/three_mf/write_3mf.h"
 #include "io/write_obj.h"
 #include "io/write_ply.h"
 #include "io/write_stl.h"

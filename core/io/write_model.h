@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/colour.h"
@@ -87,5 +88,15 @@ Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 /// @returns an object of one body for each part that has a triangle; positions on two parts go into both
 std::vector<ModelObject> objectsOf(const Mesh& mesh, std::span<const std::uint32_t> partOf,
                                    std::span<const std::string> names);
+
+/// Names of Slicer's values, in order. Scripts rely on them.
+inline constexpr std::array<std::string_view, 4> kSlicerNames = {"any", "prusa", "orca", "bambu"};
+
+/// Returns none for an unknown name.
+constexpr std::optional<Slicer> slicerByName(std::string_view name) {
+  for (std::size_t i = 0; i < kSlicerNames.size(); ++i)
+    if (kSlicerNames[i] == name) return static_cast<Slicer>(i);
+  return {};
+}
 
 }  // namespace qrelief

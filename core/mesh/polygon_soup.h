@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-struct ThreeMfSource;  // io/three_mf_source.h
+struct ThreeMfSource;  // io/three_mf/source.h
 
 /// One of several objects in a file (3MF build items).
 struct ModelPart {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/carved_file.h"
 
-#include "io/rewrite_3mf.h"
+#include "io/three_mf/rewrite_3mf.h"
 #include "io/write_checked.h"
 #include "message_codes/files.h"
 #include "pipeline/carved_objects.h"

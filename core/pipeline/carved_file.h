@@ -26,10 +26,10 @@ struct CarvedFiles {
 };
 
 /// Writes a carved model as 3MF. If the model comes from a 3MF file, that file is rewritten with a new mesh for the
-/// carved object, and everything else stays as it was (io/rewrite_3mf.h): other objects, names, plates, modifiers, and
-/// the paint of facets. Facets under the code lose their paint. If the code's edge cuts a facet, its pieces keep paint
-/// that covers the whole facet, and lose paint that divides it. If the file cannot be rewritten, the model's objects
-/// are written anew (carvedObjects()).
+/// carved object, and everything else stays as it was (io/three_mf/rewrite_3mf.h): other objects, names, plates,
+/// modifiers, and the paint of facets. Facets under the code lose their paint. If the code's edge cuts a facet, its
+/// pieces keep paint that covers the whole facet, and lose paint that divides it. If the file cannot be rewritten, the
+/// model's objects are written anew (carvedObjects()).
 /// @param before     the model before carving
 /// @param partNames  names of the model's parts; empty: one part only
 /// @returns the errors of writeChecked()

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/filament_code.h"
+#include "io/three_mf/filament_code.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {

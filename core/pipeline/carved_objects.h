@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "carving/mark.h"
-#include "io/rewrite_3mf.h"
+#include "io/three_mf/rewrite_3mf.h"
 #include "io/write_model.h"
 
 namespace qrelief {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "io/rewrite_3mf.h"
+#include "io/three_mf/rewrite_3mf.h"
 #include "mesh/prepare.h"
 
 namespace qrelief {

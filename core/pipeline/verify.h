@@ -60,8 +60,9 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 /// @returns BadInput if the model has no triangles or a coordinate is not a number
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
-/// Looks for the code in a 3MF file whose item is turned and moved to the pose on the printer (io/write_3mf.h): changes
-/// the frame and the vertical to the file's, if the bounding box says that the model was moved.
+/// Looks for the code in a 3MF file whose item is turned and moved to the pose on the printer
+/// (io/three_mf/write_3mf.h): changes the frame and the vertical to the file's, if the bounding box says that the model
+/// was moved.
 /// @param mesh  the file's, mm
 void findInPose(VerifyRequest& request, const Mesh& mesh);
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <map>
 
-#include "io/slicer_names.h"
 #include "io/sniff_format.h"
-#include "io/write_3mf.h"
+#include "io/three_mf/write_3mf.h"
+#include "io/write_model.h"
 #include "message_codes/command.h"
 #include "message_codes/files.h"
 

@@ -6,12 +6,12 @@
 
 #include "base/clock.h"
 #include "base/version.h"
+#include "cli/command_settings.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
-#include "generate/command_settings.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/graphics.h"

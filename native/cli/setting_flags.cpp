@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "generate/option_texts.h"
+#include "messages/option_texts.h"
 #include "messages/sentences.h"
 #include "messages/setting_words.h"
 #include "settings/engrave_request.h"

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "base/clock.h"
+#include "cli/command_settings.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/output_files.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
-#include "generate/command_settings.h"
 #include "io/read_model.h"
 #include "message_codes/command.h"
 #include "message_codes/pipeline.h"

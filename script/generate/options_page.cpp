@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "generate/command_settings.h"
-#include "generate/option_texts.h"
+#include "cli/command_settings.h"
+#include "messages/option_texts.h"
 #include "messages/setting_words.h"
 
 namespace qrelief {

@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "cli/command_fixture.h"
-#include "generate/option_texts.h"
+#include "messages/option_texts.h"
 #include "support/paths.h"
 #include "support/shapes.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "cli/command_fixture.h"
-#include "io/write_3mf.h"
+#include "io/three_mf/write_3mf.h"
 #include "io/write_model.h"
 #include "support/shapes.h"
 #include "support/zip_file.h"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "fuzz/check.h"
-#include "io/read_3mf.h"
-#include "io/rewrite_3mf.h"
-#include "io/three_mf_volumes.h"
+#include "io/three_mf/read_3mf.h"
+#include "io/three_mf/rewrite_3mf.h"
+#include "io/three_mf/volumes.h"
 #include "support/zip_file.h"
 
 namespace qrelief::fuzz {

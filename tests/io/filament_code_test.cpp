@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/filament_code.h"
+#include "io/three_mf/filament_code.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/read_3mf.h"
-#include "io/three_mf_source.h"
+#include "io/three_mf/read_3mf.h"
+#include "io/three_mf/source.h"
 #include "messages/sentences.h"
 #include "support/zip_file.h"
 

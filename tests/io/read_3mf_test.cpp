@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/read_3mf.h"
+#include "io/three_mf/read_3mf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/three_mf_model.h"
-#include "io/three_mf_source.h"
+#include "io/three_mf/model.h"
+#include "io/three_mf/source.h"
 #include "math/box.h"
 #include "messages/sentences.h"
 #include "support/zip_file.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/rewrite_3mf.h"
+#include "io/three_mf/rewrite_3mf.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/read_3mf.h"
-#include "io/three_mf_text.h"
+#include "io/three_mf/read_3mf.h"
+#include "io/three_mf/text.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 #include "support/slicer_rules.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/write_3mf.h"
+#include "io/three_mf/write_3mf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/xml_reader.h"
+#include "io/three_mf/xml_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

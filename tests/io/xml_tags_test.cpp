@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/xml_tags.h"
+#include "io/three_mf/xml_tags.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "io/read_3mf.h"
-#include "io/write_3mf.h"
+#include "io/three_mf/read_3mf.h"
+#include "io/three_mf/write_3mf.h"
 #include "pipeline/engrave.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"

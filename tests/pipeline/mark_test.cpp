@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/ink_seen.h"
 #include "messages/sentences.h"
 #include "native/read_carving.h"
 #include "native/zxing_decoder.h"
 #include "pipeline/engrave.h"
-#include "pipeline/ink_seen.h"
 #include "pipeline/verify.h"
 #include "report/report.h"
 #include "report/verify_report.h"

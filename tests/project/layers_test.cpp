@@ -63,8 +63,8 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
     {"wasm", {"core", "viewer", "engine", "inspector", "messages"}},
     {"native", {"core"}},
     {"messages", {"core"}},
-    {"generate", {"core", "messages"}},
-    {"cli", {"core", "native", "messages", "generate"}},
+    {"generate", {"core", "messages", "cli"}},
+    {"cli", {"core", "native", "messages"}},
     {"study", {"core", "native", "messages", "support"}}};
 
 const std::vector<std::string> kBuildings = {"", "app", "native", "script"};

@@ -92,7 +92,8 @@ Names codesMadeIn(const std::vector<std::string>& folders) {
 
 // web/i18n/locales.test.js compares the languages.
 TEST(Messages, HaveNoOtherValuesOnTheCommandLine) {
-  for (const auto& [part, entries] : english().items())
+  const Json all = english();
+  for (const auto& [part, entries] : all.items())
     for (const auto& [code, entry] : entries.items()) EXPECT_TRUE(fitsTheCommand(entry)) << code;
   EXPECT_FALSE(fitsTheCommand(Json::parse(R"({"says": "{a}", "command": {"says": "{b}"}})")));
   EXPECT_TRUE(fitsTheCommand(Json::parse(R"({"says": "{a}", "hint": "{b}", "command": {"says": "{b}"}})")));
@@ -112,7 +113,8 @@ TEST(Messages, AreAllUsed) {
   Names used = codesMadeIn(kOfPage);
   used.merge(codesMadeIn(kOfCommand));
   std::vector<std::string> unused;
-  for (const auto& [part, entries] : english().items())
+  const Json all = english();
+  for (const auto& [part, entries] : all.items())
     for (const auto& [code, entry] : entries.items())
       if (!used.contains(code)) unused.push_back(code);
   EXPECT_THAT(unused, IsEmpty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/code_estimate.h"
+#include "engine/code_estimate.h"
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/first_spots.h"
+#include "engine/first_spots.h"
 
 #include <cmath>
 #include <optional>

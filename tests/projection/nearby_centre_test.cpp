@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/nearby_centre.h"
+#include "engine/nearby_centre.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

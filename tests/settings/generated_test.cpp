@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
-#include "generate/option_texts.h"
 #include "generate/options_page.h"
 #include "generate/settings_module.h"
+#include "messages/option_texts.h"
 #include "support/paths.h"
 
 namespace qrelief {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "settings/request_overrides.h"
+#include "inspector/request_overrides.h"
 
 #include <cmath>
 #include <gmock/gmock.h>

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "io/filament_code.h"
-#include "io/three_mf_model.h"
+#include "io/three_mf/filament_code.h"
+#include "io/three_mf/model.h"
 #include "support/xml_document.h"
 
 // Sources:
