@@ -9,9 +9,12 @@
 #include <limits>
 
 #include "base/job_stages.h"
+#include "io/three_mf/source.h"
 #include "math/affine.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
+#include "mesh/polygon_soup.h"
+#include "mesh/ray_tree.h"
 #include "mesh/soup_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/touching_shells.h"
@@ -92,18 +95,66 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   return verification;
 }
 
-void findInPose(VerifyRequest& request, const Mesh& mesh) {
-  if (!request.lowMm || glm::distance(boundingBox(mesh).min, *request.lowMm) < kOnSurfaceMm) return;
-  const Affine turn = turnedUp(request.buildUp), back = turn.inverse();
-  Box3 box;
-  for (const Vec3f& p : mesh.positions) box.add(back(Vec3(p)));
-  const Vec3 moved = box.min - *request.lowMm;
-  ProjectionFrame& frame = request.frame;
-  frame.centre = turn(frame.centre + moved);
-  frame.right = turn(frame.right);
-  frame.up = turn(frame.up);
-  frame.normal = turn(frame.normal);
-  request.buildUp = {0, 0, 1};
+namespace {
+
+/// Returns the bounding boxes of the items of a file, after a turn; that of all first.
+std::vector<Box3> boxesOfItems(const Mesh& mesh, const ThreeMfSource* source, const Affine& turn) {
+  std::vector<Box3> boxes(1);
+  for (const Vec3f& p : mesh.positions) boxes[0].add(turn(Vec3(p)));
+  if (!source) return boxes;
+  for (const ThreeMfRun& run : source->runs) {
+    boxes.resize(std::max(boxes.size(), run.item + 2));
+    const std::size_t end = std::min(run.firstTriangle + run.count, mesh.triangles.size());
+    for (std::size_t t = run.firstTriangle; t < end; ++t)
+      for (int k = 0; k < 3; ++k) boxes[run.item + 1].add(turn(mesh.corner(t, k)));
+  }
+  return boxes;
+}
+
+/// Tells how badly a surface looks like a symbol at a place: the distance of its light modules from the QR plane, less
+/// the depth of its dark ones, each on average, mm.
+double misfit(const RayTree& surface, const ProjectionFrame& frame, const Symbol& symbol, double symbolMm) {
+  double light = 0, dark = 0;
+  int lights = 0, darks = 0;
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      const Vec2 middle((column + 0.5) / symbol.size - 0.5, 0.5 - (row + 0.5) / symbol.size);
+      const Vec3 toPlane = frame.onPlane(middle * symbolMm) - frame.eye();
+      const auto hit = surface.firstHit(frame.eye(), glm::normalize(toPlane));
+      const double behindMm = hit ? hit->distance - glm::length(toPlane) : symbolMm;
+      if (hit && symbol.isDark(row, column))
+        dark += std::min(behindMm, symbolMm), ++darks;
+      else
+        light += std::min(std::abs(behindMm), symbolMm), ++lights;
+    }
+  return light / std::max(lights, 1) - dark / std::max(darks, 1);
+}
+
+}  // namespace
+
+void findInPose(VerifyRequest& request, const Mesh& mesh, const ThreeMfSource* source) {
+  const Affine turn = turnedUp(request.buildUp);
+  if (!request.lowMm) return;
+  const bool isWhereReported = glm::distance(boundingBox(mesh).min, *request.lowMm) < kOnSurfaceMm;
+  if (isWhereReported && turn == Affine()) return;
+  const RayTree surface(mesh);
+  std::optional<double> least;
+  const ProjectionFrame reported = request.frame;
+  const Vec3 reportedUp = request.buildUp;
+  for (const Affine& way : {turn, Affine()})
+    for (const Box3& box : boxesOfItems(mesh, source, way.inverse())) {
+      const Vec3 moved = box.min - *request.lowMm;
+      ProjectionFrame frame = reported;
+      frame.centre = way(reported.centre + moved);
+      frame.right = way(reported.right);
+      frame.up = way(reported.up);
+      frame.normal = way(reported.normal);
+      const double misses = misfit(surface, frame, request.symbol, request.symbolMm);
+      if (least && *least <= misses + kOnSurfaceMm) continue;
+      least = misses;
+      request.frame = frame;
+      request.buildUp = way == turn ? Vec3(0, 0, 1) : reportedUp;
+    }
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {

@@ -31,7 +31,7 @@ struct VerifyRequest {
   Printer printer;
   std::optional<std::size_t> process;  ///< index of the printer in namedPrinters(); none: the print is not simulated
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
-  std::optional<Vec3> lowMm = {};      ///< lower corner of the model's bounding box; none: unknown
+  std::optional<Vec3> lowMm = {};      ///< lower corner of the bounding box of the item with the code; none: unknown
   double minWallMm = 0.8;
   double albedo = 0.7;       ///< of the printed material; of a code in colour: Ink::light
   Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` says which modules are dark, as meshes have no colours
@@ -61,10 +61,12 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
 /// Looks for the code in a 3MF file whose item is turned and moved to the pose on the printer
-/// (io/three_mf/write_3mf.h): changes the frame and the vertical to the file's, if the bounding box says that the model
-/// was moved.
-/// @param mesh  the file's, mm
-void findInPose(VerifyRequest& request, const Mesh& mesh);
+/// (io/three_mf/write_3mf.h, io/three_mf/rewrite_3mf.h). Tries each item of the file, as turned and as not, and changes
+/// the frame and the vertical to the file's where the code's modules are carved best, or at least lie on the surface.
+/// Cost: O(T log T).
+/// @param mesh    the file's, mm, its triangles as in the file
+/// @param source  the file; null: it is one item
+void findInPose(VerifyRequest& request, const Mesh& mesh, const ThreeMfSource* source);
 
 /// All measurements of an engraved model; verdict/verdict.h draws the conclusion.
 struct VerifyResult {

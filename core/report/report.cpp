@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/version.h"
+#include "io/three_mf/source.h"
 #include "math/angle.h"
 #include "pipeline/engrave.h"
 #include "pipeline/label_pockets.h"
@@ -19,6 +20,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Returns the bounding box of the 3MF item that a body belongs to; the model's, if it comes from no 3MF file.
+Box3 boxOfItem(const PreparedModel& model, std::size_t body) {
+  if (!model.source) return boundingBox(model.mesh);
+  Box3 box;
+  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t)
+    if (model.source->runs[model.mesh.body(t)].item == model.source->runs[body].item)
+      for (int k = 0; k < 3; ++k) box.add(model.mesh.corner(t, k));
+  return box;
+}
+
 Json describeInput(const EngravableModel& model, const EngraveResult& result, const ReportContext& context) {
   Json warnings = Json::array();
   for (const Finding& finding : model.prepared.findings)
@@ -31,7 +42,7 @@ Json describeInput(const EngravableModel& model, const EngraveResult& result, co
           {"vertices", model.prepared.mesh.positions.size()},
           {"scaleToMm", context.scaleToMm},
           {"sizeMm", triple(box.size())},
-          {"lowMm", triple(box.min)},
+          {"lowMm", triple(boxOfItem(model.prepared, result.carvedBody).min)},
           {"buildUp", triple(glm::normalize(result.request.print.buildUp.resolve(result.placement.frame)))},
           {"warnings", warnings}};
 }

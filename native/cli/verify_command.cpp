@@ -171,7 +171,7 @@ int verifyModel(const VerifyOptions& options) {
   if (!soup) return printError(soup.error(), name);
   auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
   if (!mesh) return printError(mesh.error(), name);
-  if (soup->format == "3MF") findInPose(*request, *mesh);
+  if (soup->format == "3MF") findInPose(*request, *mesh, soup->source.get());
 
   auto job = VerifyJob::create(*mesh, *request, zxingDecoders());
   if (!job) return printError(job.error(), name);

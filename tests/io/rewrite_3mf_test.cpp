@@ -168,6 +168,25 @@ TEST(Rewrite3mf, TurnsTheItemThatChangesAndNoOther) {
   }
 }
 
+TEST(Rewrite3mf, MovesATurnedItemClearOfItsNeighbour) {
+  const std::string post = boxObject(1, 10, 10, 40), cube = boxObject(2, 10, 10, 10);
+  const PolygonSoup soup = soupOf(zip_file::threeMf(zip_file::modelPart(
+      post + cube, "<item objectid=\"1\"/><item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 15 0 0\"/>", "")));
+  const std::vector<ChangedRun> changes = {sameRun(soup, 0)};
+  const auto boxOf = [](const PolygonSoup& read, const ThreeMfRun& run) {
+    Box3 box;
+    for (std::size_t t = run.firstTriangle; t < run.firstTriangle + run.count; ++t)
+      for (const std::uint32_t v : read.triangles[t]) box.add(read.positions[v]);
+    return box;
+  };
+  const auto written = rewrite3mf(*soup.source, changes, Slicer::Any, kMaterials, {1, 0, 0});
+  ASSERT_TRUE(written) << sentence(written.error().message);
+  const PolygonSoup turned = soupOf(*written);
+  const Box3 moved = boxOf(turned, soup.source->runs[0]), other = boxOf(turned, soup.source->runs[1]);
+  EXPECT_NEAR(moved.size().x, 40, 1e-4);
+  EXPECT_NEAR(moved.min.x, other.max.x + 5, 1e-4);
+}
+
 TEST(Rewrite3mf, AddsAnInlayAsAPartOfABambuObject) {
   const PolygonSoup soup = soupOf(bambuProject());
   ChangedRun change = sameRun(soup, 0);

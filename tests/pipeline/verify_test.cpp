@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/three_mf/source.h"
 #include "math/affine.h"
 #include "messages/sentences.h"
 #include "native/zxing_decoder.h"
@@ -246,17 +247,54 @@ TEST_F(VerifyTest, FindsTheCodeInAFileThatStandsInItsPoseOnThePrinter) {
   ASSERT_TRUE(request.lowMm);
   const ProjectionFrame as = request.frame;
   request.buildUp = {1, -2, 0.5};
-  findInPose(request, good().mesh);
+  findInPose(request, good().mesh, nullptr);
   EXPECT_EQ(request.frame, as) << "the file is not turned";
   Affine pose = turnedUp(request.buildUp);
   pose.origin = {128, 100, 7};
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions) p = Vec3f(pose(Vec3(p)));
-  findInPose(request, mesh);
+  findInPose(request, mesh, nullptr);
   EXPECT_NEAR(glm::distance(request.frame.centre, pose(as.centre)), 0, 1e-4);
   EXPECT_NEAR(glm::distance(request.frame.onPlane({3, 4}), pose(as.onPlane({3, 4}))), 0, 1e-4);
   EXPECT_NEAR(glm::distance(request.frame.eye(), pose(as.eye())), 0, 1e-4);
   EXPECT_EQ(request.buildUp, Vec3(0, 0, 1));
+}
+
+TEST_F(VerifyTest, FindsTheCodeInAFileThatIsTurnedWithinItsBoundingBox) {
+  VerifyRequest request = requestOf(good());
+  const ProjectionFrame as = request.frame;
+  request.buildUp = {0, 0, -1};
+  Affine pose = turnedUp(request.buildUp);
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions) p = Vec3f(pose(Vec3(p)));
+  const Vec3 back = *request.lowMm - boundingBox(mesh).min;
+  for (Vec3f& p : mesh.positions) p += Vec3f(back);
+  pose.origin = back;
+  findInPose(request, mesh, nullptr);
+  EXPECT_NEAR(glm::distance(request.frame.centre, pose(as.centre)), 0, 1e-4);
+  EXPECT_EQ(request.buildUp, Vec3(0, 0, 1));
+}
+
+TEST_F(VerifyTest, FindsTheCodeInTheOnlyItemThatIsTurned) {
+  VerifyRequest request = requestOf(good());
+  const ProjectionFrame as = request.frame;
+  request.buildUp = {1, 0, 0};
+  Affine pose = turnedUp(request.buildUp);
+  pose.origin = {30, -4, 2};
+  // The other item is lower and farther left, so the file's corner says nothing of the code's item.
+  Mesh mesh = shapes::icosphere(10, 1);
+  for (Vec3f& p : mesh.positions) p -= Vec3f(200, 0, 80);
+  ThreeMfSource source;
+  source.runs.resize(2);
+  source.runs[0].count = source.runs[1].firstTriangle = mesh.triangles.size();
+  source.runs[1].item = 1;
+  source.runs[1].count = good().mesh.triangles.size();
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec3f& p : good().mesh.positions) mesh.positions.emplace_back(pose(Vec3(p)));
+  for (const Triangle& t : good().mesh.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  findInPose(request, mesh, &source);
+  EXPECT_NEAR(glm::distance(request.frame.centre, pose(as.centre)), 0, 1e-4);
+  EXPECT_NEAR(glm::distance(request.frame.eye(), pose(as.eye())), 0, 1e-4);
 }
 
 TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {

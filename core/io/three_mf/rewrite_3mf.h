@@ -44,7 +44,7 @@ struct Material {
 /// become of type "model".
 ///
 /// If `up` is not +z, the item with the changed meshes is turned: its middle stays above the same place, at the same
-/// height.
+/// height, unless another item is in the way; then it moves to the right until it is clear.
 ///
 /// Corners are written with as many digits as the transform needs: reading gives the same 32-bit floats in mm.
 /// Cost: linear in the file's unpacked size.

@@ -10,6 +10,8 @@
 namespace qrelief {
 namespace {
 
+constexpr double kClearMm = 5;  // between a turned item and its neighbours
+
 /// Returns true if `read` is `expected` after a transform and its inverse, up to the last digit of a 32-bit float.
 /// @param sizes  of what is added up to `expected`
 bool isEqual(Vec3 read, Vec3 expected, Vec3 sizes) {
@@ -18,6 +20,11 @@ bool isEqual(Vec3 read, Vec3 expected, Vec3 sizes) {
     if (!(std::abs(read[axis] - expected[axis]) <= std::numeric_limits<float>::epsilon() * largest)) return false;
   }
   return true;
+}
+
+/// Returns true if two boxes share a place on the plate, seen from above. An empty box shares none.
+bool overlapOnPlate(const Box3& a, const Box3& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
 }
 
 }  // namespace
@@ -29,17 +36,27 @@ ItemPose turnedItem(const ThreeMfSource& source, std::span<const ChangedRun> cha
   turned = {source.runs[changes.front().run].item, turnedUp(up)};
   if (turned.pose == Affine()) return turned;
   Box3 standing, lying;
+  std::vector<Box3> others;
   for (const ThreeMfRun& run : source.runs) {
-    if (run.item != turned.item) continue;
+    const bool isOther = run.item != turned.item;
+    if (isOther && others.size() <= run.item) others.resize(run.item + 1);
     for (std::size_t t = run.firstTriangle; t < run.firstTriangle + run.count; ++t)
       for (const std::uint32_t v : before.triangles[t]) {
         const Vec3 p = before.positions[v] * source.unitMm;
-        standing.add(p);
-        lying.add(turned.pose(p));
+        (isOther ? others[run.item] : standing).add(p);
+        if (!isOther) lying.add(turned.pose(p));
       }
   }
-  turned.pose.origin = {standing.centre().x - lying.centre().x, standing.centre().y - lying.centre().y,
-                        standing.min.z - lying.min.z};
+  Vec3& move = turned.pose.origin;
+  move = {standing.centre().x - lying.centre().x, standing.centre().y - lying.centre().y, standing.min.z - lying.min.z};
+  for (bool isClear = false; !isClear;) {
+    isClear = true;
+    for (const Box3& other : others) {
+      if (!overlapOnPlate({lying.min + move, lying.max + move}, other) || overlapOnPlate(standing, other)) continue;
+      move.x = other.max.x + kClearMm - lying.min.x;  // ever farther to the right
+      isClear = false;
+    }
+  }
   return turned;
 }
 

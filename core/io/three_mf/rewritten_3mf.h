@@ -18,7 +18,7 @@ struct ItemPose {
 };
 
 /// Returns the pose of the item with the changed meshes: turned by the least angle, its middle above the same place, at
-/// the same height.
+/// the same height. If it then covers the place of another item, it moves to the right until it is clear.
 /// @param before  the file as read
 /// @param up      the printer's vertical in the model's space, any length > 0
 ItemPose turnedItem(const ThreeMfSource& source, std::span<const ChangedRun> changes, const PolygonSoup& before,
