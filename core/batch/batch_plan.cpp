@@ -78,9 +78,8 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   const std::string text =
       request.all.code.text.empty() ? "{" + std::string(textColumn(plan.list_)) + "}" : request.all.code.text;
   const bool hasFile = plan.list_.find(kFile).has_value();
-  const bool mayBeInColour = request.all.marking.isInColour() || request.all.marking.isOpen;
-  const char* const usual = hasFile ? "{file}" : mayBeInColour ? "{id}.3mf" : "{id}.stl";
-  const std::string name = request.name.empty() ? usual : request.name;
+  plan.hasUsualNames_ = request.name.empty() && !hasFile;
+  const std::string name = plan.hasUsualNames_ ? "{id}.stl" : request.name.empty() ? "{file}" : request.name;
   const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name),
              labelTemplate = TextTemplate::parse(request.all.code.label.text);
   for (const auto* parsed : {&textTemplate, &nameTemplate, &labelTemplate})
@@ -194,6 +193,8 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
     QRELIEF_TRY(checkValue(*setting, *parsed));
     setting->write(row.request, *parsed);
   }
+  if (hasUsualNames_ && (row.request.marking.isInColour() || row.request.marking.isOpen))
+    row.file.replace(row.file.rfind('.'), std::string::npos, ".3mf");
   return row;
 }
 

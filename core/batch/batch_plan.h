@@ -107,6 +107,7 @@ class BatchPlan {
   BatchList list_;
   EngraveRequest all_;
   std::size_t firstNumber_ = 1;
+  bool hasUsualNames_ = false;  // of the files: "{id}.stl", in colour "{id}.3mf"
   std::optional<std::size_t> idColumn_;
   TextTemplate text_, name_, label_;
   std::vector<SettingColumn> settings_;

@@ -102,6 +102,10 @@ TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
   const BatchPlan plan = BatchPlan::make(countedBatchList(1), request);
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_EQ(plan.row(0).file, "1.3mf");
+  const BatchPlan mixed = planOf("id,text,mark\na,x,paint\nb,y,shadow\nc,z,auto\n");
+  ASSERT_THAT(problemsOf(mixed), IsEmpty());
+  for (const auto& [row, file] : {std::pair(0, "a.3mf"), {1, "b.stl"}, {2, "c.3mf"}})
+    EXPECT_EQ(mixed.row(static_cast<std::size_t>(row)).file, file);
 }
 
 TEST(BatchPlan, RefusesASecondFileWithTheNameOfAnotherRowsFile) {
