@@ -25,9 +25,25 @@ std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchReque
                                            with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
   if (!concerns.takesPockets)
     reasons.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
+  if (concerns.coversColours) reasons.push_back(message<"spot-in-several-colours">());
   if (concerns.facesDown) reasons.push_back(message<"faces-down">());
   if (concerns.unevenLight > kMostUnevenLight) reasons.push_back(message<"spot-lit-unevenly">());
   return reasons;
+}
+
+/// Returns true if a square on the surface has facets of several colours.
+bool hasSeveralColours(const PreparedModel& model, const Placement& placement, double edgeMm) {
+  if (model.colours.empty()) return false;
+  const auto isInside = [&](Vec3 point) {
+    const Vec2 p = placement.frame.project(point);
+    return std::max(std::abs(p.x), std::abs(p.y)) <= edgeMm / 2;
+  };
+  const std::optional<Colour> colour = model.colours[placement.seed];
+  return std::any_of(placement.patch.triangles.begin(), placement.patch.triangles.end(), [&](std::uint32_t t) {
+    if (model.colours[t] == colour) return false;
+    const Vec3 a = model.mesh.corner(t, 0), b = model.mesh.corner(t, 1), c = model.mesh.corner(t, 2);
+    return isInside(a) || isInside(b) || isInside(c) || isInside((a + b + c) / 3.0);
+  });
 }
 
 }  // namespace
@@ -60,6 +76,7 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   SpotConcerns concerns;
   concerns.prints = placement.symbolMm >= request.leastPrintableMm;
   concerns.takesPockets = taking + thin >= thickness.size();
+  concerns.coversColours = hasSeveralColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
   concerns.unevenLight = unevenLightOn(mesh, placement.frame, placement.symbolMm, request);
   concerns.wallMm = thickness[thin];

@@ -12,6 +12,7 @@ namespace qrelief {
 struct SpotConcerns {
   bool prints = true;            ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
   bool takesPockets = true;      ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
+  bool coversColours = false;    ///< the surface under the code and its quiet zone has several colours
   bool facesDown = false;        ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;        ///< see pipeline/spot_light.h
   double wallMm = 0;             ///< thickness of the wall, along the rays, that nearly all modules have

@@ -94,7 +94,7 @@ struct SpotSearchJob::State {
 
   std::size_t goodSpots() const {  // counts small ones, too: later spots are hardly larger
     return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(), [](const Spot& spot) {
-      return spot.takesPockets && !spot.facesDown && !isUneven(spot);
+      return spot.takesPockets && !spot.coversColours && !spot.facesDown && !isUneven(spot);
     }));
   }
   std::size_t printableSpots() const {
@@ -268,6 +268,7 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   if (concerns->takesPockets || (request.offersThinWalls && !findsLargest)) {
     offered.prints = concerns->prints;
     offered.takesPockets = concerns->takesPockets;
+    offered.coversColours = concerns->coversColours;
     offered.facesDown = concerns->facesDown;
     offered.unevenLight = concerns->unevenLight;
     offered.concerns = concerns->reasons;
@@ -318,7 +319,8 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
   // Doubts in order of importance.
   const auto doubts = [](const Spot& spot) {
     const int doublings = spot.colourLayers > 0 ? std::ilogb(spot.colourLayers) : 0;  // twice the layers count
-    return std::tuple(!spot.prints, !spot.takesPockets, spot.facesDown, isUneven(spot), doublings, spot.needsDirection);
+    return std::tuple(!spot.prints, !spot.takesPockets, spot.coversColours, spot.facesDown, isUneven(spot), doublings,
+                      spot.needsDirection);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const Spot& a, const Spot& b) {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);

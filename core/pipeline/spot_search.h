@@ -52,6 +52,7 @@ struct Spot {
   Vec3 centreMm{0};
   std::uint32_t body = 0;         ///< index of its body (PreparedModel::bodies)
   Vec3 direction{0};              ///< towards the viewer; if needed, a unit vector rounded to four decimals
+  bool coversColours = false;     ///< the surface under the code has several colours
   bool facesDown = false;         ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;         ///< see pipeline/spot_light.h
   bool prints = true;             ///< not smaller than SpotSearchRequest::leastPrintableMm

@@ -67,6 +67,28 @@ TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   EXPECT_NEAR(onASide.colourLayers, onASide.symbolMm / 0.2, 2);
 }
 
+TEST_F(SpotSearchTest, RanksSpotsOnSeveralColoursLastWithAWarning) {
+  auto soup = shapes::soupOf(shapes::box({60, 60, 12}));
+  bool isFirst = true;  // one of the two facets of the top is black
+  for (const auto& t : soup.triangles) {
+    const Vec3 a = soup.positions[t[0]], b = soup.positions[t[1]], c = soup.positions[t[2]];
+    const bool isTop = glm::normalize(glm::cross(b - a, c - a)).z > 0.9;
+    soup.colours.emplace_back(isTop && isFirst ? Colour{0, 0, 0} : Colour{255, 255, 255});
+    isFirst = isFirst && !isTop;
+  }
+  auto prepared = prepareModel(soup, {});
+  ASSERT_TRUE(prepared.has_value());
+  SpotSearchRequest parameters = request(30);
+  parameters.count = 2;
+  const auto search = findSpots(EngravableModel::upload(std::move(*prepared)), parameters);
+  ASSERT_TRUE(search.has_value());
+  ASSERT_EQ(search->spots.size(), 2u);
+  EXPECT_LT(search->spots[0].direction.z, -0.9);
+  EXPECT_THAT(search->spots[0].concerns, testing::IsEmpty());
+  EXPECT_GT(search->spots[1].direction.z, 0.9);
+  EXPECT_EQ(search->spots[1].concerns.at(0), message<"spot-in-several-colours">());
+}
+
 TEST_F(SpotSearchTest, RanksSpotsInTheModelsShadeLastWithAWarning) {
   // The larger half of the plate has a ridge in its middle.
   const Mesh model = shapes::plate(Vec2(130, 60), 10, 130, 4, [](double x, double) {
