@@ -29,6 +29,12 @@ test('Another language applies at once, also to numbers, and is kept', async ({ 
 
   await page.reload();
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
+
+  await test.step('a machine’s translation says so, and is complete', async () => {
+    await page.getByRole('combobox', { name: 'Sprache' }).selectOption('Français (traduction automatique)');
+    await expect(page.getByRole('button', { name: 'Graver', exact: true })).toBeEnabled();
+    await expect(app.placement).toHaveText(/^\d+,\d mm /);
+  });
 });
 
 test('Findings and errors are in the chosen language, and one click rescales a tiny model to a printable unit', async ({

@@ -18,16 +18,16 @@ test('The page is usable after at most 1.6 MB; decoder and message words load la
   const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
   console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
   expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
-  expect(site.sent.filter(({ path }) => /reader|message_catalogues/.test(path))).toEqual([]);
+  expect(site.sent.filter(({ path }) => /reader|-messages-/.test(path))).toEqual([]);
   expect(bytes).toBeLessThan(1.6e6);
 });
 
 test('Message words load with the first message, in its language; a failure is reported', async ({ page }) => {
-  const words = () => site.sent.filter(({ path }) => /message_catalogues/.test(path));
+  const words = () => site.sent.filter(({ path }) => /-messages-/.test(path));
   const app = new Engraver(page);
   await page.goto(site.address);
   await app.expectReady();
-  site.lacks = (path) => /message_catalogues/.test(path);
+  site.lacks = (path) => /-messages-/.test(path);
   await app.file.setInputFiles(truncatedFile);
   await expect(app.alert).toContainText('could not be loaded; check your connection');
   expect(words()).toEqual([]);

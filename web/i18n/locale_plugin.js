@@ -6,13 +6,17 @@ import { kLanguageFiles, partOf } from './locale_files.js';
 /** @typedef {import('./locale_files.js').Part} Part */
 
 /** @type {Part[]} */
-const kParts = ['app', 'messages', 'inspector', 'guide', 'method', 'gallery', 'study'];
+const kParts = ['app', 'messages', 'inspector'];
+/** @type {Part[]} */
+const kArticles = ['guide', 'method', 'gallery', 'study'];
 const kPrefix = '\0locale/';
 
 /** Returns the module that the page loads in place of locales.js. */
 export function localesModule() {
-  const loads = kLanguageFiles.flatMap(({ code }) =>
-    kParts.map((part) => `  '${code}-${part}': () => import('locale/${code}-${part}'),\n`),
+  const loads = kLanguageFiles.flatMap(({ code, hasArticles }) =>
+    [...kParts, ...(hasArticles ? kArticles : [])].map(
+      (part) => `  '${code}-${part}': () => import('locale/${code}-${part}'),\n`,
+    ),
   );
   return `import kEnglish from 'locale/en-app';
 export { kEnglish };

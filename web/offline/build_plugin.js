@@ -9,11 +9,11 @@ const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
 const kNeverKept = /^api\//; // thousands of pages, which need a network anyway
 /**
- * Files of which most visitors need few: articles with their scripts, styles and pictures, icons, and all samples but the
- * first.
+ * Files of which most visitors need few: articles with their scripts, styles and pictures, languages but English, icons,
+ * and all samples but the first.
  */
 const kKeptWhenOpened =
-  /^(guide|method|study|gallery)(\.html$|\/)|^assets\/(article|guide|method|study|gallery)-|\.jpg$|^icons\/|^samples\/(?!bunny|manifest)/;
+  /^(guide|method|study|gallery)(\.html$|\/)|^assets\/(article|guide|method|study|gallery)-|^assets\/(?!en-(app|messages)-)\w\w-(app|messages|inspector|guide|method|study|gallery)-|\.jpg$|^icons\/|^samples\/(?!bunny|manifest)/;
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);

@@ -58,11 +58,15 @@ test('the app and its first sample are kept at once, articles, pictures and othe
     'favicon.svg',
     'samples/bunny.stl',
     'samples/manifest.json',
+    'assets/en-app-4.js',
+    'assets/en-messages-5.js',
   ]);
   const whenOpened = ['guide.html', 'study.html', 'study/frontier.csv', 'gallery/owl-0-designed.webp'].concat([
     'assets/guide-1.js',
     'assets/article-2.css',
-
+    'assets/fr-app-6.js',
+    'assets/ja-messages-7.js',
+    'assets/en-guide-8.js',
     'assets/carved-3.jpg',
     'samples/owl.stl',
     'icons/icon-512.png',
