@@ -56,5 +56,5 @@ test('lamps of a file have numeric parts only', () => {
 });
 
 test('the parts are the core’s', () => {
-  assert.deepEqual(Object.keys(kSettings.light.partLabels ?? {}).sort(), Object.keys(kLamps[0]).sort());
+  assert.deepEqual(Object.keys(kSettings.light.parts ?? {}).sort(), Object.keys(kLamps[0]).sort());
 });

@@ -114,7 +114,7 @@ const hintBelow = (control) => document.getElementById(`${control.id}-hint`);
 
 /** Sets a control's choices, bounds and default, and makes room for its hint. @param {Control} control */
 function prepare(control) {
-  if (kSettings[keyOf(control)].hint) {
+  if (settingHint(keyOf(control))) {
     const hint = make('p', { className: 'field-hint' });
     hint.id = `${control.id}-hint`;
     control.after(hint);
@@ -161,7 +161,7 @@ function name(control) {
   const key = keyOf(control),
     label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
-  const hint = kSettings[key].hint && hintBelow(control);
+  const hint = hintBelow(control);
   if (hint) hint.textContent = settingHint(key);
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options) {
