@@ -56,6 +56,7 @@ struct EngraveResult {
   std::vector<FacetOrigin> origins;     ///< of the triangles of `mesh`
   std::vector<Body> bodies = {Body()};  ///< of the model
   std::uint32_t carvedBody = 0;         ///< index of the body with the code
+  bool coversColours = false;           ///< the model's surface under the code and its quiet zone has several colours
   EngraveRequest request;               ///< as carved, with defaults filled in (pipeline/default_patterns.h)
   Symbol symbol;
   Placement placement;

@@ -10,6 +10,7 @@
 #include "message_codes/place.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/engrave_state.h"
+#include "pipeline/spot_concerns.h"
 #include "pipeline/verify.h"
 #include "verification/ink.h"
 #include "verification/mesh_luminance.h"
@@ -59,6 +60,8 @@ Result<StageStep> EngraveJob::State::write() {
   result.origins = std::move(embedded.origins);
   result.bodies = model->prepared.bodies;
   result.carvedBody = model->prepared.mesh.body(result.placement.seed);
+  result.coversColours = coversColours(model->prepared, result.placement,
+                                       result.placement.symbolMm * roomFactor(symbol.size, request.placement));
   result.symbol = symbol;
   result.request = request;
   result.painted = std::move(embedded.painted);

@@ -31,8 +31,9 @@ std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchReque
   return reasons;
 }
 
-/// Returns true if a square on the surface has facets of several colours.
-bool hasSeveralColours(const PreparedModel& model, const Placement& placement, double edgeMm) {
+}  // namespace
+
+bool coversColours(const PreparedModel& model, const Placement& placement, double edgeMm) {
   if (model.colours.empty()) return false;
   const auto isInside = [&](Vec3 point) {
     const Vec2 p = placement.frame.project(point);
@@ -45,8 +46,6 @@ bool hasSeveralColours(const PreparedModel& model, const Placement& placement, d
     return isInside(a) || isInside(b) || isInside(c) || isInside((a + b + c) / 3.0);
   });
 }
-
-}  // namespace
 
 bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request) {
   if (!request.buildUp) return false;
@@ -76,7 +75,7 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   SpotConcerns concerns;
   concerns.prints = placement.symbolMm >= request.leastPrintableMm;
   concerns.takesPockets = taking + thin >= thickness.size();
-  concerns.coversColours = hasSeveralColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
+  concerns.coversColours = coversColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
   concerns.unevenLight = unevenLightOn(mesh, placement.frame, placement.symbolMm, request);
   concerns.wallMm = thickness[thin];

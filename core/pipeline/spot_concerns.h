@@ -23,6 +23,10 @@ struct SpotConcerns {
 Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& placement,
                                 const SpotSearchRequest& request);
 
+/// Returns true if a square on the surface has facets of several colours.
+/// @param edgeMm  of the square around the placement's centre, on its QR plane
+bool coversColours(const PreparedModel& model, const Placement& placement, double edgeMm);
+
 /// Returns true if a code on this frame faces down on the printer.
 bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request);
 

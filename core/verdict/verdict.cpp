@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "message_codes/printing.h"
 #include "message_codes/verdict.h"
 #include "pipeline/engrave.h"
 #include "pipeline/label_pockets.h"
@@ -270,6 +271,7 @@ Verdict judgeCode(const EngraveRequest& request, const EngraveResult& result, co
       request.marking.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
   if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
   if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink);
+  if (result.coversColours) verdict.reads.warnings.push_back(message<"spot-in-several-colours">());
   if (result.modulesLeftOut > 0)
     verdict.reads.warnings.push_back(message<"modules-left-out">(with::count<"count">(result.modulesLeftOut),
                                                                  with::lengthMm<"wall">(request.depth.minWallMm)));

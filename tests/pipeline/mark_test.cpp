@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/ink_seen.h"
+#include "message_codes/printing.h"
 #include "messages/sentences.h"
 #include "native/read_carving.h"
 #include "native/zxing_decoder.h"
@@ -142,6 +143,22 @@ TEST_F(MarkTest, BothDecodeAsDesignedAndAsPrinted) {
       EXPECT_TRUE(verdict.passed());
       EXPECT_GE(gradesOf(request, result).iso15415, 3) << markName(mark);
     }
+}
+
+TEST_F(MarkTest, ASecondCodeOnAPaintedOneIsWarnedOf) {
+  const EngraveRequest request = requestFor(Mark::Paint);
+  const EngraveResult first = engraved(sphere(), request);
+  auto soup = shapes::soupOf(first.mesh);
+  soup.colours.assign(soup.triangles.size(), Colour{235, 235, 230});
+  for (const std::uint32_t t : first.painted) soup.colours[t] = Colour{25, 25, 30};
+  const auto painted = EngravableModel::upload(*prepareModel(soup, {}));
+  const auto warningsAt = [&](Vec3 centre) {
+    const EngraveRequest next = requestFor(Mark::Paint, centre, 20);
+    const EngraveResult second = engraved(painted, next);
+    return judge(next, second, readCarving(next, second)).reads.warnings;
+  };
+  EXPECT_THAT(warningsAt({0, 0, 40}), testing::Contains(message<"spot-in-several-colours">()));
+  EXPECT_THAT(warningsAt({0, 0, -40}), testing::Not(testing::Contains(message<"spot-in-several-colours">())));
 }
 
 TEST_F(MarkTest, ModulesNarrowerThanALineAreLostInPrint) {
