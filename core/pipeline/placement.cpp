@@ -357,6 +357,15 @@ bool PlacementSearch::lookFromFree() {
   return true;
 }
 
+/// Returns the size that fits at every rotation from a direction, with walls counted.
+Result<double> PlacementSearch::sizeAnyWayUp(Vec3 normal) {
+  const auto fit = std::find_if(fits_.begin(), fits_.end(), [&](const Fit& one) {
+    return one.turn == Fit::Turn::EveryRotation && one.placement.frame.normal == normal;
+  });
+  if (!fit->leavesWalls) QRELIEF_TRY(leaveWalls(*fit));
+  return fit->placement.symbolMm;
+}
+
 /// Takes the best fit with walls counted. Walls only reduce sizes, so most need not be measured.
 Status PlacementSearch::takeBestFit() {
   const Stopwatch stopwatch(sizeMs_);
@@ -364,6 +373,11 @@ Status PlacementSearch::takeBestFit() {
   while (!best->leavesWalls) {
     QRELIEF_TRY(leaveWalls(*best));
     best = &fitToTake(fits_);
+  }
+  if (request_.sizeMode != SizeMode::Fixed) {
+    const auto guaranteedMm = sizeAnyWayUp(best->placement.frame.normal);
+    QRELIEF_TRY(guaranteedMm);
+    best->placement.guaranteedMm = *guaranteedMm;
   }
   placement_ = std::move(best->placement);
   placement_.moduleMm = placement_.symbolMm / modules_;

@@ -23,11 +23,12 @@ struct Placement {
   std::uint32_t seed = 0;  ///< triangle under the centre
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
-  double largestMm = 0;     ///< largest symbol up to the size limit that fits at this rotation, walls ignored
-  double guaranteedMm = 0;  ///< the same at every rotation
-  double bendMm = 0;        ///< bend of the surface under the symbol, see projection/flatness.h
-  double rotationDeg = 0;   ///< from upHint to the symbol's top, anticlockwise as the viewer sees it
-  VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
+  double largestMm = 0;  ///< largest symbol up to the size limit that fits at this rotation, walls ignored
+  double guaranteedMm =
+      0;                   ///< the same at every rotation; with walls counted, as in symbolMm, unless the size is fixed
+  double bendMm = 0;       ///< bend of the surface under the symbol, see projection/flatness.h
+  double rotationDeg = 0;  ///< from upHint to the symbol's top, anticlockwise as the viewer sees it
+  VisiblePatch patch;      ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
 };
 
@@ -69,6 +70,7 @@ class PlacementSearch {
   Status start();
   Status leaveWalls(Fit& fit) const;
   bool lookFromFree();
+  Result<double> sizeAnyWayUp(Vec3 normal);
   Status takeBestFit();
   Status measure(Vec3 normal);
   Result<std::vector<Fit>> fitsFrom(const ProjectionFrame& frame) const;

@@ -108,7 +108,7 @@ TEST_F(PlacementTest, TheFreeSizeDoesNotDependOnTheRotation) {
   request.beyondMm = 5;
   const auto straight = place(request);
   ASSERT_TRUE(straight.has_value());
-  EXPECT_LT(straight->symbolMm, straight->guaranteedMm) << "walls decide";
+  EXPECT_LT(straight->symbolMm, straight->largestMm) << "walls decide";
   for (const double rotateDeg : {20.0, 45.0, 110.0, -30.0}) {
     request.rotateDeg = rotateDeg;
     const auto turned = place(request);
@@ -156,6 +156,7 @@ TEST_F(PlacementTest, FromOneDirectionTurnedIsNoSmallerThanUprightAndThatThanAny
       if (random.uniform(0, 1) < 0.6) request.pockets = {0.8, random.uniform(0.3, 1.2)};
       request.beyondMm = 6;
       std::array<double, 3> sizes{};
+      std::vector<double> guarantees;
       for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best}) {
         request.sizeMode = mode;
         const auto placed = place(request);
@@ -163,13 +164,15 @@ TEST_F(PlacementTest, FromOneDirectionTurnedIsNoSmallerThanUprightAndThatThanAny
         if (!placed) continue;
         if (placed->symbolMm < placed->largestMm * (1 - 1e-9)) ++reduced;
         EXPECT_LE(placed->symbolMm, placed->largestMm * (1 + 1e-9));
-        EXPECT_LE(placed->guaranteedMm, placed->largestMm * (1 + 1e-9));
+        EXPECT_LE(placed->guaranteedMm, placed->symbolMm * (1 + 1e-6));
+        guarantees.push_back(placed->guaranteedMm);
       }
       const double best = sizes[static_cast<std::size_t>(SizeMode::Best)];
       const double oriented = sizes[static_cast<std::size_t>(SizeMode::Oriented)];
       const double free = sizes[static_cast<std::size_t>(SizeMode::Free)];
       EXPECT_GE(best, oriented * (1 - 1e-6)) << "triangle " << t;
       EXPECT_GE(oriented, free * (1 - 1e-6)) << "triangle " << t;
+      for (const double guaranteed : guarantees) EXPECT_NEAR(guaranteed, guarantees.front(), 1e-9) << "triangle " << t;
       if (free > 0) {  // a size that fits at every rotation fits
         request.sizeMode = SizeMode::Fixed;
         request.sizeMm = free * (1 - 1e-9);
@@ -235,7 +238,8 @@ TEST_F(PlacementTest, TheFoundSizeLeavesRoomForPocketsInATaperingWall) {
   EXPECT_NEAR(placed->symbolMm, (2.75 - 1.5) / (0.1125 / 2 + 0.33 / kModules), 0.04 * free);
   EXPECT_LT(placed->symbolMm, 0.9 * free);
   EXPECT_DOUBLE_EQ(placed->moduleMm, placed->symbolMm / kModules);
-  EXPECT_NEAR(placed->guaranteedMm, free, 1e-3) << "what the silhouette allows";
+  EXPECT_NEAR(placed->largestMm, free, 1e-3) << "what the silhouette allows";
+  EXPECT_EQ(placed->guaranteedMm, placed->symbolMm) << "walls count";
 
   request.pockets.minWallMm = 0.8;
   EXPECT_NEAR(place(request)->symbolMm, free, 1e-3) << "thick enough all over";
