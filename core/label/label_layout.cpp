@@ -98,6 +98,7 @@ void addLetters(LabelLayout& layout, TextOutline text, Vec2 origin, double capit
 }
 
 Status addText(LabelLayout& layout, const LabelOptions& label, int modules) {
+  if (label.text.find('\n') != label.text.npos) return badInput(message<"label-has-lines">());
   const double highest = highestCapital(modules);
   auto text = outlineText(label.text, kToleranceModules / highest);
   QRELIEF_TRY(text);

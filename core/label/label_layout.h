@@ -49,7 +49,7 @@ double labelMarginModules(const LabelOptions& label, int modules);
 ///
 /// Cost: milliseconds.
 /// @param modules  along the symbol's edge
-/// @returns the errors of outlineText(); BadInput if the text has nothing to print
+/// @returns the errors of outlineText(); BadInput if the text has nothing to print, or a label several lines
 Result<LabelLayout> layOutLabel(const LabelOptions& label, int modules);
 
 /// Returns the least height of a capital letter whose strokes are a line wide, mm.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <memory>
@@ -224,19 +225,33 @@ char32_t decoded(std::string_view sequence) {
   return character;
 }
 
+/// Returns true for characters that leave no mark of their own: controls, spaces, joiners, and selectors of variants.
+bool isInvisible(char32_t c) {
+  return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || c == 0xAD || (c >= 0x2000 && c <= 0x200F) ||
+         (c >= 0x2028 && c <= 0x202F) || (c >= 0x205F && c <= 0x206F) || c == 0x3000 || (c >= 0xFE00 && c <= 0xFE0F) ||
+         c == 0xFEFF;
+}
+
+/// Returns a character to be shown: itself, or "U+0009" if it is invisible.
+std::string named(std::string_view sequence) {
+  const char32_t character = decoded(sequence);
+  return isInvisible(character) ? fmt::format("U+{:04X}", static_cast<std::uint32_t>(character))
+                                : std::string(sequence);
+}
+
 /// Splits a text into glyphs. @returns BadInput, see outlineText()
 Result<std::vector<FT_UInt>> glyphsOf(std::string_view text, const Font& font) {
   if (const std::size_t byte = firstNoUtf8(text); byte != std::string_view::npos)
     return badInput(message<"text-no-utf8">(with::count<"byte">(byte)));
   std::vector<FT_UInt> glyphs;
-  std::set<std::string_view> named;
+  std::set<std::string_view> known;
   std::string lacking;
   while (!text.empty()) {
     const std::string_view sequence = text.substr(0, utf8SequenceLength(text));
     text.remove_prefix(sequence.size());
     glyphs.push_back(font.glyph(decoded(sequence)));
-    if (glyphs.back() != 0 || !named.insert(sequence).second) continue;
-    lacking += (lacking.empty() ? "" : " ") + std::string(sequence);
+    if (glyphs.back() != 0 || !known.insert(sequence).second) continue;
+    lacking += (lacking.empty() ? "" : " ") + named(sequence);
   }
   if (!lacking.empty()) return badInput(message<"label-lacks-characters">(with::quoted<"characters">(lacking)));
   return glyphs;

@@ -99,6 +99,12 @@ TEST(LabelLayout, TextOfSpacesIsRefused) {
   EXPECT_EQ(laidOut.error().message, message<"label-empty">());
 }
 
+TEST(LabelLayout, ALabelHasOneLine) {
+  const auto laidOut = layOutLabel({"No. 1\nRev B", LabelFrame::None}, kModules);
+  ASSERT_FALSE(laidOut.has_value());
+  EXPECT_EQ(laidOut.error().message.code, "label-has-lines");
+}
+
 TEST(LabelLayout, ATextAloneFillsTheSquareInOneDirection) {
   const auto sizeOf = [](const std::string& text, LabelFrame frame = LabelFrame::None) {
     const Rectangle box = boundsOf(layout({text, frame, true}));

@@ -100,7 +100,9 @@ TEST(TextOutline, NamesTheCharactersThatTheFontLacks) {
   ASSERT_FALSE(text.has_value());
   EXPECT_EQ(text.error().kind, ErrorKind::BadInput);
   EXPECT_EQ(text.error().message, message<"label-lacks-characters">(with::quoted<"characters">("漢 字")));
-  EXPECT_EQ(outlineText("a\nb", kTolerance).error().message.code, "label-lacks-characters");
+  EXPECT_EQ(outlineText("a\tb\n\u200D", kTolerance).error().message,
+            message<"label-lacks-characters">(with::quoted<"characters">("U+0009 U+000A U+200D")))
+      << "characters that cannot be seen are named";
 }
 
 TEST(TextOutline, RefusesTextThatIsNotUtf8) {
