@@ -40,7 +40,7 @@ EngravePlan::EngravePlan(EngraveRequest request, Options options)
     : options_(std::move(options)),
       asked_(std::move(request)),
       looksAtPrint_(options_.looksAtPrint && asked_.print.process && !asked_.code.isText()),
-      isMarkOpen_(asked_.marking.isOpen && !asked_.code.isText()),
+      isMarkOpen_(asked_.marking.isOpen),
       step_(options_.mayMove ? Step::Place : Step::Carve),
       kept_{0, asked_},
       current_{0, asked_},

@@ -22,7 +22,7 @@ namespace qrelief {
 /// 4. Deliver the best, or else the carving as requested. If that fails and the user did not choose the mark, carve the
 ///    other marks only to offer them (TriedCarving::isOffer).
 ///
-/// Of a text alone only a size beyond the usual limit is tried, and nothing is decoded or printed.
+/// Of a text alone only a size beyond the usual limit and other marks are tried, and nothing is decoded or printed.
 ///
 /// A first carving that passes ends the plan at once. A setting that the user chose is not changed, except by deeper
 /// presets, by carving for the design alone, and for capitals, which open the same address. The host carries out each

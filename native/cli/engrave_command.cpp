@@ -126,23 +126,24 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
-/// Prints what was carved instead, if the code could not be carved or did not decode as requested.
+/// Prints what was carved instead of the request, and why.
 void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
-  const char* const kNot = asked.code.isText() ? "the strokes of the text were thinner than the printer makes them"
-                                               : "the code or its print did not decode reliably";
+  const char* const reason = carved.tried.front().failure ? "it could not be carved"
+                             : asked.code.isText()        ? "the text would not have printed or read well"
+                                                          : "the code or its print did not decode reliably";
   std::string flags;
   for (const SettingChange& change : carved.tried[static_cast<std::size_t>(carved.attempt)].changes) {
     if (change.setting == "mark")
-      fmt::print("made as {}: as a shadow, {}\n", change.value, kNot);
+      fmt::print("made as {}: as a shadow, {}\n", change.value, reason);
     else if (change.setting == "preset")
-      fmt::print("engraved with preset {}: with {}, {}\n", change.value, presetName(asked.depth.preset), kNot);
+      fmt::print("engraved with preset {}: with {}, {}\n", change.value, presetName(asked.depth.preset), reason);
     else if (change.setting == "carveFor")
       fmt::print(
           "engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
     else
       flags += fmt::format(" {} {}", flagOf(change.setting), change.value);
   }
-  if (!flags.empty()) fmt::print("engraved with{}: as asked, {}\n", flags, kNot);
+  if (!flags.empty()) fmt::print("engraved with{}: as asked, {}\n", flags, reason);
 }
 
 /// Carves the code for other ways of printing and prints a verdict on each. Writes no files.

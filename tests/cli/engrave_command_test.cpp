@@ -325,6 +325,27 @@ TEST_F(EngraveCommandTest, AnOpenMarkTakesAnInlayWhereWallsAreTooThinForAShadow)
   EXPECT_TRUE(std::filesystem::exists(path("out-2.stl")));
 }
 
+TEST_F(EngraveCommandTest, AnOpenMarkPaintsATextWhereWallsTakeNoLetters) {
+  const std::string model = writeModel("plate.stl", shapes::plate({60, 60}, 0.9, 4, 4));
+  const auto engrave = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"engrave", model, "--content", "text", "--text", "Hello", "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const std::vector<std::string> at = {"--at", "0,0,0.9", "-o", path("out.stl")};
+  for (const auto& where : {at, std::vector<std::string>{"-o", path("out.stl")}}) {
+    const Outcome shadow = engrave(where);
+    EXPECT_EQ(shadow.status, 4) << shadow.out;
+    EXPECT_NE(shadow.err.find("in a .3mf file"), std::string::npos) << shadow.err;
+    EXPECT_EQ(shadow.err.find("code"), std::string::npos) << shadow.err;
+  }
+  const Outcome open = engrave({"--mark", "auto", "-o", path("out.3mf"), "--report", path("out.json")});
+  EXPECT_EQ(open.status, 0) << open.err;
+  EXPECT_NE(open.out.find("made as paint: as a shadow, it could not be carved"), std::string::npos) << open.out;
+  EXPECT_EQ(nlohmann::json::parse(contentOf(path("out.json")))["mark"], "paint");
+  EXPECT_EQ(engrave({"--mark", "paint", "--at", "0,0,0.9", "-o", path("out.3mf")}).status, 0);
+}
+
 TEST_F(EngraveCommandTest, AnInlayIsWrittenReportedAndVerified) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 5));
   const Outcome engraved =

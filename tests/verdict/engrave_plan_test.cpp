@@ -256,6 +256,24 @@ TEST_F(OpenMarkTest, GoesOnWhereNoShadowCanBeCarved) {
   expectMark(Mark::Inlay);
 }
 
+TEST_F(OpenMarkTest, PaintsATextWhereWallsTakeNoLetters) {
+  request_.code.content = Content::Text;
+  begin();
+  plan_->notCarved(noSolution("text-too-deep"));
+  expectCarving(Mark::Inlay);
+  plan_->notCarved(noSolution("text-too-deep"));
+  expectCarving(Mark::Paint);
+  plan_->carved(verdictOf(true, false), {}, symbolMm_);
+  expectMark(Mark::Paint);
+}
+
+TEST_F(OpenMarkTest, KeepsATextThatPrintsWellAsAShadow) {
+  request_.code.content = Content::Text;
+  begin();
+  plan_->carved(verdictOf(true, false), {}, symbolMm_);
+  expectMark(Mark::Shadow);
+}
+
 TEST_F(OpenMarkTest, DeliversNothingIfNoMarkCanBeCarved) {
   begin();
   plan_->notCarved(noSolution());

@@ -46,7 +46,7 @@ export function attemptWords(work, asked, reason) {
  * @param {boolean} [forPrint]  the change was made for the print
  */
 export function engravedWords(work, asked, forPrint = false) {
-  if (work.values.content === 'text') return text('page.engravedTextLarger');
   const change = changeOf(work, asked);
+  if (work.values.content === 'text' && change !== 'mark') return text('page.engravedTextLarger');
   return text(forPrint && change === 'preset' ? 'page.engravedForPrint' : kWords[change][1]);
 }

@@ -193,6 +193,19 @@ test('A code that cannot be carved as requested is carved as the plan says', asy
   assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
 });
 
+test('A text that cannot be carved as a shadow is made in a second colour', async () => {
+  setValues({ content: 'text', mark: 'auto' });
+  const { engrave } = client.answers;
+  client.answers.engrave = async (/** @type {any} */ { plan }) => {
+    if (!plan.next) throw noRoom();
+    return engrave();
+  };
+  steps = [carve('mark', 'paint'), deliver(1)];
+  await carving.engrave();
+  assert.equal(values().mark, 'paint');
+  assert.match(messages.said.at(-1) ?? '', /^Made in a second colour/);
+});
+
 test('If nothing that the plan tries can be carved, the first reason is shown', async () => {
   setValues({ size: 'free' });
   client.answers.engrave = async () => {

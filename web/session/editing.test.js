@@ -100,7 +100,7 @@ test('Each letter changes the work; a pause applies the text', async () => {
 test('A change that helps at the place is made', async () => {
   let said = 0;
   messages.say = () => void (said += 1);
-  remedy({ setting: 'mark', value: 'paint' }, 'Paint the code instead');
+  remedy({ setting: 'mark', value: 'paint' }, 'Paint it instead');
   await settled();
   assert.equal(store.work.values.mark, 'paint');
   assert.equal(said, 1);
