@@ -18,6 +18,7 @@ Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const Engrav
                       const BestSpotOptions& options) {
   const auto symbol = requestedSymbol(request.code);
   QRELIEF_TRY(symbol);
+  QRELIEF_TRY(checkEngraving(*model, request, *symbol));
   SpotSearchRequest search = spotSearchFor(request, *symbol);
   search.count = kSpots;
   search.scaleToMm = options.scaleToMm;

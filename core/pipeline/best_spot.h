@@ -18,7 +18,7 @@ struct BestSpotOptions {
 /// Finds the best spot for the code of a request: for its size if that is fixed, otherwise for the largest code. Runs a
 /// SpotSearchJob to its end. Needs the model's GL context, if it has one.
 /// @param request  its centre is ignored
-/// @returns the errors of requestedSymbol() and SpotSearchJob
+/// @returns the errors of requestedSymbol(), checkEngraving() and SpotSearchJob
 Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request,
                       const BestSpotOptions& options = {});
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/engravable_model.h"
 
+#include <algorithm>
+
 #include "depth/one_light_search.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/label_pockets.h"
@@ -43,9 +45,15 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
   QRELIEF_TRY(checkSettings(request));
   QRELIEF_TRY(model.prepared.engravable());
-  QRELIEF_TRY(layOutLabel(request.code.lettering(), symbol.size));
+  const auto layout = layOutLabel(request.code.lettering(), symbol.size);
+  QRELIEF_TRY(layout);
+  const PlacementRequest& place = request.placement;
   const SizeBound room{symbol.size, roomFactor(symbol.size, searchedPlacement(request, symbol.size))};
-  return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
+  QRELIEF_TRY(checkSizeBound(model.prepared, room, place.eyeDistanceMm));
+  if (!request.code.isText()) return {};
+  const double askedMm = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+  const double mostMm = squareBoundMm(model.box, place.eyeDistanceMm) / room.outer;
+  return checkTextSize(*layout, symbol.size, std::min(askedMm, mostMm));
 }
 
 std::shared_ptr<const EngravableModel> EngravableModel::create(PreparedModel prepared,

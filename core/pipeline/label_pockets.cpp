@@ -32,12 +32,22 @@ double leastThicknessMm(const Mesh& mesh, const ProjectionFrame& frame, const st
 
 }  // namespace
 
+Status checkTextSize(const LabelLayout& layout, int modules, double sizeMm) {
+  const double strokeMm = layout.thinnestStrokeModules * sizeMm / modules;
+  if (strokeMm >= kMinStrokeMm) return {};
+  return fail(ErrorKind::NoSolution,
+              message<"text-strokes-too-thin">(with::lengthMm<"size">(sizeMm), with::lengthMm<"stroke">(strokeMm),
+                                               with::lengthMm<"least">(kMinStrokeMm),
+                                               with::lengthMm<"needed">(std::ceil(sizeMm * kMinStrokeMm / strokeMm))));
+}
+
 Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
                                      int modules, double inlayMm) {
   const LabelOptions label = request.code.lettering();
   if (label.empty()) return OutlinedPockets{};
   auto layout = layOutLabel(label, modules);
   QRELIEF_TRY(layout);
+  if (label.isAlone) QRELIEF_TRY(checkTextSize(*layout, modules, placement.symbolMm));
   OutlinedPockets pockets{std::move(layout->rings), std::move(layout->covered), 0};
   for (Ring& ring : pockets.rings)
     for (Vec2& corner : ring) corner *= placement.moduleMm;

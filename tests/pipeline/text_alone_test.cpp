@@ -197,5 +197,20 @@ TEST_F(TextAlone, TheReportClaimsNothingDecodedAndCannotBeVerified) {
   EXPECT_EQ(refused.error().message.code, "verify-text-alone");
 }
 
+TEST_F(TextAlone, TooManyLettersAreRefusedBeforeTheSearch) {
+  EngraveRequest request = requestFor(std::string(2000, 'x'));
+  const auto codeOf = [](const auto& outcome) { return outcome ? std::string() : outcome.error().message.code; };
+  const auto model = plate();
+  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "text-strokes-too-thin");
+  EXPECT_EQ(codeOf(bestSpot(model, request)), "text-strokes-too-thin");
+  request.placement.maxSizeMm = 1000;
+  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "text-strokes-too-thin") << "the plate is no larger than 60 mm";
+
+  request.code.text = std::string(500, 'x');  // may be made at 500 mm, but not on this plate
+  request.placement.eyeDistanceMm = 60;       // so near, no bound of the size is known
+  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "");
+  EXPECT_EQ(codeOf(engrave(model, request)), "text-strokes-too-thin");
+}
+
 }  // namespace
 }  // namespace qrelief
