@@ -52,7 +52,8 @@ Json describeAspect(const Aspect& aspect, const Wording& wording) {
   Json remedies = Json::array();
   for (const Remedy& remedy : aspect.remedies) {
     Json one = describeMessage(remedy.message, wording);
-    if (!remedy.setting.empty()) one["change"] = {{"setting", remedy.setting}, {"value", remedy.value}};
+    for (const SettingChange& change : remedy.changes)
+      one["changes"].push_back({{"setting", change.setting}, {"value", change.value}});
     remedies.push_back(std::move(one));
   }
   return {{"level", levelName(aspect.level)},

@@ -39,8 +39,8 @@ nlohmann::ordered_json describeMessage(const Message& message, const Wording& wo
 nlohmann::ordered_json describeMessages(const std::vector<Message>& messages, const Wording& wording);
 
 /// Describe a verdict as {"passed", "reads": {"level", "passed", "summary", "warnings", "reasons", "remedies"},
-/// "prints", "solid"}. A remedy is a message with {"change": {"setting", "value"}}; "change" is absent if the remedy is
-/// another spot.
+/// "prints", "solid"}. A remedy is a message with {"changes": [{"setting", "value"}]}; "changes" is absent if the
+/// remedy is another spot.
 nlohmann::ordered_json describeAspect(const Aspect& aspect, const Wording& wording);
 nlohmann::ordered_json describeVerdict(const Verdict& verdict, const Wording& wording);
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
+#include <optional>
 
 #include "message_codes/verdict.h"
 #include "pipeline/engrave.h"
@@ -16,13 +18,22 @@ namespace {
 
 constexpr std::array kNozzlesMm = {0.8, 0.6, 0.4, 0.3, 0.25, 0.2, 0.15};          // nozzles on the market
 constexpr std::array kLayersMm = {0.2, 0.16, 0.12, 0.1, 0.08, 0.06, 0.05, 0.04};  // layers that printers offer
+constexpr double kThickestLayer = 0.75;                                           // of the nozzle's width
 constexpr double kMaxSizeMm = 1000;
 constexpr double kLarger = 1.25;
 constexpr double kRoundingMm = 1e-9;
 
 std::string plain(double value) { return fmt::format("{:g}", value); }
 
-/// Adds a larger code, if the settings keep it small.
+/// Returns true if the model may have room for a code of this size: two opposite corners of the square that it needs
+/// lie on the model, so they are at most its diagonal apart. That ignores perspective, which can help little.
+bool mayHaveRoom(double symbolMm, const EngraveRequest& request, const EngraveResult& result) {
+  const int modules = result.symbol.size;
+  const double edgeMm = symbolMm * roomFactor(modules, searchedPlacement(request, modules));
+  return std::numbers::sqrt2 * edgeMm <= boundingBox(result.mesh).diagonal();
+}
+
+/// Adds a larger code, if the settings keep it small and the model may have room for it.
 /// @param leastModuleMm  width of a module that would suffice; 0 if it is not known
 void addLargerCode(const EngraveRequest& request, const EngraveResult& result, double leastModuleMm,
                    std::vector<Remedy>& remedies) {
@@ -30,25 +41,28 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
   const Placement& placement = result.placement;
   if (place.sizeMode == SizeMode::Fixed) {
     if (placement.largestMm > placement.symbolMm + 0.1)
-      remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "best"});
+      remedies.push_back({message<"remedy-as-large-as-fits">(), {{"size", "best"}}});
     return;
   }
   const double neededMm = std::ceil(std::max(kLarger * placement.symbolMm, leastModuleMm * result.symbol.size));
-  if (placement.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
-    remedies.push_back({message<"remedy-allow-size">(with::lengthMm<"size">(neededMm)), "maxSizeMm", plain(neededMm)});
-  else if (place.sizeMode != SizeMode::Best)
-    remedies.push_back({message<"remedy-as-large-as-fits">(), "size", "best"});
-  else if (!place.mayTurn())
-    remedies.push_back({message<"remedy-turn">(), "rotateDeg", "0"});
+  if (placement.symbolMm > place.maxSizeMm - 0.1) {
+    if (neededMm <= kMaxSizeMm && mayHaveRoom(neededMm, request, result))
+      remedies.push_back(
+          {message<"remedy-allow-size">(with::lengthMm<"size">(neededMm)), {{"maxSizeMm", plain(neededMm)}}});
+  } else if (place.sizeMode != SizeMode::Best) {
+    remedies.push_back({message<"remedy-as-large-as-fits">(), {{"size", "best"}}});
+  } else if (!place.mayTurn()) {
+    remedies.push_back({message<"remedy-turn">(), {{"rotateDeg", "0"}}});
+  }
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
   if (request.marking.isInColour()) return;
   if (request.depth.contrast) {
-    remedies.push_back({message<"remedy-preset-contrast">(), "contrast", ""});
+    remedies.push_back({message<"remedy-preset-contrast">(), {{"contrast", ""}}});
   } else if (const std::optional<Preset> deeper = deeperPreset(request.depth.preset)) {
     const char* name = presetName(*deeper);
-    remedies.push_back({message<"remedy-deeper">(with::choice<"preset">("preset", name)), "preset", name});
+    remedies.push_back({message<"remedy-deeper">(with::choice<"preset">("preset", name)), {{"preset", name}}});
   }
 }
 
@@ -56,27 +70,43 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
 /// there.
 void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
   if (request.isForOneLight())
-    remedies.push_back({message<"remedy-any-light">(), "objective", depthObjectiveName(DepthObjective::Contrast)});
+    remedies.push_back({message<"remedy-any-light">(), {{"objective", depthObjectiveName(DepthObjective::Contrast)}}});
 }
 
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
   request.depth.carveFor = CarveFor::Print;
-  if (request.isForPrint()) remedies.push_back({message<"remedy-carve-for-print">(), "carveFor", "print"});
+  if (request.isForPrint()) remedies.push_back({message<"remedy-carve-for-print">(), {{"carveFor", "print"}}});
 }
 
 /// Adds paint, which needs no wall.
 void addPaint(const EngraveRequest& request, const EngraveResult& result, std::vector<Remedy>& remedies) {
   if (request.marking.mark == Mark::Inlay && (result.modulesLeftOut > 0 || result.markDepthMm < result.opaqueDepthMm))
-    remedies.push_back({message<"remedy-paint">(), "mark", std::string(markName(Mark::Paint))});
+    remedies.push_back({message<"remedy-paint">(), {{"mark", std::string(markName(Mark::Paint))}}});
 }
 
+/// Returns the thickest of the layers that printers offer up to a bound; none: all are thicker.
+std::optional<double> thickestLayerMm(double mostMm) {
+  const auto thickest =
+      std::find_if(kLayersMm.begin(), kLayersMm.end(), [&](double mm) { return mm <= mostMm + kRoundingMm; });
+  return thickest == kLayersMm.end() ? std::nullopt : std::optional(*thickest);
+}
+
+/// Adds the widest nozzle up to a bound, with thinner layers if it cannot lay the present ones.
 void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
-    return mm <= mostMm + kRoundingMm && mm < request.print.printer.nozzleMm;
-  });
-  if (finer != kNozzlesMm.end())
-    remedies.push_back({message<"remedy-nozzle">(with::lengthMm<"nozzle">(*finer)), "nozzleMm", plain(*finer)});
+  const Printer& printer = request.print.printer;
+  const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(),
+                                  [&](double mm) { return mm <= mostMm + kRoundingMm && mm < printer.nozzleMm; });
+  if (finer == kNozzlesMm.end()) return;
+  const SettingChange nozzle{"nozzleMm", plain(*finer)};
+  const double thickestMm = kThickestLayer * *finer;
+  const auto layer = printer.layerMm > thickestMm + kRoundingMm ? thickestLayerMm(thickestMm) : std::nullopt;
+  if (layer)
+    remedies.push_back(
+        {message<"remedy-nozzle-and-layer">(with::lengthMm<"nozzle">(*finer), with::lengthMm<"layer">(*layer)),
+         {nozzle, {"layerMm", plain(*layer)}}});
+  else
+    remedies.push_back({message<"remedy-nozzle">(with::lengthMm<"nozzle">(*finer)), {nozzle}});
 }
 
 std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result) {
@@ -91,7 +121,7 @@ std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const Eng
 
 }  // namespace
 
-Remedy anotherSpot() { return {message<"remedy-another-spot">(), "", ""}; }
+Remedy anotherSpot() { return {message<"remedy-another-spot">(), {}}; }
 
 std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result) {
   std::vector<Remedy> remedies;
@@ -100,7 +130,7 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   addPaint(request, result, remedies);
   addLargerCode(request, result, 0, remedies);
   if (request.code.symbol.errorCorrection == ErrorCorrection::L && !request.code.symbol.raiseErrorCorrection)
-    remedies.push_back({message<"remedy-more-correction">(), "ecc", ""});
+    remedies.push_back({message<"remedy-more-correction">(), {{"ecc", ""}}});
   remedies.push_back(anotherSpot());
   return remedies;
 }
@@ -131,17 +161,16 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   if (isTooFine) {
     if (request.code.modulePattern && request.code.modulePattern != ModulePattern::ThickPlus) {
       const char* pattern = request.code.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
-      remedies.push_back({message<"remedy-pattern">(with::choice<"pattern">("pattern", pattern)), "pattern", pattern});
+      remedies.push_back(
+          {message<"remedy-pattern">(with::choice<"pattern">("pattern", pattern)), {{"pattern", pattern}}});
     }
     addFinerNozzle(printableNozzleMm(features), request, remedies);
   }
-  const double thickestLayerMm = printableLayerMm(features);
-  if (thickestLayerMm < request.print.printer.layerMm - kRoundingMm) {
+  const double printableMm = printableLayerMm(features);
+  if (printableMm < request.print.printer.layerMm - kRoundingMm) {
     if (!wasPrinted) addDarkerModules(request, remedies);
-    const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
-                                      [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });
-    if (thinner != kLayersMm.end())
-      remedies.push_back({message<"remedy-layer">(with::lengthMm<"layer">(*thinner)), "layerMm", plain(*thinner)});
+    if (const auto thinner = thickestLayerMm(printableMm))
+      remedies.push_back({message<"remedy-layer">(with::lengthMm<"layer">(*thinner)), {{"layerMm", plain(*thinner)}}});
   }
   remedies.push_back(anotherSpot());
   return remedies;

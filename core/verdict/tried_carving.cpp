@@ -28,9 +28,11 @@ const TriedCarving* passedOffer(const std::vector<TriedCarving>& tried) {
 
 Verdict withRemediesLeft(Verdict verdict, const std::vector<TriedCarving>& tried) {
   const auto isInVain = [&](const Remedy& remedy) {
-    return std::any_of(tried.begin(), tried.end(), [&](const TriedCarving& one) {
-      const SettingChange change{remedy.setting, remedy.value};
-      return !one.passed && std::find(one.changes.begin(), one.changes.end(), change) != one.changes.end();
+    const auto isAmong = [](const std::vector<SettingChange>& made) {
+      return [&made](const SettingChange& change) { return std::find(made.begin(), made.end(), change) != made.end(); };
+    };
+    return !remedy.changes.empty() && std::any_of(tried.begin(), tried.end(), [&](const TriedCarving& one) {
+      return !one.passed && std::all_of(remedy.changes.begin(), remedy.changes.end(), isAmong(one.changes));
     });
   };
   for (Aspect* aspect : {&verdict.reads, &verdict.prints, &verdict.solid}) std::erase_if(aspect->remedies, isInVain);
@@ -39,7 +41,7 @@ Verdict withRemediesLeft(Verdict verdict, const std::vector<TriedCarving>& tried
   Aspect& failing = verdict.reads.passed() ? verdict.prints : verdict.reads;
   const std::string& mark = markOf(*offer);
   failing.remedies.insert(failing.remedies.begin(),
-                          {message<"remedy-mark">(with::choice<"mark">("mark", mark)), "mark", mark});
+                          {message<"remedy-mark">(with::choice<"mark">("mark", mark)), {{"mark", mark}}});
   return verdict;
 }
 

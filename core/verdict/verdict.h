@@ -25,9 +25,8 @@ const char* levelName(Level level);
 
 /// A suggestion that the user can apply with one press.
 struct Remedy {
-  Message message;      ///< "Allow 45 mm"
-  std::string setting;  ///< key of the setting to change; empty: the user chooses another spot
-  std::string value;    ///< the setting's new value, as in settings files; empty: its default
+  Message message;                     ///< "Allow 45 mm"
+  std::vector<SettingChange> changes;  ///< with an empty value for the default; empty: the user chooses another spot
 };
 
 /// One of the three questions about a carved code.

@@ -57,11 +57,14 @@ Wording commandWording() {
 
 namespace {
 
-/// Returns a remedy's change as a flag, in brackets; empty if it changes no setting.
-std::string changeInFlags(const Remedy& remedy) {
-  if (remedy.setting.empty()) return {};
-  if (remedy.value.empty()) return fmt::format(" (without {})", flagOf(remedy.setting));
-  return fmt::format(" ({} {})", flagOf(remedy.setting), remedy.value);
+/// Returns a remedy's changes as flags, in brackets; empty if it changes no setting.
+std::string changesInFlags(const Remedy& remedy) {
+  std::string flags;
+  for (const auto& [setting, value] : remedy.changes) {
+    if (!flags.empty()) flags += ' ';
+    flags += value.empty() ? "without " + flagOf(setting) : fmt::format("{} {}", flagOf(setting), value);
+  }
+  return flags.empty() ? flags : fmt::format(" ({})", flags);
 }
 
 }  // namespace
@@ -73,7 +76,7 @@ int printFailed(const Verdict& verdict) {
   }
   for (const Aspect* aspect : {&verdict.solid, &verdict.reads, &verdict.prints})
     for (const Remedy& remedy : aspect->passed() ? std::vector<Remedy>() : aspect->remedies)
-      fmt::print(stderr, "  may help: {}{}\n", sentence(remedy.message), changeInFlags(remedy));
+      fmt::print(stderr, "  may help: {}{}\n", sentence(remedy.message), changesInFlags(remedy));
   return verdict.passed() ? kEngraved : kCheckFailed;
 }
 

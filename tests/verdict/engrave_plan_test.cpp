@@ -471,11 +471,11 @@ TEST_F(OpenSettingsTest, OtherMarksAreOfferedButNotDelivered) {
 }
 
 TEST_F(OpenSettingsTest, RemediesThatWereTriedInVainAreNotOffered) {
-  const auto remedy = [](const char* setting, const char* value) {
-    return Remedy{Message("remedy-turn", {}), setting, value};
+  const auto remedy = [](std::vector<SettingChange> changes) {
+    return Remedy{Message("remedy-turn", {}), std::move(changes)};
   };
   Verdict verdict = verdictOfPrint(0);
-  verdict.prints.remedies = {remedy("maxSizeMm", "80"), remedy("nozzleMm", "0.25"), remedy("", "")};
+  verdict.prints.remedies = {remedy({kLarger}), remedy({kLarger, {"nozzleMm", "0.25"}}), remedy({})};
   std::vector<TriedCarving> tried(3);
   tried[1].changes = {kLarger};
   tried[2].changes = {{"mark", "inlay"}, kLarger};
@@ -483,9 +483,9 @@ TEST_F(OpenSettingsTest, RemediesThatWereTriedInVainAreNotOffered) {
   tried[2].printed = {72, 70};
   const std::vector<Remedy> left = withRemediesLeft(verdict, tried).prints.remedies;
   ASSERT_EQ(left.size(), 3u);
-  EXPECT_EQ(left[0].setting, "mark");
-  EXPECT_EQ(left[0].value, "inlay");
-  EXPECT_EQ(left[1].setting, "nozzleMm");
+  EXPECT_THAT(left[0].changes, ElementsAre(SettingChange{"mark", "inlay"}));
+  EXPECT_EQ(left[1].changes.size(), 2u) << "only one of both was tried";
+  EXPECT_TRUE(left[2].changes.empty());
   const Error error = withOffer(noSolution(), tried);
   EXPECT_EQ(error.message.code, "mark-instead");
   EXPECT_EQ(withOffer(noSolution(), {}).message.code, "no-spot");

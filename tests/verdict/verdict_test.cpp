@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict/verdict.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/engrave.h"
 #include "qr/symbol.h"
+#include "support/shapes.h"
 #include "verdict/remedies.h"
 
 namespace qrelief {
@@ -16,7 +18,12 @@ using testing::IsEmpty;
 
 std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
   std::vector<std::string> settings;
-  for (const Remedy& remedy : remedies) settings.push_back(remedy.setting + "=" + remedy.value);
+  for (const Remedy& remedy : remedies) {
+    std::string changes;
+    for (const SettingChange& change : remedy.changes)
+      changes += (changes.empty() ? "" : " ") + change.setting + "=" + change.value;
+    settings.push_back(changes);
+  }
   return settings;
 }
 
@@ -26,9 +33,10 @@ std::vector<std::string> codesOf(const std::vector<Message>& messages) {
   return codes;
 }
 
-/// Returns a carving of every dark submodule to `depthMm`.
+/// Returns a carving of every dark submodule to `depthMm`, in a model that has room for larger ones.
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
+  result.mesh = shapes::box({60, 60, 20});
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
   const SubmoduleMask mask =
       submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
@@ -142,14 +150,14 @@ TEST_F(VerdictTest, TriesCarvingForTheDesignBeforeADeeperPreset) {
 }
 
 TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
-  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("preset=robust", "size=best", "="));
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("preset=robust", "size=best", ""));
   request_.depth.contrast = 0.2;
   request_.placement.sizeMode = SizeMode::Best;
-  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", ""));
   request_.placement.rotateDeg = 20;
-  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "rotateDeg=0", "="));
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "rotateDeg=0", ""));
   request_.placement.maxSizeMm = 30;  // the bound limits the size
-  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", ""));
   request_.depth.objective = DepthObjective::OneLight;
   EXPECT_EQ(settingsOf(judged(0).reads.remedies).front(), "objective=contrast");
 }
@@ -160,9 +168,30 @@ TEST_F(VerdictTest, PrintingRemediesAreTheFirstCommonOnesThatWouldDo) {
   const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 mm with a nozzle of 0.4 mm
   EXPECT_EQ(verdict.prints.level, Level::Barely);
   EXPECT_TRUE(verdict.prints.passed());
-  EXPECT_THAT(settingsOf(verdict.prints.remedies), ElementsAre("size=best", "pattern=thick-plus", "nozzleMm=0.3", "="));
+  EXPECT_THAT(settingsOf(verdict.prints.remedies), ElementsAre("size=best", "pattern=thick-plus", "nozzleMm=0.3", ""));
   const Verdict shallow = judged(72, 40, 0.15);  // one and a half layers of 0.1 mm
-  EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", "="));
+  EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", ""));
+}
+
+TEST_F(VerdictTest, ALargerLimitIsOfferedOnlyIfTheModelHasRoom) {
+  request_.placement.maxSizeMm = 30;
+  EngraveResult result = carved(request_, 30, 0.5);
+  EXPECT_THAT(settingsOf(readingRemedies(request_, result)), testing::Contains("maxSizeMm=38"));
+  const double diagonalMm = std::sqrt(2) * 38 * 29 / 21;  // of the square with its quiet zone
+  result.mesh = shapes::box({diagonalMm + 0.1, 0.1, 0.1});
+  EXPECT_THAT(settingsOf(readingRemedies(request_, result)), testing::Contains("maxSizeMm=38"));
+  result.mesh = shapes::box({diagonalMm - 0.1, 0.1, 0.1});
+  EXPECT_THAT(settingsOf(readingRemedies(request_, result)), ElementsAre("preset=robust", ""));
+}
+
+TEST_F(VerdictTest, AFinerNozzleComesWithLayersThatItCanLay) {
+  request_.code.modulePattern = ModulePattern::Square;
+  request_.code.finderPattern = FinderPattern::AsModules;
+  const auto ofModules = [&](double moduleMm) { return settingsOf(judged(72, 21 * moduleMm).prints.remedies); };
+  EXPECT_THAT(ofModules(0.7), testing::Contains("nozzleMm=0.3")) << "layers of 0.2 mm are two thirds of it";
+  EXPECT_THAT(ofModules(0.46), testing::Contains("nozzleMm=0.2 layerMm=0.12"));
+  request_.print.printer.layerMm = 0.1;
+  EXPECT_THAT(ofModules(0.46), testing::Contains("nozzleMm=0.2"));
 }
 
 TEST_F(VerdictTest, APrintThatDoesNotReadFails) {

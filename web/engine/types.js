@@ -152,8 +152,8 @@
  * A change of a setting. @typedef {{ setting: string, value: string }} SettingChange
  */
 /**
- * A remedy: a change of a setting, or, without `change`, moving the code.
- * @typedef {Message & { change?: { setting: string, value: string } }} Remedy
+ * A remedy: changes of settings, or, without `changes`, moving the code.
+ * @typedef {Message & { changes?: SettingChange[] }} Remedy
  *   `value`: as in settings files; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict

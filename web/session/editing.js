@@ -48,7 +48,7 @@ export class Editing {
       onFile: (file) => guard(() => batching.openList(file)),
     });
     placing.placed.on((placement) => code.showPlaced(placement));
-    placePanel.listenToRemedies((change, label) => void guard(() => this.remedy({ change }, label)));
+    placePanel.listenToRemedies((change, label) => void guard(() => this.remedy({ changes: [change] }, label)));
     batching.changed.on((planned) =>
       code.showParts(
         planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first },
@@ -99,13 +99,15 @@ export class Editing {
     await this.apply();
   }
 
-  /** Applies a remedy. @param {Pick<import('../engine/types.js').Remedy, 'change'>} remedy @param {string} label */
-  async remedy({ change }, label) {
-    if (!change) return this.spots_.suggest();
-    const { id, value } = this.fields_.controlFor(change);
-    this.store_.update(({ values }) => ({ values: this.fields_.after(values, change) }));
+  /** Applies a remedy. @param {Pick<import('../engine/types.js').Remedy, 'changes'>} remedy @param {string} label */
+  async remedy({ changes }, label) {
+    if (!changes) return this.spots_.suggest();
+    this.store_.update(({ values }) => ({
+      values: changes.reduce((before, change) => this.fields_.after(before, change), values),
+    }));
     await this.apply();
     if (!this.placing_.placement) return undefined; // the page shows why
+    const [{ id, value }] = changes.map((change) => this.fields_.controlFor(change));
     return this.messages_.say(() =>
       text('check.done', { label, control: controlName(id), value: shownValue(id, value) }),
     );

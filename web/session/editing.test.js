@@ -141,18 +141,25 @@ test('A list changes the work before it is planned', async () => {
   assert.deepEqual(applied, ['parts']);
 });
 
-test('A remedy changes its setting and reports it; a remedy without a setting suggests spots', async () => {
-  const deeper = /** @type {any} */ ({ change: { setting: 'preset', value: 'robust' } });
+test('A remedy changes its settings and reports it; a remedy without a setting suggests spots', async () => {
+  const deeper = /** @type {any} */ ({ changes: [{ setting: 'preset', value: 'robust' }] });
   let said = 0;
   messages.say = () => void (said += 1);
   await editing.remedy(deeper, 'Carve deeper');
   assert.deepEqual([store.work.values.preset, said], ['robust', 1]);
+  const both = [
+    { setting: 'nozzleMm', value: '0.15' },
+    { setting: 'layerMm', value: '0.1' },
+  ];
+  await editing.remedy({ changes: both }, 'Print finer');
+  const { nozzle, layer } = store.work.values;
+  assert.deepEqual([nozzle, layer, said, applied.length], ['0.15', '0.1', 2, 2], 'both in one step');
   placing.placement = undefined;
-  await editing.remedy({ ...deeper, change: { setting: 'preset', value: 'shallow' } }, 'Carve shallower');
-  assert.deepEqual([store.work.values.preset, said], ['shallow', 1]);
-  await editing.remedy({ ...deeper, change: undefined }, 'Find a spot');
+  await editing.remedy({ ...deeper, changes: [{ setting: 'preset', value: 'shallow' }] }, 'Carve shallower');
+  assert.deepEqual([store.work.values.preset, said], ['shallow', 2]);
+  await editing.remedy({ ...deeper, changes: undefined }, 'Find a spot');
   assert.equal(spots.calls.at(-1), 'suggest');
-  assert.deepEqual([applied.length, said], [2, 1]);
+  assert.deepEqual([applied.length, said], [3, 2]);
 });
 
 test('Restoring a work does not apply it, and keeps a list whose parts are carved', () => {

@@ -183,7 +183,7 @@ function remedyOf(change, onRemedy) {
   const label = text('check.takePrint', {
     choice: choiceLabel(/** @type {import('../generated/settings.js').SettingKey} */ (setting), value),
   });
-  return { label, run: () => onRemedy({ code: '', values: {}, change: { setting, value } }, label) };
+  return { label, run: () => onRemedy({ code: '', values: {}, changes: [{ setting, value }] }, label) };
 }
 
 /** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */
