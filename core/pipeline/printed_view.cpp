@@ -32,7 +32,7 @@ constexpr double kEveryPatch = 20;  // up to this distance a horizon checks ever
 }  // namespace
 
 Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& request) {
-  if (!request.process || request.label.isAlone) return std::nullopt;  // a text alone has nothing to decode
+  if (!request.process || request.isText()) return std::nullopt;  // a text alone has nothing to decode
   const auto process = processOf(request.printer);
   QRELIEF_TRY(process);
   return PrintedViewRequest{.process = *process,

@@ -209,10 +209,11 @@ struct VerifyJob::State {
 
 /// Weights are times in ms of the page's samples.
 JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& request) {
+  const bool isCode = !request.isText();
   return {{message<"checking-solid">(), 110, &State::checkSolid},
-          {message<"measuring-carving">(), 35, &State::measureShape},
-          {message<"tracing-light">(), request.isTraced ? 2700.0 : 220.0, &State::bake},
-          {message<"reading-pictures">(), request.ranges ? 10000.0 : 110.0, &State::read}};
+          {message<"measuring-carving">(), 35, &State::measureShape, isCode},
+          {message<"tracing-light">(), request.isTraced ? 2700.0 : 220.0, &State::bake, isCode},
+          {message<"reading-pictures">(), request.ranges ? 10000.0 : 110.0, &State::read, isCode}};
 }
 
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.

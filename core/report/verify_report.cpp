@@ -67,30 +67,33 @@ LabelOptions labelFrom(const Json& report) {
   return read;
 }
 
+/// Reads the symbol. Throws the exceptions of nlohmann's accessors.
+Result<Symbol> symbolFrom(const Json& symbol, const std::string& text) {
+  const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
+  if (!level) return badInput(message<"report-ecc">());
+  auto encoded = encodeSymbol(text, {.errorCorrection = *level,
+                                     .version = symbol.at("version").get<int>(),
+                                     .maskRule = MaskRule::Fixed,
+                                     .mask = symbol.at("mask").get<int>(),
+                                     .eci = symbol.contains("eci") ? EciUse::Auto : EciUse::Never});
+  QRELIEF_TRY(encoded);
+  return withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
+}
+
 /// Reads the request. Throws the exceptions of nlohmann's accessors.
 Result<VerifyRequest> readRequest(const Json& report) {
   VerifyRequest request;
   request.text = report.at("text").get<std::string>();
-  if (report.value("content", std::string()) == contentName(Content::Text))
-    return badInput(message<"verify-text-alone">());
   const Json& projection = report.at("projection");
   request.frame = makeFrame(vectorFrom(projection.at("centre")), vectorFrom(projection.at("normal")),
                             vectorFrom(projection.at("up")), projection.at("eyeDistanceMm").get<double>());
   request.symbolMm = report.at("size").at("symbolMm").get<double>();
-  const Json& symbol = report.at("symbol");
-  const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
-  if (!level) return badInput(message<"report-ecc">());
-  auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
-                                             .version = symbol.at("version").get<int>(),
-                                             .maskRule = MaskRule::Fixed,
-                                             .mask = symbol.at("mask").get<int>(),
-                                             .eci = symbol.contains("eci") ? EciUse::Auto : EciUse::Never});
-  QRELIEF_TRY(encoded);
-  auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
-  QRELIEF_TRY(listed);
-  request.symbol = std::move(*listed);
   QRELIEF_TRY(readMark(report, request));
   request.label = labelFrom(report);
+  request.label.isAlone = report.value("content", std::string()) == contentName(Content::Text);
+  auto symbol = request.isText() ? Result<Symbol>(blankSymbol()) : symbolFrom(report.at("symbol"), request.text);
+  QRELIEF_TRY(symbol);
+  request.symbol = std::move(*symbol);
   if (const auto depth = report.find("depth"); depth != report.end())
     if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
       request.oneLight = lampFrom(depth->at("lights").at(0));
@@ -121,18 +124,24 @@ Json describeViews(const std::vector<ReadingView>& views) {
 
 Json numberOrNull(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
-Json describeReading(const VerifyRequest& request, const VerifyResult& result, const VerifyReportContext& context) {
+/// Describes the pictures that were decoded, and the ranges found by them. Of a text alone nothing is decoded.
+Json describePictures(const VerifyRequest& request, const VerifyResult& result, const VerifyReportContext& context) {
+  if (request.isText()) return {{"decoded", nullptr}};
   const ReadingSummary& reading = result.reading;
-  Json json = {{"decoded", reading.frontal.enough()},
-               {"text", reading.frontal.reads > 0 ? request.text : reading.otherText},
-               {"reader", context.reader},
-               {"tries", reading.frontal.tries},
-               {"reads", reading.frontal.reads},
-               {"readsNeeded", reading.frontal.needed()},
-               {"tiltDeg", {{"sky", numberOrNull(reading.tiltDeg)}, {"sky+lamp", numberOrNull(reading.tiltDegLamp)}}},
-               {"pixelsPerModule", numberOrNull(reading.pixelsPerModule)},
-               {"blurModules", numberOrNull(reading.blurModules)},
-               {"cornerErrorModules", numberOrNull(reading.cornerErrorModules)}};
+  return {{"decoded", reading.frontal.enough()},
+          {"text", reading.frontal.reads > 0 ? request.text : reading.otherText},
+          {"reader", context.reader},
+          {"tries", reading.frontal.tries},
+          {"reads", reading.frontal.reads},
+          {"readsNeeded", reading.frontal.needed()},
+          {"tiltDeg", {{"sky", numberOrNull(reading.tiltDeg)}, {"sky+lamp", numberOrNull(reading.tiltDegLamp)}}},
+          {"pixelsPerModule", numberOrNull(reading.pixelsPerModule)},
+          {"blurModules", numberOrNull(reading.blurModules)},
+          {"cornerErrorModules", numberOrNull(reading.cornerErrorModules)}};
+}
+
+Json describeReading(const VerifyRequest& request, const VerifyResult& result, const VerifyReportContext& context) {
+  Json json = describePictures(request, result, context);
   json["printed"] = describePrinted(context.printed);
   if (result.grades) {
     GradeReports grades = describeGrades(*result.grades);
@@ -190,7 +199,8 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
                           {"normal", triple(request.frame.normal)},
                           {"up", triple(request.frame.up)},
                           {"eyeDistanceMm", request.frame.eyeDistance}};
-  report["size"] = {{"symbolMm", request.symbolMm}, {"moduleMm", request.symbolMm / request.symbol.size}};
+  report["size"] = {{"symbolMm", request.symbolMm},
+                    {"moduleMm", request.isText() ? Json() : Json(request.symbolMm / request.symbol.size)}};
   report["mesh"] = {
       {"triangles", solid.triangles},
       {"vertices", solid.vertices},
@@ -205,7 +215,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
     report["mesh"]["findings"].push_back({{"problem", describeMessage(finding.message, context.wording)},
                                           {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
   addMark(report, request.mark, request.markDepthMm, request.ink);
-  if (request.mark == Mark::Shadow)
+  if (request.mark == Mark::Shadow && !request.isText())
     report["carving"] = {{"pose", nameOf(result.profile.pose)},
                          {"fit", result.profile.fit},
                          {"meanDepthMm", result.profile.meanDepthMm}};

@@ -11,7 +11,7 @@
 namespace qrelief {
 
 /// Reads place, pose, size, text, modules, mark, colours and the one light that the code was carved for from an
-/// engraver's report (core/report/report.h). Trusts nothing else in it.
+/// engraver's report (core/report/report.h), of a code or of a text alone. Trusts nothing else in it.
 /// @param json  the report
 /// @returns BadInput naming the key that is missing or of the wrong kind
 Result<VerifyRequest> requestFromReport(std::string_view json);

@@ -313,7 +313,10 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   return verdict;
 }
 
-Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed) {
+namespace {
+
+/// Judges whether the code of a verified file reads and prints.
+Verdict judgeFoundCode(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed) {
   const ReadingSummary& reading = result.reading;
   const CarvingProfile& profile = result.profile;
   const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText,
@@ -346,6 +349,17 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
     verdict.prints = judgePocketPrinting(*result.features, request.printer, request.minWallMm, printed, request.text);
   if (const auto capitalMm = labelCapitalMm(request.label, request.symbol.size, request.symbolMm / request.symbol.size))
     addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.printer));
+  return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed) {
+  Verdict verdict;
+  if (request.isText())
+    verdict.reads.summary = message<"text-not-decoded">();
+  else
+    verdict = judgeFoundCode(request, result, printed);
   verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
   return verdict;
 }

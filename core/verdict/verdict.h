@@ -88,7 +88,7 @@ SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result
 Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
               const PrintedEvidence* printed = nullptr);
 
-/// Judges a file that was verified.
+/// Judges a file that was verified; of a text alone only the solid.
 Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed = nullptr);
 
 /// Judges a print by itself, without remedies.

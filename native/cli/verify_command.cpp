@@ -113,10 +113,7 @@ std::string rangeOf(const ReadingSummary& reading) {
   return words;
 }
 
-void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
-                 const Verdict& verdict, bool printed) {
-  const SolidityReport& solid = result.solidity;
-  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "not a clean solid", solid.triangles);
+void printCode(const VerifyRequest& request, const VerifyResult& result, const Verdict& verdict, bool printed) {
   const ReadingSummary& reading = result.reading;
   if (verdict.reads.level == Level::Good)
     fmt::print("reads as: {}\n", request.text);
@@ -138,6 +135,16 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
   for (const Message& reason :
        verdict.prints.level == Level::Good && !printed ? std::vector<Message>() : verdict.prints.reasons)
     fmt::print("  {}\n", sentenceAndHint(reason));
+}
+
+void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
+                 const Verdict& verdict, bool printed) {
+  const SolidityReport& solid = result.solidity;
+  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "not a clean solid", solid.triangles);
+  if (request.isText())
+    fmt::print("{}\n", sentence(verdict.reads.summary));
+  else
+    printCode(request, result, verdict, printed);
   if (verdict.solid.passed() && verdict.solid.level != Level::Good)
     for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
 }

@@ -154,6 +154,7 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(verify("out.3mf", {"--quick"}), "", verified);
   collect(engrave(at({"--process", "none"}), "out.stl", "Gr\u00FC\u00DFe"), "", engraved);
   collect(engrave(at({"--content", "text"}), "out.stl", "Rev B"), "", engraved);
+  collect(verify("out.stl"), "", verified);
   plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));
   collect(engrave({"--mark", "auto"}), "", engraved);  // no shadow can be carved
   Mesh open = shapes::plate({60, 60}, 5, 4, 4);

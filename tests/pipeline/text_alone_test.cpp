@@ -179,7 +179,7 @@ TEST_F(TextAlone, TheBestSpotHasRoomForItAndNoConcernAboutLight) {
   EXPECT_TRUE(spot->prints);
 }
 
-TEST_F(TextAlone, TheReportClaimsNothingDecodedAndCannotBeVerified) {
+TEST_F(TextAlone, TheReportClaimsNothingDecoded) {
   const auto model = plate();
   const EngraveRequest request = requestFor("Rev B");
   const EngraveResult result = engraved(model, request);
@@ -193,9 +193,33 @@ TEST_F(TextAlone, TheReportClaimsNothingDecodedAndCannotBeVerified) {
   EXPECT_TRUE(report.at("verification").at("decoded").is_null());
   EXPECT_FALSE(report.at("verification").contains("iso15415"));
   EXPECT_EQ(report.at("label").at("capitalMm"), *capitalMmOf(result));
-  const auto refused = requestFromReport(text);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().message.code, "verify-text-alone");
+  const auto task = requestFromReport(text);
+  ASSERT_TRUE(task.has_value()) << sentence(task.error().message);
+  EXPECT_TRUE(task->isText());
+  EXPECT_EQ(task->symbolMm, result.placement.symbolMm);
+}
+
+TEST_F(TextAlone, VerifyingChecksItsSolidAndDecodesNothing) {
+  const EngraveRequest request = requestFor("Rev B");
+  const EngraveResult result = engraved(plate(), request);
+  const VerifyRequest task = verifyRequestOf(request, result);
+  const auto verified = [&](const Mesh& mesh) {
+    auto job = *VerifyJob::create(mesh, task, {});
+    EXPECT_THAT(followJob(*job), testing::ElementsAre("checking-solid"));
+    return job->takeResult();
+  };
+  const VerifyResult whole = verified(result.mesh);
+  const Verdict good = judge(task, whole);
+  EXPECT_TRUE(good.passed());
+  EXPECT_EQ(good.reads.summary.code, "text-not-decoded");
+  const auto json = nlohmann::json::parse(makeVerifyReport(task, whole, {.verdict = good}));
+  EXPECT_EQ(json.at("verified"), true);
+  EXPECT_TRUE(json.at("verification").at("decoded").is_null());
+  EXPECT_TRUE(json.at("size").at("moduleMm").is_null());
+  EXPECT_FALSE(json.contains("carving"));
+  Mesh open = result.mesh;
+  open.triangles.pop_back();
+  EXPECT_FALSE(judge(task, verified(open)).passed());
 }
 
 TEST_F(TextAlone, TooManyLettersAreRefusedBeforeTheSearch) {
