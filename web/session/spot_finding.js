@@ -17,7 +17,7 @@ const kPictureAspect = 1.5;
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/spots_panel.js').SpotsPanel} panel
- * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
+ * @property {Pick<import('./batching.js').Batching, 'settings' | 'plannedSettings'>} batching
  * @property {import('./carving.js').Carving} carving
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'settle'>} code
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
@@ -40,6 +40,8 @@ export class SpotFinding {
     this.search_ = 0;
     /** Resolves once no spot is being proposed. @type {Promise<void>} */ this.proposed = Promise.resolve();
     this.mayPropose_ = false;
+    this.isProposing_ = false;
+    this.isOutdated_ = false; // settings or model changed while a spot was being proposed
     panel.listen({
       onSuggest: () =>
         guard(async () => {
@@ -59,6 +61,7 @@ export class SpotFinding {
   /** Proposes the best spot of a new model, unless the user has chosen a place. Does not make the page busy. */
   begin() {
     this.mayPropose_ = true;
+    this.isOutdated_ = true;
     this.propose_();
   }
 
@@ -67,9 +70,29 @@ export class SpotFinding {
     this.jobs_.abortBackground();
   }
 
+  get mayProposeNow_() {
+    return this.mayPropose_ && this.model_.engravable && !chosenCentre(this.store_.work);
+  }
+
   propose_() {
-    const isOpen = this.mayPropose_ && this.model_.engravable && !chosenCentre(this.store_.work);
-    if (isOpen) this.proposed = this.guard_(() => this.moveToBest_());
+    // A second search would drop the spots of the first.
+    if (this.mayProposeNow_ && !this.isProposing_) this.proposed = this.guard_(() => this.proposeUntilNewest_());
+  }
+
+  /** Proposes the best spot, again after each edit that came meanwhile. */
+  async proposeUntilNewest_() {
+    this.isProposing_ = true;
+    try {
+      this.isOutdated_ = false;
+      await this.moveToBest_();
+      while (this.isOutdated_ && this.mayProposeNow_) {
+        await this.placing_.place();
+        this.isOutdated_ = false;
+        await this.moveToBest_();
+      }
+    } finally {
+      this.isProposing_ = false;
+    }
   }
 
   async moveToBest_() {
@@ -78,6 +101,7 @@ export class SpotFinding {
     const result = await this.jobs_
       .runInBackground(async (signal) => {
         this.messages_.say(() => text('page.lookingForSpots'));
+        await this.client_.configure(await this.batching_.plannedSettings());
         return this.client_.findSpots({ signal, onProgress: () => {} });
       })
       .catch((thrown) => {
@@ -85,17 +109,18 @@ export class SpotFinding {
         failure = thrown;
         return undefined; // the code may fit at the module's proposal; otherwise the page asks for a place
       });
-    const isWanted = this.mayPropose_ && model === this.model_.info;
-    if (isWanted && result) {
-      this.mayPropose_ = false;
+    const isWanted = () => this.mayPropose_ && !this.isOutdated_ && model === this.model_.info;
+    if (isWanted() && result) {
       this.panel_.show(result, false);
       await this.placing_.propose({ spot: 0 });
+      if (!isWanted()) return;
+      this.mayPropose_ = false;
       this.panel_.mark(0);
       await this.client_.act({ kind: 'face' });
       void this.drawPictures_(result.spots.length);
-    } else if (isWanted) {
+    } else if (isWanted()) {
       await this.placing_.place();
-      if (failure && !this.placing_.placement) this.placing_.explain(describeThrown(failure));
+      if (failure && isWanted() && !this.placing_.placement) this.placing_.explain(describeThrown(failure));
     }
   }
 
@@ -175,6 +200,7 @@ export class SpotFinding {
 
   /** Drops the spots: they were found with other settings. */
   async forget() {
+    this.isOutdated_ = true;
     if (this.searching_) this.jobs_.abort();
     this.jobs_.abortBackground();
     if (!this.panel_.known) return;

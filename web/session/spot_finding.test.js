@@ -36,6 +36,7 @@ beforeEach(() => {
       return search.promise;
     },
     act: async () => {},
+    configure: async () => {},
     show: async () => ({}),
     spotPicture: async () => ({ width: 0, height: 0, pixels: new Uint8Array() }),
   });
@@ -52,7 +53,7 @@ beforeEach(() => {
   jobs = new Jobs({ panel: fake(WorkPanel), messages: said, onBusy: () => {} });
   spots = new SpotFinding({
     ...{ client, jobs, store, model, placing, messages: said, panel },
-    batching: { settings: () => /** @type {any} */ ({}) },
+    batching: { settings: () => /** @type {any} */ ({}), plannedSettings: async () => /** @type {any} */ ({}) },
     carving: fake(Carving, { show: () => shown.promise }, { started: new Signal() }),
     code: fake(CodePanel, { settle: async () => {} }),
     guard: async (action) => void (await action()),
@@ -68,7 +69,10 @@ test('The best spot of a new model is proposed, without the colours of the sizes
   await spots.proposed;
   assert.deepEqual(placing.calls, ['propose']);
   assert.ok(panel.calls.includes('show false'));
-  assert.deepEqual(client.calls, ['findSpots', 'act', 'spotPicture 0 126 84'].slice(0, client.calls.length));
+  assert.deepEqual(
+    client.calls,
+    ['configure', 'findSpots', 'act', 'spotPicture 0 126 84'].slice(0, client.calls.length),
+  );
 });
 
 test('A place that the user has chosen stays', async () => {
@@ -87,7 +91,7 @@ test('A click during the search ends it', async () => {
   await spots.proposed;
   assert.deepEqual(placing.calls, []);
   spots.again();
-  assert.deepEqual(client.calls, ['findSpots']);
+  assert.deepEqual(client.calls, ['configure', 'findSpots']);
 });
 
 test('A change of settings during the search begins it again, once', async () => {
@@ -106,6 +110,56 @@ test('A change of settings during the search begins it again, once', async () =>
   spots.again();
   await settled();
   assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call === 'findSpots').length, 2);
+});
+
+test('Two edits during the search leave one search, whose best spot is proposed', async () => {
+  spots.begin();
+  await settled();
+  await spots.forget();
+  await spots.forget();
+  const first = search;
+  search = new Pending();
+  first.resolve(undefined);
+  spots.again();
+  spots.again();
+  await settled();
+  search.resolve(kFound);
+  await spots.proposed;
+  await settled();
+  assert.deepEqual(
+    client.calls.filter((/** @type {string} */ call) => call === 'findSpots' || call === 'act'),
+    ['findSpots', 'findSpots', 'act'],
+  );
+  assert.ok(panel.calls.includes('mark 0'));
+});
+
+test('An edit while the best spot is being placed proposes the best spot for the newest settings', async () => {
+  const placed = new Pending();
+  placing.answers.propose = () => placed.promise;
+  spots.begin();
+  search.resolve(kFound);
+  await settled();
+  await spots.forget();
+  spots.again();
+  placing.answers.propose = async () => {};
+  placed.resolve();
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['propose', 'place', 'propose']);
+  assert.equal(panel.calls.filter((/** @type {string} */ call) => call === 'mark 0').length, 1);
+});
+
+test('A model opened during the search gets its own proposal', async () => {
+  spots.begin();
+  await settled();
+  const first = search;
+  search = new Pending();
+  model.info = {};
+  spots.begin();
+  first.resolve(kFound);
+  await settled();
+  search.resolve(kFound);
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['place', 'propose']);
 });
 
 test('A model without a spot keeps the first proposal', async () => {
