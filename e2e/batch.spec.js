@@ -163,7 +163,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
   });
 
   await test.step('the ZIP has each part’s file and the manifest as the command writes it', async () => {
-    const { name, bytes } = await app.download('Download as ZIP');
+    const { name, bytes } = await app.download('Download 4 of 5 as ZIP');
     expect(name).toBe('plate-qr-parts.zip');
     const files = filesOf(bytes);
     expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'P-1.stl', 'P-2.stl', 'P-3.stl', 'P-5.stl']);

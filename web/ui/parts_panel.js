@@ -116,6 +116,7 @@ export class PartsPanel {
     this.resume_.hidden = phase !== 'paused' && phase !== 'stopped';
     this.stop_.hidden = phase === 'stopped' || phase === 'over';
     this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || failures === 0;
+    this.download_.textContent = downloadWords({ done, count });
     allow(this.download_, done === 0 ? 'batch.whyNoneDone' : this.isSaving_ ? 'batch.whySaving' : undefined);
     if (focused instanceof HTMLElement && focused.hidden)
       [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
@@ -159,6 +160,10 @@ export class PartsPanel {
     }, kTableMs);
   }
 }
+
+/** Names the download, so that nobody takes some of the parts for all. @param {{ done: number, count: number }} parts */
+export const downloadWords = ({ done, count }) =>
+  0 < done && done < count ? text('batch.downloadSome', { done, count }) : text('batch.download');
 
 /** Returns a duration in everyday words: 40 seconds, 12 minutes, 3 hours. @param {number} ms */
 export function durationOf(ms) {

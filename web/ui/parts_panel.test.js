@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { durationOf } from './parts_panel.js';
+import { downloadWords, durationOf } from './parts_panel.js';
 
 test('The remaining time is worded as people say it', () => {
   const minute = 60_000,
@@ -18,4 +18,9 @@ test('The remaining time is worded as people say it', () => {
     [25 * hour, '25 hours'],
   ]);
   for (const [ms, words] of said) assert.equal(durationOf(ms), words);
+});
+
+test('The download says how many parts it gives until all are done', () => {
+  const words = [0, 1, 3].map((done) => downloadWords({ done, count: 3 }));
+  assert.deepEqual(words, ['Download as ZIP', 'Download 1 of 3 as ZIP', 'Download as ZIP']);
 });
