@@ -124,11 +124,8 @@ export class SpotsPanel {
 
 /** @param {Spots['spots'][number]} spot */
 const factsOf = ({ sizeMm, aimToleranceDeg }) =>
-  text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
+  text('page.roomFor', { size: `${formatPlain(sizeMm, sizeMm < 10 ? 1 : 0)} mm`, deg: Math.floor(aimToleranceDeg) });
 
 /** Returns the warnings about a spot. @param {Spots['spots'][number]} spot */
 const concernsOf = ({ concerns }) =>
   concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
-
-/** Rounds down, so that a code of this size does fit. @param {number} mm */
-const wholeMm = (mm) => (mm < 10 ? Math.floor(mm * 10) / 10 : Math.floor(mm));
