@@ -58,7 +58,7 @@ test('The symbol as SVG and PNG decodes, and its file names the content', async 
   expect(await decodePng(await screenshotOf(page, svg.bytes, 'image/svg+xml'))).toBe(kText);
   const [, width] = /width="([\d.]+)mm"/.exec(new TextDecoder().decode(svg.bytes)) ?? [];
   const [, modules] = /(\d+) × \d+ modules/.exec(await page.locator('#symbol-facts').innerText()) ?? [];
-  const symbolMm = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
+  const symbolMm = Number(/^([\d.]+)\smm wide/.exec(await app.placement.innerText())?.[1]);
   expect(Math.abs(Number(width) - (symbolMm * (Number(modules) + 8)) / Number(modules))).toBeLessThan(0.1);
 
   const png = await app.download('Code as PNG');

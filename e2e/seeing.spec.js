@@ -78,7 +78,7 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await expect(legend).toContainText(/Depth of the engraving\s*0 mm\s*[\d.]+ mm\s*≥ [\d.]+ mm/);
     await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     const { depth } = await app.report();
-    const top = Number(/≥ ([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
+    const top = Number(/≥ ([\d.]+)\smm$/.exec((await legend.innerText()).trim())?.[1]);
     expect(top).toBeGreaterThanOrEqual(depth.p95Mm - 1e-3);
     expect(top).toBeLessThan(depth.p95Mm + 0.1);
 

@@ -39,12 +39,12 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
     Math.max(red, green, blue) < 115; // nothing but modules is as dark
   expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.01);
   const spot = app.spots.nth(1);
-  const [, room, aside] = (/room for about ([\d.]+) mm, (\d+)°/.exec(await spot.innerText()) ?? []).map(Number);
+  const [, room, aside] = (/room for about ([\d.]+)\smm, (\d+)°/.exec(await spot.innerText()) ?? []).map(Number);
   await spot.click();
   await expect(spot).toHaveAttribute('aria-pressed', 'true');
   await poll(() => app.centre()).not.toEqual(proposed);
   await app.expectReady();
-  const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
+  const width = Number(/^([\d.]+)\smm wide/.exec(await app.placement.innerText())?.[1]);
   expect(Math.abs(width - room)).toBeLessThanOrEqual(0.6); // rounded to 1 mm
   expect(Math.abs((await degrees()) - aside)).toBeLessThanOrEqual(1);
 

@@ -63,7 +63,7 @@ export class Engraver {
 
   /** Returns the symbol's width shown on the page, mm. */
   async width() {
-    return Number(/^([\d.]+) mm wide/.exec(await this.placement.innerText())?.[1]);
+    return Number(/^([\d.]+)\smm wide/.exec(await this.placement.innerText())?.[1]);
   }
 
   async rotation() {

@@ -28,7 +28,7 @@ test('every code is a link that opens it in the app, with both pictures and what
   assert.match(html, /href="\.\/\?sample=bunny&amp;engrave=1"/);
   assert.match(html, /href="\.\/\?sample=bunny&amp;light=90%2C33%2C1&amp;engrave=1"/);
   assert.match(html, /src="gallery\/a\.webp"[^>]*>.*src="gallery\/b\.webp"/);
-  assert.match(html, /0\.65 mm deep; 60 of 72 tries decode the design, 40 the print/);
+  assert.match(html, /0\.65\smm deep; 60 of 72 tries decode the design, 40 the print/);
   assert.doesNotMatch(html, /matrix/);
 });
 

@@ -2,7 +2,7 @@
 // Stores a batch in a folder of the browser: its record, list and model, the manifest, and the finished files. A
 // row's files are written before its line.
 import { messageWords } from '../i18n/message_words.js';
-import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { plainHintOf, plainSentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../storage/folder.js').Folder} Folder */
 /** @typedef {import('../storage/last_work.js').Work} Work */
@@ -71,8 +71,8 @@ export class BatchStore {
     await messageWords.come();
     /** @type {string[]} */ const lines = [];
     for (const { entry, why } of rows) {
-      const hint = why ? hintOf(why) : '';
-      const reason = why ? sentenceOf(why) + (hint ? ` (${hint})` : '') : '';
+      const hint = why ? plainHintOf(why) : '';
+      const reason = why ? plainSentenceOf(why) + (hint ? ` (${hint})` : '') : '';
       const line = lineOf({ ...entry, ...(why && { reason }) });
       await this.folder_.append(kManifest, line);
       lines.push(line);

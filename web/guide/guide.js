@@ -15,7 +15,7 @@ function showSizes() {
       head.scope = 'row';
       const cells = [
         `${modules} × ${modules}`,
-        ...[kSmallestModuleMm, kComfortableModuleMm].map((module) => `${mm.format(widthMm(modules, module))} mm`),
+        ...[kSmallestModuleMm, kComfortableModuleMm].map((module) => `${mm.format(widthMm(modules, module))}\u00a0mm`),
       ];
       return make('tr', {}, head, ...cells.map((cell) => make('td', { text: cell })));
     }),

@@ -3,6 +3,7 @@
 // loaded (locales.js).
 import { recall, remember } from '../storage/remembered.js';
 import { kEnglish, kLanguages, load } from './locales.js';
+import { withUnitsKept } from './units.js';
 
 /** @typedef {typeof import('../../locales/en.json')} English */
 /** @typedef {Pick<English, 'format' | 'page' | 'settings'>} AppTexts */
@@ -121,7 +122,7 @@ export function filled(words, values, of) {
     typeof words === 'string'
       ? words
       : words[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
-  return template.replace(/\{(\w+)\}/g, (_, name) => {
+  return withUnitsKept(template).replace(/\{(\w+)\}/g, (_, name) => {
     const value = values[name];
     if (value === undefined) throw new Error(`The text "${template}" lacks the value "${name}"`);
     return typeof value === 'number' ? value.toLocaleString(of) : value;

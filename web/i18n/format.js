@@ -10,10 +10,10 @@ export const formatNumber = (value, digits = 0) =>
 const digitsOf = (mm) => (mm < 10 ? 2 : mm < 1000 ? 1 : 0);
 
 /** @param {number} mm */
-export const formatMm = (mm) => `${formatNumber(mm, digitsOf(mm))} mm`;
+export const formatMm = (mm) => `${formatNumber(mm, digitsOf(mm))}\u00a0mm`;
 
 /** Formats width × depth × height. @param {readonly number[]} mm */
-export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 10 ? 2 : 1)).join(' × ')} mm`;
+export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 10 ? 2 : 1)).join(' × ')}\u00a0mm`;
 
 /**
  * Formats a number as a person would write it, without needless digits.
@@ -28,4 +28,4 @@ export const formatPercent = (share) =>
   share.toLocaleString(currentLanguage(), { style: 'percent', maximumFractionDigits: 0 });
 
 /** @param {number} ms */
-export const formatSeconds = (ms) => `${formatNumber(ms / 1000, 1)} s`;
+export const formatSeconds = (ms) => `${formatNumber(ms / 1000, 1)}\u00a0s`;

@@ -4,6 +4,7 @@
 import { appTexts, currentLanguage, text } from './catalogue.js';
 import { kComing, kNoWords, messageWords } from './message_words.js';
 import { hintIn, sentenceIn, writtenIn } from './sentences.js';
+import { withUnitsKept } from './units.js';
 
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../engine/message.js').Value} Value */
@@ -13,27 +14,33 @@ import { hintIn, sentenceIn, writtenIn } from './sentences.js';
 const wordingWith = (words) => ({ language: currentLanguage(), words, names: appTexts() });
 
 /**
- * Returns the problem or fact that a message states, without full stop; '' until its words have loaded.
+ * Returns the problem or fact that a message states, without full stop; '' until its words have loaded. For files.
  * @param {Message} message
  * @param {Catalogue} [words]
  */
-export const sentenceOf = (message, words = messageWords.now) =>
+export const plainSentenceOf = (message, words = messageWords.now) =>
   words === kComing ? '' : sentenceIn(message, wordingWith(words));
 
 /**
- * Returns the message's advice, or else the advice of its cause; '' if there is none.
+ * Returns the message's advice, or else the advice of its cause; '' if there is none. For files.
  * @param {Message} message
  * @param {Catalogue} [words]
  * @returns {string}
  */
-export function hintOf(message, words = messageWords.now) {
+export function plainHintOf(message, words = messageWords.now) {
   if (words === kComing) return '';
   return words === kNoWords ? text('page.noWords') : hintIn(message, wordingWith(words));
 }
 
+/** The same for the page, which keeps numbers and units on one line. @type {typeof plainSentenceOf} */
+export const sentenceOf = (...given) => withUnitsKept(plainSentenceOf(...given));
+
+/** The same for the page. @type {typeof plainHintOf} */
+export const hintOf = (...given) => withUnitsKept(plainHintOf(...given));
+
 /** Returns a value as a sentence writes it. @param {Value} value */
 export const writtenValue = (value) =>
-  'cause' in value ? sentenceOf(value.cause) : writtenIn(value, wordingWith(messageWords.now));
+  'cause' in value ? sentenceOf(value.cause) : withUnitsKept(writtenIn(value, wordingWith(messageWords.now)));
 
 /**
  * Returns a value of a report with the sentence and the hint added to each message in it, for people who read the file.
@@ -48,5 +55,5 @@ export function worded(value) {
   );
   const isMessage = 'code' in value && 'values' in value;
   const asMessage = /** @type {Message} */ (value);
-  return isMessage ? { ...parts, message: sentenceOf(asMessage), hint: hintOf(asMessage) } : parts;
+  return isMessage ? { ...parts, message: plainSentenceOf(asMessage), hint: plainHintOf(asMessage) } : parts;
 }

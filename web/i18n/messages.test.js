@@ -5,7 +5,7 @@ import { afterEach, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { setLanguage } from './catalogue.js';
 import { load } from './locales.js';
-import { hintOf, sentenceOf } from './messages.js';
+import { plainHintOf, plainSentenceOf, sentenceOf } from './messages.js';
 import { isKnownSetting } from './setting_words.js';
 
 // The cases that the command's renderer is tested with, too (tests/messages/sentences_test.cpp), so that the two agree.
@@ -17,11 +17,11 @@ afterEach(() => setLanguage('en'));
 test('Sentences and hints match the shared cases in both languages', async () => {
   assert.ok(shared.cases.length > 20);
   for (const { message: told, en, hint } of shared.cases) {
-    assert.equal(sentenceOf(told, shared.words.en), en);
-    if (hint !== undefined) assert.equal(hintOf(told, shared.words.en), hint);
+    assert.equal(plainSentenceOf(told, shared.words.en), en);
+    if (hint !== undefined) assert.equal(plainHintOf(told, shared.words.en), hint);
   }
   await setLanguage('de');
-  for (const { message: told, de } of shared.cases) assert.equal(sentenceOf(told, shared.words.de), de);
+  for (const { message: told, de } of shared.cases) assert.equal(plainSentenceOf(told, shared.words.de), de);
 });
 
 test('A setting is named like its control, without the unit', async () => {

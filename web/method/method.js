@@ -46,7 +46,7 @@ function show(id, { width, height, rgba }) {
 /** @param {number} mm @param {number} digits */
 const inMm = (mm, digits) => {
   const number = mm.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits });
-  return `${number.replace('-', '−')} mm`;
+  return `${number.replace('-', '−')}\u00a0mm`;
 };
 
 /** @param {string} id @param {{ from: number, to: number }} range */

@@ -82,7 +82,7 @@ test('A proposed centre without room asks for another; a chosen one is an error'
 
 test('A code that was moved off an edge says so', async () => {
   await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([4, 0, 0]), movedMm: 3.25 }));
-  assert.match(messages.said.at(-1) ?? '', /moved by 3\.\d+ mm/);
+  assert.match(messages.said.at(-1) ?? '', /moved by 3\.\d+\smm/);
   assert.deepEqual(store.work.centreMm, [4, 0, 0]);
 });
 

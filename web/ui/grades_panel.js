@@ -142,7 +142,7 @@ function trialList({ tilts, safeTiltDeg: safe, forgiving, pixelsPerModule, dista
 }
 
 /** @param {number} mm */
-const centimetres = (mm) => `${formatNumber(mm / 10)} cm`;
+const centimetres = (mm) => `${formatNumber(mm / 10)}\u00a0cm`;
 
 /** @param {string} caption @param {Grades} grades @param {readonly (keyof import('../i18n/catalogue.js').English['page']['check'])[]} parameters */
 function gradeTable(caption, grades, parameters) {

@@ -124,7 +124,10 @@ export class SpotsPanel {
 
 /** @param {Spots['spots'][number]} spot */
 const factsOf = ({ sizeMm, aimToleranceDeg }) =>
-  text('page.roomFor', { size: `${formatPlain(sizeMm, sizeMm < 10 ? 1 : 0)} mm`, deg: Math.floor(aimToleranceDeg) });
+  text('page.roomFor', {
+    size: `${formatPlain(sizeMm, sizeMm < 10 ? 1 : 0)}\u00a0mm`,
+    deg: Math.floor(aimToleranceDeg),
+  });
 
 /** Returns the warnings about a spot. @param {Spots['spots'][number]} spot */
 const concernsOf = ({ concerns }) =>

@@ -233,8 +233,8 @@ export class SymbolPanel {
     const problem = text('code.symbol.small', {
       symbol: formatMm(symbolMm),
       module: formatMm(small.moduleMm),
-      nozzle: `${formatPlain(nozzleMm)} mm`,
-      least: `${formatPlain(facts.leastModuleMm)} mm`,
+      nozzle: `${formatPlain(nozzleMm)}\u00a0mm`,
+      least: `${formatPlain(facts.leastModuleMm)}\u00a0mm`,
     });
     const needed = formatMm(small.neededMm);
     const full = symbolMm < maxSizeMm && small.neededMm > largestMm; // otherwise the chosen size is too small

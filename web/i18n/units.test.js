@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { text } from './catalogue.js';
+import { formatBox, formatMm, formatSeconds } from './format.js';
+import { sentenceOf } from './messages.js';
+import { withUnitsKept } from './units.js';
+
+test('A number and its unit stay on one line; other words may break', () => {
+  const broken = '{a} mm, 100 % of 3 m and 2 min; 5 modules, 2 good, 1 mmm, 8 × 8 mm';
+  const kept = '{a}_mm, 100_% of 3_m and 2_min; 5 modules, 2 good, 1 mmm, 8 × 8_mm';
+  assert.equal(withUnitsKept(broken), kept.replaceAll('_', '\u00a0'));
+});
+
+test('Sentences keep the units of their values', () => {
+  const told = { code: 'v', values: { a: { lengthMm: 0.4 }, b: { fraction: 1 }, c: { number: 2 } } };
+  const words = { v: { says: '{a}, {b}, {c} MB' } };
+  assert.equal(sentenceOf(told, words), '0.4\u00a0mm, 100\u00a0%, 2\u00a0MB');
+});
+
+test('Texts and formatted values keep their units', () => {
+  assert.equal(text('view.millimetres', { mm: '4' }), '4\u00a0mm');
+  assert.deepEqual(
+    [formatMm(0.4), formatBox([1, 20]), formatSeconds(1500)],
+    ['0.40\u00a0mm', '1.00 × 20.0\u00a0mm', '1.5\u00a0s'],
+  );
+});
