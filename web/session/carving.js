@@ -59,6 +59,7 @@ export class Carving {
     /** The carving that the one under way is to replace. @type {Carved | undefined} */ this.before_ = undefined;
     this.shown = false;
     this.life_ = 0;
+    this.clickedMs_ = 0; // when the user pressed Engrave
     /** The work that the plan was asked for. */ this.asked_ = store.work;
     /** Says what the attempt under way changes. @type {Words | undefined} */ this.attempt_ = undefined;
     /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
@@ -86,6 +87,7 @@ export class Carving {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
     this.placing_.insist();
+    this.clickedMs_ = performance.now();
     this.isOwed_ = overrides === undefined; // a lost module's inspector is closed
     try {
       await this.run_(
@@ -178,6 +180,11 @@ export class Carving {
     return { life: this.life_, only3mf: this.model_.info?.only3mf ?? kNothing };
   }
 
+  /** Time since the user pressed Engrave. */
+  get elapsedMs() {
+    return performance.now() - this.clickedMs_;
+  }
+
   /** The carving; while another is being made, the one before it. */
   get latest() {
     return this.carved ?? this.before_;
@@ -212,7 +219,6 @@ export class Carving {
    * @param {string} [overrides]
    */
   async carve_(signal, overrides) {
-    const started = performance.now();
     await this.restoring_;
     const { carved: before } = this;
     this.before_ = before;
@@ -234,7 +240,7 @@ export class Carving {
         this.messages_.say(() => text('page.cancelled'));
         // Not awaited: it starts when the module's step has ended.
         const [first] = attempts;
-        this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
+        this.restoring_ = (first ? this.keep_(first) : this.restore(before)).catch(() => false);
         return;
       }
       if (reading.number) attempts.push({ work, number: reading.number });
@@ -244,7 +250,7 @@ export class Carving {
         const kept = attempts.find(({ number }) => number === step.carving) ?? attempts.at(-1);
         if (!kept) throw this.failure_;
         if (kept.number !== reading.number) this.printing_.stop(); // it prints the last attempt
-        await this.keep_(kept, started, !isEdited);
+        await this.keep_(kept, !isEdited);
         this.messages_.say(() => this.wordsFor_(kept.work, asked, overrides));
         return;
       }
@@ -287,15 +293,14 @@ export class Carving {
   /**
    * Makes an attempt the result, and starts its print.
    * @param {Attempt} attempt
-   * @param {number} started
    * @param {boolean} [goesOn]  the plan goes on after its print
    * @returns {Promise<boolean>}  false: it is gone
    */
-  async keep_({ work, number }, started, goesOn = false) {
-    const elapsedMs = performance.now() - started;
+  async keep_({ work, number }, goesOn = false) {
     if (!(await this.client_.useCarving(number))) return false;
     await this.adopt_(work, this.asked_);
     const [seen] = await this.client_.pictures('reader');
+    const { elapsedMs } = this;
     this.carved = { report: await this.client_.report(), elapsedMs, number, work, seen, ...this.ground_ };
     await this.present_();
     this.print(true, goesOn);
@@ -371,6 +376,7 @@ export class Carving {
     void this.printing_.begin(carved.number, (printed, result) => {
       carved.printed = printed;
       if (result) carved.report = result.report;
+      if (result && mayDeepen) carved.elapsedMs = this.elapsedMs;
       if (this.carved !== carved) return;
       this.panel_.update();
       if (!result) return;
@@ -406,7 +412,6 @@ export class Carving {
    * @param {AbortSignal} signal
    */
   async improve_(first, step, signal) {
-    const started = performance.now() - first.elapsedMs;
     const reason = first.report.verification.verdict.prints.level === 'bad' ? 'print-unread' : 'print-barely';
     /** @type {Map<number, Carved>} */ const made = new Map(); // those with a print, by number
     let { work } = first;
@@ -422,11 +427,8 @@ export class Carving {
       } else {
         const { carving: number } = step;
         const print = await this.printNow_(number, signal);
-        if (print) {
-          const { result, printed } = print;
-          const elapsedMs = performance.now() - started;
-          made.set(number, { report: result.report, elapsedMs, number, work, printed, ...this.ground_ });
-        }
+        const { report = first.report } = print?.result ?? {};
+        if (print) made.set(number, { ...first, seen: undefined, number, work, report, printed: print.printed });
         isMade = print !== undefined;
       }
       if (!isMade) break;
@@ -434,6 +436,7 @@ export class Carving {
       await this.prefer_(made.get(step.carving));
     }
     const { carved } = this;
+    if (carved && step.step === 'deliver') carved.elapsedMs = this.elapsedMs;
     if (carved && carved !== first && step.step === 'deliver' && (await this.client_.useCarving(carved.number))) {
       await this.present_();
       this.printed.tell();

@@ -350,7 +350,8 @@ const printsAre = (...results) => {
 };
 const kDeeper = [print(1), carve('preset', 'robust')];
 
-test('A code whose print barely decodes is carved with the next deeper preset whose print decodes', async () => {
+test('A code whose print barely decodes is carved with the next deeper preset whose print decodes', async (t) => {
+  t.mock.method(performance, 'now', () => 1000 * placing.calls.length + 100 * printing.calls.length);
   setValues({ preset: 'balanced' });
   printsAre({ passed: false }, { passed: true });
   steps = [...kDeeper, print(2), deliver(2)];
@@ -361,6 +362,7 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
   assert.equal(/** @type {any} */ (latest())?.report.number, 2);
   assert.deepEqual(shows.at(-1), [true, true]);
   assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads', undefined]);
+  assert.equal(latest()?.elapsedMs, 1000 + 100 * printing.calls.length, 'the time since the click');
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
 });
 
