@@ -90,10 +90,14 @@ function decoded(text) {
  * @param {string} of.extension
  */
 export function fileNameOf({ modelFile, text, content = 'code', symbolMm, addition, extension }) {
-  const model = safePart(modelFile.replace(/\.[^.]*$/, ''), kMostOfModel) || 'model';
   const size = symbolMm === undefined ? '' : `${Math.round(symbolMm)}mm`;
   const subject = content === 'text' ? ['text', safePart(text, kMostOfText)] : ['qr', subjectOf(text)];
-  return `${[model, ...subject, size, addition].filter(Boolean).join('-')}.${extension}`;
+  const carving = [...subject, size].filter(Boolean).join('-');
+  const stem = safePart(modelFile.replace(/\.[^.]*$/, ''), Infinity);
+  // A model that we engraved may already be named so.
+  const ending = [`-${carving}`, `-${carving}-${addition}`].find((one) => stem.endsWith(one)) ?? '';
+  const model = safePart(stem.slice(0, stem.length - ending.length), kMostOfModel) || 'model';
+  return `${[model, carving, addition].filter(Boolean).join('-')}.${extension}`;
 }
 
 /**

@@ -32,6 +32,14 @@ test('the name has model, subject and size', () => {
   assert.equal(symbolFileName('你好', 'png'), 'qr.png');
 });
 
+test('a second code like the first does not repeat its name', () => {
+  const second = { text: 'https://example.org/second', symbolMm: 18, addition: 'paint', extension: '3mf' };
+  const name = (/** @type {string} */ modelFile) => fileNameOf({ modelFile, ...second });
+  assert.equal(name('tag-qr-example.org-18mm.3mf'), 'tag-qr-example.org-18mm-paint.3mf');
+  assert.equal(name('tag-qr-example.org-18mm-paint.3mf'), 'tag-qr-example.org-18mm-paint.3mf');
+  assert.equal(name('tag-qr-other.org-18mm.3mf'), 'tag-qr-other.org-18mm-qr-example.org-18mm-paint.3mf');
+});
+
 test('every kind of content has its subject, and no name has a password', () => {
   const subjects = {
     'HTTPS://WWW.EXAMPLE.ORG:80/x': 'example.org',
