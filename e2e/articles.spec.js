@@ -30,7 +30,7 @@ test('The guide lists code widths, and its plate opens carved in the app', async
   await page.getByRole('link', { name: 'How to print it' }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('How to print it');
   const row = page.getByRole('table', { name: 'Width of the code' }).getByRole('row', { name: '42 letters' });
-  await expect(row).toContainText(/29 × 29\s*17\.4 mm\s*34\.8 mm/);
+  await expect(row).toContainText(/29 × 29\s*17\.4\smm\s*34\.8\smm/);
   await expectNoSidewaysScroll(page);
   await expectNoViolations(page, 'guide');
   if (test.info().project.name === 'phone') {

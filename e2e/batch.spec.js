@@ -153,7 +153,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
     await page.getByLabel('Show', { exact: true }).selectOption('Failed');
     await expect(rows).toHaveCount(2);
     await expect(rows.nth(1)).toContainText('P-4');
-    await expect(rows.nth(1)).toContainText(/Failed.*200 mm/);
+    await expect(rows.nth(1)).toContainText(/Failed.*200\smm/);
     await freeze(page);
     await press('Retry failed parts');
     await expect(state).toHaveText('Getting ready: 4 of 5');

@@ -20,7 +20,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     /Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+ % of the error correction is left\./,
   );
   await expect(lines.nth(1)).toContainText(
-    /Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./,
+    /Reads as printed, facing up \(0\.4\smm nozzle, 0\.2\smm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./,
     kPrinted,
   );
   await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, \d+ triangles\./);
@@ -51,14 +51,14 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     expect([5, 10, 15, 30, 45]).toContain(safe);
     const advice = page.getByText('a smaller code or a flatter spot can be read from wider angles');
     await expect(advice).toHaveCount(safe < 10 ? 1 : 0);
-    await expect(app.result).toContainText(/Reads up to about \d+ cm away, at [\d.]+ pixels per module/);
+    await expect(app.result).toContainText(/Reads up to about \d+\scm away, at [\d.]+ pixels per module/);
   });
 
   await test.step('Words and numbers follow the page’s language', async () => {
     await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
-    await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/);
+    await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d\smm im Mittel/);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
-    await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
+    await expect(app.result).toContainText(/Depth\s*\d+\.\d\d\smm on average/);
   });
 
   await test.step('After a change the result is marked as outdated', async () => {
@@ -85,20 +85,20 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await app.engrave();
   const verdict = app.result.getByRole('list', { name: 'Verdict' });
   await expect(verdict).toContainText(
-    /(does not read|Barely reads) as printed, facing up \(1\.2 mm nozzle, 0\.2 mm layers\)/,
+    /(does not read|Barely reads) as printed, facing up \(1\.2\smm nozzle, 0\.2\smm layers\)/,
     kPrinted,
   );
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
   const before = await app.placement.innerText();
-  await verdict.getByRole('button', { name: /^Allow \d+ mm$/ }).click();
-  await expect(app.status).toHaveText(/^Allow (\d+) mm: set “At most \(mm\)” to \1\. Engrave again\.$/);
+  await verdict.getByRole('button', { name: /^Allow \d+\smm$/ }).click();
+  await expect(app.status).toHaveText(/^Allow (\d+)\smm: set “At most \(mm\)” to \1\. Engrave again\.$/);
   expect(await app.placement.innerText()).not.toBe(before);
   await expect(app.result).toContainText('Made before your last change');
 
   await verdict.getByRole('button', { name: 'Use a 0.4 mm nozzle' }).click();
   await expect(app.setting('Nozzle (mm)')).toHaveValue('0.4');
   await app.engrave();
-  await expect(verdict).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)/, kPrinted);
+  await expect(verdict).toContainText(/Reads as printed, facing up \(0\.4\smm nozzle, 0\.2\smm layers\)/, kPrinted);
 });
 
 test('A code that does not decode is carved with the next deeper preset, and one undo reverts both', async ({

@@ -11,7 +11,7 @@ import { bodiesOf, coloursOf, extrudersOf, filesOf, modelsOf, paintedIn, unzip }
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
 const kCost =
-  /Second colour\s*\d+ filament changes?, [\d.]+ g and \d+ min of waste; plus up to [\d.]+ g for a wipe tower/;
+  /Second colour\s*\d+ filament changes?, [\d.]+\sg and \d+\smin of waste; plus up to [\d.]+\sg for a wipe tower/;
 
 /** Where the materials bleed into each other. @type {import('./support/pixels.js').Colour} */
 const isBetween = (red) => red > 90 && red < 165;
@@ -89,7 +89,7 @@ test('A painted code keeps the model’s shape and has the second filament', asy
     await expect(app.setting('Format')).toHaveValue('stl');
     await expect(app.setting('For')).toBeHidden();
     await expect(app.setting('Format').locator('option:not([disabled])')).toHaveCount(5);
-    await expect(app.result).toContainText(/Depth\s*[\d.]+ mm on average/);
+    await expect(app.result).toContainText(/Depth\s*[\d.]+\smm on average/);
   });
 });
 
@@ -98,7 +98,7 @@ test('An inlaid code and its model are two solids that fill the model exactly', 
   await app.setting('Made by').selectOption('Second colour, inlaid');
   await app.engrave(); // at once, as above
   await expect(app.result).toContainText('Reads as A');
-  await expect(app.result).toContainText(/Depth\s*[\d.]+ mm/);
+  await expect(app.result).toContainText(/Depth\s*[\d.]+\smm/);
   await expect(app.result).toContainText(kCost);
   const { name, bytes } = await app.download();
   expect(name).toMatch(/^plate-qr-A-\d+mm-inlay\.3mf$/);

@@ -149,14 +149,14 @@ test('A text alone is shown, engraved and saved as a solid; the code comes back'
   await expect(app.alert).toHaveCount(0);
   await letters.fill('Rev B\n2026');
   await expect(page.getByRole('img', { name: 'The text Rev B 2026' })).toBeVisible();
-  await expect(page.locator('#symbol-facts')).toContainText(/^[\d.]+ mm across, capitals [\d.]+ mm high$/);
-  await expect(page.locator('#code-state')).toHaveText(/^Text alone, capitals [\d.]+ mm high$/);
+  await expect(page.locator('#symbol-facts')).toContainText(/^[\d.]+\smm across, capitals [\d.]+\smm high$/);
+  await expect(page.locator('#code-state')).toHaveText(/^Text alone, capitals [\d.]+\smm high$/);
   await expect(app.setting('How deep')).toBeHidden();
   await expect(page.getByRole('button', { name: 'Phone view' })).toBeDisabled();
   await expect(page.getByRole('button', { name: 'Code as SVG' })).toBeHidden();
 
   await app.engrave();
-  await expect(app.result).toContainText(/A person can read it: capitals [\d.]+ mm high, strokes [\d.]+ mm wide/);
+  await expect(app.result).toContainText(/A person can read it: capitals [\d.]+\smm high, strokes [\d.]+\smm wide/);
   await expect(app.result).toContainText('Solid');
   await expect(page.locator('#grades')).toBeHidden();
   const report = await app.report();
@@ -278,9 +278,9 @@ test('The symbol shows version, fill and room; a click corrects a link', async (
   await app.text.fill(`https://example.org/${'x'.repeat(300)}`);
   const line = advice(page).getByRole('listitem').filter({ hasText: 'each module is' });
   await expect(line).toContainText(
-    /At [\d.]+ mm each module is 0\.\d\d mm; a 0\.4 mm nozzle needs about 0\.6 mm for this pattern\./,
+    /At [\d.]+\smm each module is 0\.\d\d\smm; a 0\.4\smm nozzle needs about 0\.6\smm for this pattern\./,
   );
-  await expect(line).toContainText(/ [\d.]+ mm wide.* Or shorten the text to fit \d+ × \d+ modules\./);
+  await expect(line).toContainText(/ [\d.]+\smm wide.* Or shorten the text to fit \d+ × \d+ modules\./);
   await app.openSettings();
   await app.setting('Nozzle (mm)').fill('0.1');
   await app.setting('Nozzle (mm)').blur();

@@ -65,9 +65,9 @@ test('The engraved bunny decodes inside and outside the page and downloads as a 
   await app.engrave();
 
   await expect(app.result).toContainText(`Reads as ${kText}`);
-  await expect(app.result).toContainText(/Size\s*[\d.]+ mm, modules of [\d.]+ mm/);
-  await expect(app.result).toContainText(/Depth\s*[\d.]+ mm on average, [\d.]+ mm at most/);
-  await expect(app.result).toContainText(/Time\s*[\d.]+ s/);
+  await expect(app.result).toContainText(/Size\s*[\d.]+\smm, modules of [\d.]+\smm/);
+  await expect(app.result).toContainText(/Depth\s*[\d.]+\smm on average, [\d.]+\smm at most/);
+  await expect(app.result).toContainText(/Time\s*[\d.]+\ss/);
   console.log(`bunny: ${(await app.result.locator('dl').innerText()).replaceAll('\n', ' ')}`);
 
   const report = await app.report();

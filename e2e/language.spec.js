@@ -22,7 +22,7 @@ test('Another language applies at once, also to numbers, and is kept', async ({ 
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
   await expect(app.facts).toHaveText('Sattel, 90,0 × 90,0 × 40,0 mm');
-  await expect(app.placement).toHaveText(/^\d+,\d mm breit$/);
+  await expect(app.placement).toHaveText(/^\d+,\d\smm breit$/);
   await expect(app.status).toHaveText('Bereit.');
   await expect(page.getByRole('combobox', { name: 'Beispielmodell' })).toHaveValue('saddle');
   await expect(page).toHaveTitle(/einen QR-Code/);

@@ -33,7 +33,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     const before = await app.centre();
     await page.mouse.move(box.x + 0.63 * box.width, box.y + 0.49 * box.height);
     await page.mouse.move(box.x + 0.64 * box.width, box.y + 0.5 * box.height);
-    await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+ mm/);
+    await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+\smm/);
     await expect(app.chip).toHaveAttribute('data-exact', 'true');
     const promised = Number(/^([\d.]+)\smm wide/.exec(await app.chip.innerText())?.[1]);
     expect(promised).toBeGreaterThan(3);

@@ -89,7 +89,7 @@ test('If the print does not decode, other processes are tried, and one press app
     expect(Number(count)).toBeGreaterThan(10);
     await expect(lost.locator('rect')).toHaveCount(Number(count));
     await expect(failure.locator('> .remedies').getByRole('button')).toHaveText([
-      /^Allow \d+ mm$/,
+      /^Allow \d+\smm$/,
       'Use a 0.25 mm nozzle',
       /^Print layers of/,
     ]);

@@ -75,7 +75,7 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     const legend = page.getByLabel('Colours of the model');
     await poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.getByRole('button', { name: 'Depths' }).click();
-    await expect(legend).toContainText(/Depth of the engraving\s*0 mm\s*[\d.]+ mm\s*≥ [\d.]+ mm/);
+    await expect(legend).toContainText(/Depth of the engraving\s*0\smm\s*[\d.]+\smm\s*≥ [\d.]+\smm/);
     await poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     const { depth } = await app.report();
     const top = Number(/≥ ([\d.]+)\smm$/.exec((await legend.innerText()).trim())?.[1]);

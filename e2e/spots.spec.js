@@ -30,7 +30,7 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
   await app.suggest();
   await expect(page.getByRole('button', { name: 'Sizes' })).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByLabel('Colours of the model')).toContainText(
-    /Largest code that fits, prints and reads from aside\s*0 mm\s*[\d.]+ mm\s*[\d.]+ mm/,
+    /Largest code that fits, prints and reads from aside\s*0\smm\s*[\d.]+\smm\s*[\d.]+\smm/,
   );
 
   expect(await app.spots.count()).toBeGreaterThanOrEqual(3);

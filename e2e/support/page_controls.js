@@ -29,7 +29,7 @@ export const kOfTheView = {
     await poll(async () => (await sidesOf(page)).length).toBe(3);
   },
   'show-plate': async ({ page, press }) => {
-    const height = page.getByText(/^[\d.]+ mm high$/);
+    const height = page.getByText(/^[\d.]+\smm high$/);
     await press('views');
     await press('iso');
     await expect(height).toBeVisible();
