@@ -212,7 +212,9 @@ TEST_F(TextAlone, VerifyingChecksItsSolidAndDecodesNothing) {
   const Verdict good = judge(task, whole);
   EXPECT_TRUE(good.passed());
   EXPECT_EQ(good.reads.summary.code, "text-not-decoded");
-  const auto json = nlohmann::json::parse(makeVerifyReport(task, whole, {.verdict = good}));
+  VerifyReportContext context;
+  context.verdict = good;
+  const auto json = nlohmann::json::parse(makeVerifyReport(task, whole, context));
   EXPECT_EQ(json.at("verified"), true);
   EXPECT_TRUE(json.at("verification").at("decoded").is_null());
   EXPECT_TRUE(json.at("size").at("moduleMm").is_null());
