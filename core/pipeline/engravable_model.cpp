@@ -45,15 +45,15 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
   QRELIEF_TRY(checkSettings(request));
   QRELIEF_TRY(model.prepared.engravable());
-  const auto layout = layOutLabel(request.code.lettering(), symbol.size);
+  const LabelOptions label = request.code.lettering();
+  const auto layout = layOutLabel(label, symbol.size);
   QRELIEF_TRY(layout);
   const PlacementRequest& place = request.placement;
   const SizeBound room{symbol.size, roomFactor(symbol.size, searchedPlacement(request, symbol.size))};
   QRELIEF_TRY(checkSizeBound(model.prepared, room, place.eyeDistanceMm));
-  if (!request.code.isText()) return {};
   const double askedMm = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   const double mostMm = squareBoundMm(model.box, place.eyeDistanceMm) / room.outer;
-  return checkTextSize(*layout, symbol.size, std::min(askedMm, mostMm));
+  return checkStrokes(label, *layout, symbol.size, std::min(askedMm, mostMm));
 }
 
 std::shared_ptr<const EngravableModel> EngravableModel::create(PreparedModel prepared,

@@ -49,7 +49,7 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
 /// Checks a request as far as possible without the geometry under the code.
 /// @returns BadUsage or BadInput if the request is impossible or the model has blocking findings; NoSolution if the
 /// model
-///          is too small for the code, or the size too small for the text
+///          is too small for the code, or the size too small for the label or text
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol);
 
 }  // namespace qrelief

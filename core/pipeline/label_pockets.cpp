@@ -32,9 +32,12 @@ double leastThicknessMm(const Mesh& mesh, const ProjectionFrame& frame, const st
 
 }  // namespace
 
-Status checkTextSize(const LabelLayout& layout, int modules, double sizeMm) {
+Status checkStrokes(const LabelOptions& label, const LabelLayout& layout, int modules, double sizeMm) {
   const double strokeMm = layout.thinnestStrokeModules * sizeMm / modules;
-  if (strokeMm >= kMinStrokeMm) return {};
+  if (label.empty() || strokeMm >= kMinStrokeMm) return {};
+  if (!label.isAlone)
+    return fail(ErrorKind::NoSolution, message<"label-strokes-too-thin">(with::lengthMm<"stroke">(strokeMm),
+                                                                         with::lengthMm<"least">(kMinStrokeMm)));
   return fail(ErrorKind::NoSolution,
               message<"text-strokes-too-thin">(with::lengthMm<"size">(sizeMm), with::lengthMm<"stroke">(strokeMm),
                                                with::lengthMm<"least">(kMinStrokeMm),
@@ -47,7 +50,7 @@ Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& 
   if (label.empty()) return OutlinedPockets{};
   auto layout = layOutLabel(label, modules);
   QRELIEF_TRY(layout);
-  if (label.isAlone) QRELIEF_TRY(checkTextSize(*layout, modules, placement.symbolMm));
+  QRELIEF_TRY(checkStrokes(label, *layout, modules, modules * placement.moduleMm));
   OutlinedPockets pockets{std::move(layout->rings), std::move(layout->covered), 0};
   for (Ring& ring : pockets.rings)
     for (Vec2& corner : ring) corner *= placement.moduleMm;

@@ -19,11 +19,12 @@ inline constexpr int kLabelLayers = 2;
 /// Least width of a stroke that anything available prints: a pixel of the finest resin printers, see kMinModuleMm.
 inline constexpr double kMinStrokeMm = 0.05;
 
-/// Checks that a text alone is large enough to make.
-/// @param modules  along the edge of the square that the text fills
-/// @param sizeMm   its edge
+/// Checks that a label, or a text alone, is large enough to make.
+/// @param layout   of `label`
+/// @param modules  along the symbol's edge
+/// @param sizeMm   the symbol's edge
 /// @returns NoSolution if strokes are thinner than kMinStrokeMm
-Status checkTextSize(const LabelLayout& layout, int modules, double sizeMm);
+Status checkStrokes(const LabelOptions& label, const LabelLayout& layout, int modules, double sizeMm);
 
 /// Lays out a request's label, or its text alone, at a placement and finds its depth: kLabelLayers layers, or for an
 /// inlaid code the depth of its modules; less where the wall is thin. A painted label has no depth.
@@ -32,7 +33,7 @@ Status checkTextSize(const LabelLayout& layout, int modules, double sizeMm);
 /// @param mesh     the model before carving
 /// @param modules  along the symbol's edge
 /// @param inlayMm  depth of the modules of Mark::Inlay, > 0; ignored for other marks
-/// @returns empty without either; the errors of layOutLabel() and checkTextSize(); NoSolution if the wall under a
+/// @returns empty without either; the errors of layOutLabel() and checkStrokes(); NoSolution if the wall under a
 ///          corner leaves less than one layer of depth
 Result<OutlinedPockets> labelPockets(const EngraveRequest& request, const Mesh& mesh, const Placement& placement,
                                      int modules, double inlayMm);

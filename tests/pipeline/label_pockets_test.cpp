@@ -95,6 +95,15 @@ TEST_F(LabelPocketsTest, ALabelThatTheFontLacksIsRefusedBeforeTheSearch) {
   EXPECT_EQ(job.error().message.code, "label-lacks-characters");
 }
 
+TEST_F(LabelPocketsTest, ALabelThatIsTooLongToMakeIsRefusedBeforeTheSearch) {
+  const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
+  EngraveRequest engraving = request(25);
+  engraving.code.label.text = std::string(2000, 'x');
+  const auto job = EngraveJob::create(model, engraving);
+  ASSERT_FALSE(job.has_value());
+  EXPECT_EQ(job.error().message.code, "label-strokes-too-thin");
+}
+
 TEST_F(LabelPocketsTest, ASmallLabelGetsAnAdvice) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest engraving = request(25);
