@@ -215,6 +215,8 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
   const Message how = facing(printed.facingDeg), by = printing(printer);
   if (aspect.level == Level::Good)
     aspect.summary = message<"reads-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
+  else if (some && count.enough())
+    aspect.summary = message<"reads-as-printed-hanging">(with::cause<"facing">(how), with::cause<"printing">(by));
   else if (aspect.level == Level::Barely)
     aspect.summary = message<"barely-reads-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
   else

@@ -212,6 +212,9 @@ TEST_F(VerdictTest, APrintThatDoesNotReadFails) {
   EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
   EXPECT_EQ(settingsOf(barely.remedies).front(), "size=best") << "modules of 0.3 mm: depth does not help";
   EXPECT_EQ(printed(12, 0).level, Level::Barely);
+  const Aspect hanging = printed(69, 180);
+  EXPECT_EQ(hanging.level, Level::Barely);
+  EXPECT_EQ(hanging.summary.code, "reads-as-printed-hanging");
   const Aspect bad = printed(11, 45);
   EXPECT_EQ(settingsOf(bad.remedies).front(), "carveFor=print");
   request_.depth.carveFor = CarveFor::Print;
