@@ -17,7 +17,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
   const lines = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem');
   await expect(lines).toHaveCount(3);
   await expect(lines.nth(0)).toContainText(
-    /Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+ % of the error correction is left\./,
+    /Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+\s% of the error correction is left\./,
   );
   await expect(lines.nth(1)).toContainText(
     /Reads as printed, facing up \(0\.4\smm nozzle, 0\.2\smm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./,
@@ -77,7 +77,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await app.openSettings();
   await app.setting('Modules').selectOption('Full');
   await app.setting('Engrave for').selectOption('Design only');
-  await app.setting('Nozzle (mm)').fill('1.2');
+  await app.setting('Nozzle (mm)').fill('0.8');
   await app.setting('Nozzle (mm)').press('Tab');
   await app.setting('At most (mm)').fill('26'); // a limit that the user chose is not widened
   await app.setting('At most (mm)').press('Tab');
@@ -85,7 +85,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await app.engrave();
   const verdict = app.result.getByRole('list', { name: 'Verdict' });
   await expect(verdict).toContainText(
-    /(does not read|Barely reads) as printed, facing up \(1\.2\smm nozzle, 0\.2\smm layers\)/,
+    /(does not read|Barely reads) as printed, facing up \(0\.8\smm nozzle, 0\.2\smm layers\)/,
     kPrinted,
   );
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
@@ -95,6 +95,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   expect(await app.placement.innerText()).not.toBe(before);
   await expect(app.result).toContainText('Made before your last change');
 
+  await app.result.getByText('Why, and what else helps').click();
   await verdict.getByRole('button', { name: 'Use a 0.4 mm nozzle' }).click();
   await expect(app.setting('Nozzle (mm)')).toHaveValue('0.4');
   await app.engrave();

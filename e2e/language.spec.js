@@ -33,7 +33,7 @@ test('Another language applies at once, also to numbers, and is kept', async ({ 
   await test.step('a machine’s translation says so, and is complete', async () => {
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('Français (traduction automatique)');
     await expect(page.getByRole('button', { name: 'Graver', exact: true })).toBeEnabled();
-    await expect(app.placement).toHaveText(/^\d+,\d mm /);
+    await expect(app.placement).toHaveText(/^\d+,\d\smm /);
   });
 });
 

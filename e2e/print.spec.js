@@ -98,7 +98,7 @@ test('If the print does not decode, other processes are tried, and one press app
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
   const line = (await app.failedLines()).nth(1);
   await line.getByRole('button', { name: 'Try other ways of printing' }).click();
-  await expect(line).toContainText(/Print 1 of 4: \d+ %/);
+  await expect(line).toContainText(/Print 1 of 4: \d+\s%/);
   await expect(line.locator('.print-trials li')).toHaveCount(4, { timeout: 180_000 });
   await expect(line).not.toContainText(/Print \d of 4/);
   await expect(line.locator('.print-trials')).toContainText('upright (0.4 mm nozzle, 0.2 mm layers)');
