@@ -161,8 +161,9 @@ function name(control) {
   const key = keyOf(control),
     label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
-  const hint = hintBelow(control);
-  if (hint) hint.textContent = settingHint(key);
+  const said = settingHint(key);
+  const hint = said && hintBelow(control); // some controls have a hint of the page's own
+  if (hint) hint.textContent = said;
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options) {
     const vector = vectorFrom(option.value);
