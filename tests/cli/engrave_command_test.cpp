@@ -59,7 +59,7 @@ TEST_F(EngraveCommandTest, MakesATextAloneInLines) {
 
   const Outcome inColour = engrave({"--text", "Rev B", "--mark", "inlay", "-o", path("out.3mf")});
   EXPECT_EQ(inColour.status, 0) << inColour.err;
-  const Outcome fine = engrave({"--text", std::string(60, 'm'), "--max-size", "20", "-o", path("out.stl")});
+  const Outcome fine = engrave({"--text", std::string(40, 'm'), "--max-size", "20", "-o", path("out.stl")});
   EXPECT_EQ(fine.status, 1) << fine.out;
   EXPECT_NE(fine.err.find("the finest that prints is"), std::string::npos) << fine.err;
   const Outcome labelled = engrave({"--text", "Rev B", "--label", "No. 7", "-o", path("out.stl")});
