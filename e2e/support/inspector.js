@@ -52,11 +52,16 @@ export class Inspector {
     return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
   }
 
-  /** Turns the wheel over the lower part of the window. @param {State} state */
-  async scrollDown_({ window: [x, y, width, height] }) {
+  /** Turns the wheel over the lower part of the window, and waits until all has moved. @param {State} before */
+  async scrollDown_(before) {
+    const [x, y, width, height] = before.window;
     const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
     await this.page.mouse.move(box.x + x + width / 2, box.y + y + height * 0.8);
     await this.page.mouse.wheel(0, 100);
+    await poll(async () => {
+      const state = await this.state();
+      return state?.still && JSON.stringify(state.controls) !== JSON.stringify(before.controls);
+    }).toBe(true);
   }
 
   /** @param {string} control @param {{ x: number, y: number }} [share] */
