@@ -28,11 +28,11 @@ test('A first visit transfers at most 2 MiB; then the page opens, engraves and d
   console.log(`first visit: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
   expect(bytes).toBeLessThan(2 * 2 ** 20);
 
-  // Articles and other samples are kept once they are opened.
+  // Articles, other samples and other languages are kept once they are opened.
   await app.sample.selectOption('Vase');
   await expect(app.facts).toContainText('Vase');
-  await page.goto(`${site.address}guide.html`);
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('How to print it');
+  await page.goto(`${site.address}guide.html?lang=de`);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('So wird es gedruckt');
   await site.close();
   await context.setOffline(true);
 
