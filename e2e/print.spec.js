@@ -90,7 +90,7 @@ test('If the print does not decode, other processes are tried, and one press app
     await expect(lost.locator('rect')).toHaveCount(Number(count));
     await expect(failure.locator('> .remedies').getByRole('button')).toHaveText([
       /^Allow \d+\smm$/,
-      'Use a 0.25 mm nozzle',
+      'Use a 0.25 mm nozzle and layers of 0.16 mm',
       /^Print layers of/,
     ]);
     await expect(failure.getByRole('button')).toHaveCount(3); // the others are folded
