@@ -5,6 +5,7 @@ import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { chosenCentre } from './work.js';
 
+const kLooking = () => text('page.lookingForSpots');
 const kPicturePx = 84; // height of a spot's picture
 const kPictureAspect = 1.5;
 
@@ -88,11 +89,13 @@ export class SpotFinding {
       while (this.isOutdated_ && this.mayProposeNow_) {
         await this.placing_.place();
         this.isOutdated_ = false;
-        await this.moveToBest_();
+        if (this.mayProposeNow_) await this.moveToBest_();
       }
     } finally {
       this.isProposing_ = false;
     }
+    // A search that ended without a spot must not be said to go on.
+    if (this.model_.engravable && this.messages_.isSaying(kLooking)) await this.placing_.place();
   }
 
   async moveToBest_() {
@@ -100,7 +103,7 @@ export class SpotFinding {
     /** @type {unknown} */ let failure;
     const result = await this.jobs_
       .runInBackground(async (signal) => {
-        this.messages_.say(() => text('page.lookingForSpots'));
+        this.messages_.say(kLooking);
         await this.client_.configure(await this.batching_.plannedSettings());
         return this.client_.findSpots({ signal, onProgress: () => {} });
       })

@@ -42,11 +42,8 @@ beforeEach(() => {
   });
   model = { info: {}, engravable: true };
   store = storeOf(centredAt([0, 0, 0], true));
-  placing = fake(
-    Placing,
-    { propose: async () => {}, place: async () => {} },
-    { moved: new Signal(), placement: undefined },
-  );
+  const placed = async () => messages.say(() => 'Ready.');
+  placing = fake(Placing, { propose: placed, place: placed }, { moved: new Signal(), placement: undefined });
   panel = fake(SpotsPanel, { known: true });
   messages = new FakeMessages();
   const said = /** @type {any} */ (messages);
@@ -86,12 +83,23 @@ test('A click during the search ends it', async () => {
   spots.begin();
   await settled();
   placing.moved.tell();
+  messages.say(() => 'Ready.');
   assert.equal(signal?.aborted, true);
   search.resolve(undefined);
   await spots.proposed;
   assert.deepEqual(placing.calls, []);
   spots.again();
   assert.deepEqual(client.calls, ['configure', 'findSpots']);
+});
+
+test('A search that is no longer wanted is not said to go on', async () => {
+  spots.begin();
+  await settled();
+  store.update(centredAt([0, 0, 0]));
+  await spots.forget();
+  search.resolve(undefined);
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['place']);
 });
 
 test('A change of settings during the search begins it again, once', async () => {
@@ -141,7 +149,7 @@ test('An edit while the best spot is being placed proposes the best spot for the
   await settled();
   await spots.forget();
   spots.again();
-  placing.answers.propose = async () => {};
+  placing.answers.propose = async () => messages.say(() => 'Ready.');
   placed.resolve();
   await spots.proposed;
   assert.deepEqual(placing.calls, ['propose', 'place', 'propose']);

@@ -7,7 +7,7 @@ import { WorkStore } from './work_store.js';
 
 /**
  * Records the messages that the page would show.
- * @implements {Pick<import('../ui/messages.js').Messages, 'say' | 'showError' | 'clearError'>}
+ * @implements {Pick<import('../ui/messages.js').Messages, 'say' | 'isSaying' | 'showError' | 'clearError'>}
  */
 export class FakeMessages {
   /** @type {string[]} */ said = [];
@@ -15,6 +15,10 @@ export class FakeMessages {
   /** @param {() => string} words */
   say(words) {
     this.said.push(words());
+  }
+  /** @param {() => string} words */
+  isSaying(words) {
+    return this.said.at(-1) === words();
   }
   /** @param {any} problem */
   showError(problem) {

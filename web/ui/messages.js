@@ -15,6 +15,7 @@ export class Messages {
     this.status_ = byId('status', HTMLElement);
     this.box_ = byId('alert', HTMLElement);
     this.text_ = byId('alert-text', HTMLElement);
+    /** @type {Words | undefined} */ this.words_ = undefined;
     /** @type {Problem | undefined} */ this.problem_ = undefined;
     byId('alert-dismiss', HTMLButtonElement).addEventListener('click', () => this.clearError());
     onLanguage(() => this.problem_ && this.showError(this.problem_));
@@ -22,7 +23,13 @@ export class Messages {
 
   /** @param {Words} words */
   say(words) {
+    this.words_ = words;
     write(this.status_, words);
+  }
+
+  /** Tells whether nothing else has been said since. @param {Words} words */
+  isSaying(words) {
+    return this.words_ === words;
   }
 
   /** @param {Problem} problem */
