@@ -97,7 +97,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 
 namespace {
 
-/// Returns the bounding boxes of the items of a file, after a turn; that of all first.
+/// Returns the bounding boxes of a turned file: first of the whole file, then of each item.
 std::vector<Box3> boxesOfItems(const Mesh& mesh, const ThreeMfSource* source, const Affine& turn) {
   std::vector<Box3> boxes(1);
   for (const Vec3f& p : mesh.positions) boxes[0].add(turn(Vec3(p)));
