@@ -20,15 +20,13 @@ Result<StudyPlacement> findSpot(std::string name, std::shared_ptr<const Engravab
   StudyPlacement spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
   spot.pass = std::make_shared<const GeometryPass>(std::move(*pass));
   const int modules = spot.symbol.size;
-  const auto search = std::make_shared<PlacementSearch>(spot.model->prepared, *spot.model->renderer, modules,
-                                                        searchedPlacement(request, modules));
+  PlacementSearch search(spot.model->prepared, *spot.model->renderer, modules, searchedPlacement(request, modules));
   for (;;) {
-    const auto done = search->step();
+    const auto done = search.step();
     QRELIEF_TRY(done);
     if (*done) break;
   }
-  spot.placement = search->placement();
-  spot.search = search;
+  spot.placement = search.placement();
   return spot;
 }
 

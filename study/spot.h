@@ -24,7 +24,6 @@ struct StudyPlacement {
   Placement placement;
   Symbol symbol;
   std::shared_ptr<const GeometryPass> pass;
-  std::shared_ptr<const PlacementSearch> search;  ///< the search that found the place
 
   /// Measurements from the last carving by carveByEngine(), for the next one.
   mutable std::shared_ptr<PlacementMeasurement> measured = {};

@@ -75,23 +75,24 @@ class Engine {
   std::string adjustCode(const std::string& change);
 
   /// Starts a job. An earlier one of that name ends.
-  /// @param job  "engrave": an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage,
-  ///                 fraction, done} of the first piece of work
+  /// @param job  "engrave": an engraving (verdict/engraving.h). Returns what advanceJob() does
   ///             "spots": the search for the best spots for the settings
   ///             "settling": the search for the exact place of the hovered code; the next hover ends it
   ///             "view-trials": the test of the other angles from which the code decodes (verification/view_trials.h),
   ///                 each step with the pictures of pictures(). Returns {tried, all}
-  /// @param options     of "engrave": {"next": carve with the change of nextStep(), "print": look at prints, "fixed":
-  ///                    [keys of settings that must not change], "offers": try other marks as remedies}; all may be
-  ///                    missing: false, true, none, false
+  /// @param options     of "engrave": {"print": look at prints, "fixed": [keys of settings that must not change],
+  ///                    "offers": try other marks as remedies}; all may be missing: true, none, false
   /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
   ///                    empty: as configured
   std::string startJob(const std::string& job, const std::string& options = "{}",
                        const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
   /// Does one bounded piece of work of a job.
-  /// @param job  "engrave": returns {stage, fraction, done, printable}. When done, there is a carved model to show
-  ///                 (show). `printable`: its file is written, so that printOrder() and exportModel("stl")
-  ///                 work
+  /// @param job  "engrave": returns {stage, fraction, done, needs, printable, carving, best, changes}. `done`: the host
+  ///                 must answer what it `needs` before the next step: "texts" of pictures("reading") by setReadings(),
+  ///                 or the "print" of the carving by setPrintedReadings(); null: the carving is the result.
+  ///                 `printable`: the file of the attempt is written, so that printOrder() and exportModel("stl") work.
+  ///                 `carving`, `best`: numbers of the current carving and of the best one so far; 0: none. `changes`:
+  ///                 [{setting, value}] of the attempt from the code as requested. If nothing can be carved, an error
   ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
   ///                 concerns: [message]}], topMm}. Best first, with the largest size
   ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
@@ -104,17 +105,11 @@ class Engine {
   ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
   /// @param answers  of "view-trials": {"read"}; all other jobs ignore it
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
-  /// Ends "engrave" or "spots".
+  /// Ends "engrave" or "spots". The best carving of an engraving so far becomes the current one.
   void cancelJob(const std::string& job);
-  /// Returns the plan's next step: {step: "carve", "print" or "deliver", carving, changes: [{setting, value}]}.
-  /// `carving` is the number of the carving to print or to deliver, or of the best one so far; `changes` are all
-  /// changes of the step's carving from the one as requested. Call it after setReadings(), after setPrintedReadings(),
-  /// or if a carving fails. If nothing could be carved, the plan ends with "deliver" and a `carving` that does not
-  /// exist.
-  std::string nextStep() const;
   /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }
-  /// Restores and shows a finished engraving of this model: the last one or the previous one.
+  /// Restores and shows a carving of this model that is kept, see Carvings.
   /// @returns true if it still exists
   bool useCarving(int number);
 
@@ -139,8 +134,8 @@ class Engine {
   /// print process is chosen. An error before an engraving is printable, see advanceJob().
   /// @param changed  printing settings that differ from the carved request, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
-  /// Adds the texts decoded from the print's pictures to the report. Returns {passed}: the code decodes as carved and
-  /// as printed.
+  /// Adds the texts decoded from the print's pictures to the report. Returns {passed, more}: the code decodes as carved
+  /// and as printed; the engraving has another attempt to make.
   /// @param texts      as for setReadings()
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);
@@ -248,6 +243,7 @@ class Engine {
   /// Turns the camera so that the plate is below, if the printer's vertical does not depend on the code's place.
   void standOnPlate();
   void showCarved(bool carved);
+  void hideCarved();
   void hidePrint();
   void showSizes(bool isShown);
   void zoom(double factor, double x, double y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements the verbs that use a carving: plan, print, report and export it.
+// Implements the verbs that use a carving: show, decode, print, report and export it.
 #include <algorithm>
 #include <cassert>
 
@@ -12,28 +12,6 @@
 #include "verdict/other_prints.h"
 
 namespace qrelief {
-namespace {
-
-Json jsonOf(const std::vector<SettingChange>& changes) {
-  Json json = Json::array();
-  for (const SettingChange& change : changes) json.push_back({{"setting", change.setting}, {"value", change.value}});
-  return json;
-}
-
-}  // namespace
-
-std::string Engine::nextStep() const {
-  const EngravePlan* const plan = carvings_.plan();
-  if (!plan) return answer(kNoResult);
-  const char* const step = plan->step() == EngravePlan::Step::Carve   ? "carve"
-                           : plan->step() == EngravePlan::Step::Print ? "print"
-                                                                      : "deliver";
-  const bool isOfCurrent = plan->step() == EngravePlan::Step::Print && plan->attempt() != plan->kept();
-  return textOf({{"ok", true},
-                 {"step", step},
-                 {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
-                 {"changes", jsonOf(plan->changes())}});
-}
 
 bool Engine::useCarving(int number) {
   if (!carvings_.use(number)) return false;
@@ -43,6 +21,11 @@ bool Engine::useCarving(int number) {
 
 bool Engine::showsCarved() const {
   return scene_.surface() == Scene::Surface::Carved && carvings_.madeDisplay() != nullptr;
+}
+
+void Engine::hideCarved() {
+  scene_.show(Scene::Surface::Carved, false);
+  updateView();
 }
 
 void Engine::showCarved(bool carved) {
@@ -73,7 +56,7 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
   if (!carvings_.result()) return answer(kNoResult);
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
-  const Verdict verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
+  const Verdict& verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
   return textOf({{"ok", true}, {"passed", verdict.reads.passed()}});
 }
 
@@ -85,17 +68,20 @@ std::string Engine::printOrder(const std::string& changed) const {
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
-  if (!carvings_.result() || !carvings_.request().print.process) return answer(kNoResult);
+  if (!carvings_.result() || !carvings_.result()->request.print.process) return answer(kNoResult);
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
-  const Verdict verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
-  return textOf({{"ok", true}, {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()}});
+  const Verdict& verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
+  return textOf({{"ok", true},
+                 {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()},
+                 {"more", carvings_.engraving() && carvings_.engraving()->isWorking()}});
 }
 
 std::string Engine::otherPrints() const {
   if (!carvings_.result()) return answer(kNoResult);
   Json others = Json::array();
-  for (const SettingChange& other : qrelief::otherPrints(verifyRequestOf(carvings_.request(), *carvings_.result())))
+  for (const SettingChange& other :
+       qrelief::otherPrints(verifyRequestOf(carvings_.result()->request, *carvings_.result())))
     others.push_back({{other.setting, other.value}});
   return textOf({{"ok", true}, {"others", others}});
 }
@@ -137,7 +123,7 @@ std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
   const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };
   if (plate_.isEmpty()) plate_.start(size(copies));
-  plate_.add(*model_, *carvings_.result(), carvings_.request(), size(place), id);
+  plate_.add(*model_, *carvings_.result(), carvings_.result()->request, size(place), id);
   return done();
 }
 

@@ -6,7 +6,6 @@
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "message_codes/engine.h"
-#include "pipeline/requested_symbol.h"
 #include "projection/flatness.h"
 
 namespace qrelief {
@@ -23,33 +22,33 @@ Json jsonOf(const SpotOffers& offers) {
   return spots;
 }
 
+Json jsonOf(const std::vector<SettingChange>& changes) {
+  Json json = Json::array();
+  for (const SettingChange& change : changes) json.push_back({{"setting", change.setting}, {"value", change.value}});
+  return json;
+}
+
 }  // namespace
 
 std::string Engine::startEngrave(const std::string& options,
                                  const std::function<EngraveRequest(EngraveRequest)>& overridden) {
   const Result<Json> parsed = parseJson(options);
   if (!parsed) return answer(parsed.error());
-  const bool isNext = parsed->value("next", false);
-  if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
-    return answer(ErrorKind::BadUsage, message<"not-engraving">());
   scene_.show(Scene::Surface::Sizes, false);
-  scene_.show(Scene::Surface::Carved, false);
-  carvings_.setAside();
-  updateView();
+  hideCarved();
   if (!model_) return answer(kNoModel);
   if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message<"no-centre">());
-  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().modelUp());
+  EngraveRequest request = wanted_.request(scene_.camera().modelUp());
   if (overridden) request = overridden(std::move(request));
-  if (!isNext)
-    carvings_.follow({request,
-                      {.looksAtPrint = parsed->value("print", true),
-                       .mayChange = !overridden,
-                       .offersMarks = parsed->value("offers", false),
-                       .fixed = parsed->value("fixed", std::vector<std::string>())}});
-  const Result<Symbol> symbol = isNext ? requestedSymbol(request.code) : wanted_.symbol();
-  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, symbol);
-  const auto started = carvings_.start(ground(), std::move(request), placed);
-  return started ? answer(*started) : answer(started.error());
+  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
+  carvings_.start(ground(), std::move(request),
+                  {.looksAtPrint = parsed->value("print", true),
+                   .mayChange = !overridden,
+                   .offersMarks = parsed->value("offers", false),
+                   .fixed = parsed->value("fixed", std::vector<std::string>())},
+                  placed);
+  updateView();
+  return advanceEngrave();
 }
 
 std::string Engine::startSpotSearch() {
@@ -71,15 +70,24 @@ std::string Engine::advancePreparation() {
 }
 
 std::string Engine::advanceEngrave() {
-  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message<"not-engraving">());
-  const Result<Progress> progress = carvings_.advance();
-  if (!progress) return answer(progress.error());
-  if (progress->done) {
-    const EngraveResult& result = *carvings_.result();
-    preview_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+  if (!carvings_.engraving()) return answer(ErrorKind::BadUsage, message<"not-engraving">());
+  const int started = carvings_.started(), shown = carvings_.number();
+  const auto step = carvings_.advance();
+  if (!step) return answer(step.error());
+  if (carvings_.started() != started) hideCarved();
+  if (const EngraveResult* const result = carvings_.result(); result && carvings_.number() != shown) {
+    preview_.take(result->placement, exactCode(*model_, result->symbol, result->request, result->placement));
     updateView();
   }
-  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
+  const Engraving& engraving = *carvings_.engraving();
+  const bool isEarly = carvings_.isRunning() && carvings_.printable();
+  return answer(engraving.progress(), {{"needs", *step == Engraving::Step::Decode  ? Json("texts")
+                                                 : *step == Engraving::Step::Print ? Json("print")
+                                                                                   : Json()},
+                                       {"printable", isEarly},
+                                       {"carving", carvings_.number()},
+                                       {"best", carvings_.best()},
+                                       {"changes", jsonOf(engraving.plan().changes())}});
 }
 
 std::string Engine::advanceSpotSearch() {

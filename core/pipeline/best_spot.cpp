@@ -14,15 +14,20 @@ constexpr std::size_t kSpots = 3;
 
 }  // namespace
 
-Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request,
-                      const BestSpotOptions& options) {
+Result<std::unique_ptr<SpotSearchJob>> searchBestSpot(std::shared_ptr<const EngravableModel> model,
+                                                      const EngraveRequest& request, double scaleToMm) {
   const auto symbol = requestedSymbol(request.code);
   QRELIEF_TRY(symbol);
   QRELIEF_TRY(checkEngraving(*model, request, *symbol));
   SpotSearchRequest search = spotSearchFor(request, *symbol);
   search.count = kSpots;
-  search.scaleToMm = options.scaleToMm;
-  const auto job = SpotSearchJob::create(std::move(model), search);
+  search.scaleToMm = scaleToMm;
+  return SpotSearchJob::create(std::move(model), search);
+}
+
+Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request,
+                      const BestSpotOptions& options) {
+  const auto job = searchBestSpot(std::move(model), request, options.scaleToMm);
   QRELIEF_TRY(job);
   QRELIEF_TRY(advanceToEnd(**job, options.tell));
   return (*job)->takeResult().spots.front();

@@ -15,10 +15,15 @@ struct BestSpotOptions {
   std::function<void(const Progress&)> tell = [](const Progress&) {};
 };
 
-/// Finds the best spot for the code of a request: for its size if that is fixed, otherwise for the largest code. Runs a
-/// SpotSearchJob to its end. Needs the model's GL context, if it has one.
-/// @param request  its centre is ignored
+/// Begins the search for the best spot for the code of a request: for its size if that is fixed, otherwise for the
+/// largest code. The best spot is the first one of its result. Needs the model's GL context, if it has one.
+/// @param request    its centre is ignored
+/// @param scaleToMm  see SpotSearchRequest
 /// @returns the errors of requestedSymbol(), checkEngraving() and SpotSearchJob
+Result<std::unique_ptr<SpotSearchJob>> searchBestSpot(std::shared_ptr<const EngravableModel> model,
+                                                      const EngraveRequest& request, double scaleToMm);
+
+/// Runs searchBestSpot() to its end.
 Result<Spot> bestSpot(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request,
                       const BestSpotOptions& options = {});
 

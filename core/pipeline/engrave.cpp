@@ -66,14 +66,14 @@ Result<StageStep> EngraveJob::State::place() {
   const Result<bool> placed = placing->step();
   QRELIEF_TRY(placed);
   if (!*placed) return StageStep();
-  take(*placing);
+  take(placing->found());
   return kStageDone;
 }
 
-void EngraveJob::State::take(const PlacementSearch& placed) {
-  result.placement = placed.placement();
-  result.timingsMs.direction = placed.directionMs();
-  result.timingsMs.size = placed.sizeMs();
+void EngraveJob::State::take(const FoundPlacement& placed) {
+  result.placement = placed.placement;
+  result.timingsMs.direction = placed.directionMs;
+  result.timingsMs.size = placed.sizeMs;
   asked = request;
   if (request.needsLight()) decidePatterns(false);
 }
@@ -228,6 +228,11 @@ InspectorMaps EngraveJob::inspectorMaps() const {
 }
 
 const SurfaceMaps* EngraveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
+
+std::optional<FoundPlacement> EngraveJob::foundPlace() const {
+  if (!state_->placing) return {};
+  return state_->placing->found();
+}
 
 std::shared_ptr<PlacementMeasurement> EngraveJob::placementMeasurement() const {
   return state_->isMeasured ? state_->measured : nullptr;

@@ -118,8 +118,8 @@ class EngraveJob {
  public:
   /// Results of earlier work to reuse.
   struct Known {
-    /// A finished search on this model for searchedPlacement(request, …).
-    const PlacementSearch* placed = nullptr;
+    /// The place on this model for searchedPlacement(request, …).
+    const FoundPlacement* placed = nullptr;
     std::shared_ptr<const LuminancePrograms> programs = nullptr;  ///< null: makes its own if the model uses shaders
     const Symbol* symbol = nullptr;  ///< replaces the symbol of the request's text and options
     /// From a finished job on the same model; the place is measured anew if this job's place differs.
@@ -149,6 +149,8 @@ class EngraveJob {
   /// owns it.
   const EngraveResult* writtenResult() const;
 
+  /// Returns the place that the job has found; none if it was known. Call it after `done`.
+  std::optional<FoundPlacement> foundPlace() const;
   /// Returns null before the surface is measured.
   std::shared_ptr<PlacementMeasurement> placementMeasurement() const;
 

@@ -45,7 +45,7 @@ struct EngraveJob::State {
   static JobStages<State> stagesOf(const EngraveRequest& request, bool isPlaced);
 
   Result<StageStep> place();
-  void take(const PlacementSearch& placed);
+  void take(const FoundPlacement& placed);
   void decidePatterns(bool areWallsThin);
   std::vector<double> limitsOfMask() const;
   Status measurePlace(bool withLight);

@@ -344,8 +344,8 @@ Status PlacementSearch::leaveWalls(Fit& fit) const {
 bool PlacementSearch::lookFromFree() {
   const Result<bool> isDone = free_->step();
   if (isDone && !*isDone) return false;
-  directionMs_ += free_->directionMs();
-  sizeMs_ += free_->sizeMs();
+  directionMs_ += free_->directionMs_;
+  sizeMs_ += free_->sizeMs_;
   if (isDone) {
     placement_.iterations = free_->placement().iterations;
     std::vector<Fit> earlier = std::move(fits_);

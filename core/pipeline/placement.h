@@ -35,6 +35,12 @@ struct Placement {
 /// Returns a phrase for the requested code, to be quoted within a message: "a code of 35 mm with its quiet zone".
 Message codeInWords(const PlacementRequest& request);
 
+/// The result of a PlacementSearch.
+struct FoundPlacement {
+  Placement placement;
+  double directionMs = 0, sizeMs = 0;  ///< time to find direction and size
+};
+
 /// Search for direction and size. They depend on each other, so it finds them in turn until the size changes by less
 /// than 1 % (at most 5 rounds) [Papp 2022, §3 and §4]. Then it searches once for the optimal direction, at the size
 /// found, starting from the depth-balanced direction. For SizeMode::Best the round with the largest size wins. Unless
@@ -53,9 +59,10 @@ class PlacementSearch {
   /// @returns true when done; NoSolution if the code does not fit (the message names the largest that fits)
   Result<bool> step();
 
+  int modules() const { return modules_; }
   const Placement& placement() const { return placement_; }
-  double directionMs() const { return directionMs_; }
-  double sizeMs() const { return sizeMs_; }
+  /// Returns the result. Call it after step() has returned true.
+  FoundPlacement found() const { return {placement_, directionMs_, sizeMs_}; }
 
  private:
   /// One way in which the code fits.

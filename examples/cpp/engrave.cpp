@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <qrelief/io/read_model.h>
 #include <qrelief/messages/sentences.h>
-#include <qrelief/native/engraver.h>
+#include <qrelief/native/engrave.h>
 #include <qrelief/native/files.h>
 #include <qrelief/native/graphics.h>
 #include <qrelief/pipeline/best_spot.h>
@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
   const Graphics graphics = Graphics::open();
   const auto model = EngravableModel::create(std::move(prepared), graphics.pass);
   if (!isPlaced) request.placement = placedAt(valueOf(bestSpot(model, request)), request.placement);
-  const Engraver engraver = valueOf(Engraver::create(model));
-  const Engraved engraved = valueOf(engraver.engrave(request, [](const Progress&) {}));
+  Engraver engraver(model);
+  const Engraved engraved = valueOf(engrave(engraver, request));
   std::printf("%d of %d tries decode it\n", engraved.reading.count.reads, engraved.reading.count.tries);
   const CarvedFiles carved = valueOf(encodeCarved(model->prepared, engraved.result, argv[2]));
   for (const NamedFile& file : carved.files) valueOf(writeFileAtomically(file.name, file.bytes));

@@ -66,9 +66,7 @@ Status BatchRun::use(const std::string& model, const EngraveRequest& first) {
   report_.reader = zxingName();
   engraver_.reset();
   model_ = EngravableModel::create(std::move(loaded->prepared), graphics_->pass);
-  auto engraver = Engraver::create(model_);
-  QRELIEF_TRY(engraver);
-  engraver_.emplace(std::move(*engraver));
+  engraver_.emplace(model_);
   hasToldMoved_ = false;
   if (!places_.contains(model)) {
     EngraveRequest placed = first;
@@ -158,8 +156,7 @@ Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const bool looksAtPrint = BatchLayout{.printEvery = options_->printEvery}.printsRow(row.number - options_->first);
   EngravePlan::Options plan{.looksAtPrint = looksAtPrint, .fixed = {"text"}, .chosen = options_->flags.given()};
   if (isFiled()) plan.otherMarks = marksInColour(formatOfName(row.file));
-  auto engraved = engraver_->engrave(
-      row.request, [](const Progress&) {}, plan);
+  auto engraved = engrave(*engraver_, row.request, plan);
   if (!engraved) return engraved;
   tellMoved(engraved->result);
   entry.details = describeRow({engraved->request, engraved->result, engraved->reading, engraved->printed,

@@ -13,7 +13,7 @@
 #include "cli/model_input.h"
 #include "cli/setting_flags.h"
 #include "native/batch_folder.h"
-#include "native/engraver.h"
+#include "native/engrave.h"
 #include "native/graphics.h"
 #include "report/report.h"
 

@@ -16,7 +16,7 @@
 #include "io/write_files.h"
 #include "message_codes/command.h"
 #include "messages/sentences.h"
-#include "native/engraver.h"
+#include "native/engrave.h"
 #include "native/files.h"
 #include "native/graphics.h"
 #include "native/png_file.h"
@@ -147,13 +147,13 @@ void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
 }
 
 /// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
-Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
+Status tryOtherPrints(Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
   fmt::print("engraved for other ways of printing:\n");
   for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
     EngraveRequest changed = options.request;
     apply(other, changed);
     ProgressBar bar(options.quiet);
-    const auto carved = engraver.engraveOnce(changed, [&](const Progress& progress) { bar.show(progress); });
+    const auto carved = engrave(engraver, changed, {.mayChange = false}, [&](const Progress& progress) { bar.show(progress); });
     QRELIEF_TRY(carved);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
                triedPrint(carved->verdict.prints, *carved->printed));
@@ -194,16 +194,16 @@ int engraveModel(EngraveOptions& options) {
   const auto model = EngravableModel::create(std::move(input->prepared), graphics.pass);
   context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
-  const auto engraver = Engraver::create(model);
-  if (!engraver) return printError(engraver.error());
+  Engraver engraver(model);
   const EngraveRequest asked = options.request;
   auto carved = [&] {
     ProgressBar bar(options.quiet);
-    return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); },
-                             {.mayMove = options.at.empty(),
-                              .offersMarks = true,
-                              .chosen = options.flags.given(),
-                              .otherMarks = marksInColour(formatOfName(options.output))});
+    return engrave(engraver, asked,
+                   {.mayMove = options.at.empty(),
+                    .offersMarks = true,
+                    .chosen = options.flags.given(),
+                    .otherMarks = marksInColour(formatOfName(options.output))},
+                   [&](const Progress& progress) { bar.show(progress); });
   }();
   if (!carved) return printError(carved.error(), context.fileName);
   options.request = carved->request;
@@ -227,7 +227,7 @@ int engraveModel(EngraveOptions& options) {
     if (const auto moved = centreMoved(asked.placement.centreMm, result.placement))
       printWarning(*moved, context.fileName);
   if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
-    if (const Status tried = tryOtherPrints(*engraver, options, result); !tried) return printError(tried.error());
+    if (const Status tried = tryOtherPrints(engraver, options, result); !tried) return printError(tried.error());
   return printFailed(context.verdict);
 }
 

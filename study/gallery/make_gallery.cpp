@@ -8,7 +8,7 @@
 
 #include "messages/sentences.h"
 #include "native/egl_context.h"
-#include "native/engraver.h"
+#include "native/engrave.h"
 #include "native/files.h"
 #include "native/png_file.h"
 #include "pipeline/printed_view.h"
@@ -79,9 +79,8 @@ Result<GreyImage> printedPicture(const Engraved& engraved) {
   return std::move(view->seen.clean);
 }
 
-Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::string& folder,
-                  const std::string& name) {
-  const auto engraved = engraver.engrave(exhibit.request, [](const Progress&) {});
+Result<Json> show(Engraver& engraver, const Exhibit& exhibit, const std::string& folder, const std::string& name) {
+  const auto engraved = engrave(engraver, exhibit.request);
   QRELIEF_TRY(engraved);
   const auto printed = printedPicture(*engraved);
   QRELIEF_TRY(printed);
@@ -112,12 +111,11 @@ Status make(const std::string& sample, const std::string& samples, const std::st
   usual->print.buildUp = {};
   usual->placement.sizeMode = SizeMode::Best;
   usual->placement.maxSizeMm = kMaxSizeMm;
-  const auto engraver = Engraver::create(*model);
-  QRELIEF_TRY(engraver);
+  Engraver engraver(*model);
   Json pictures = Json::array();
   int number = 0;
   for (const Exhibit& exhibit : exhibits(*usual, withPatterns)) {
-    const auto one = show(*engraver, exhibit, folder, fmt::format("{}-{}", sample, number++));
+    const auto one = show(engraver, exhibit, folder, fmt::format("{}-{}", sample, number++));
     QRELIEF_TRY(one);
     pictures.push_back(*one);
   }

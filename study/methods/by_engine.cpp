@@ -16,7 +16,8 @@ EngraveRequest publishedRequest(const StudyPlacement& spot, ModulePattern module
 
 Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveRequest& request, const Symbol* symbol,
                                  MakeSearch makeSearch) {
-  EngraveJob::Known known{spot.search.get(), nullptr, symbol, spot.measured};
+  const FoundPlacement placed{spot.placement};
+  EngraveJob::Known known{&placed, nullptr, symbol, spot.measured};
   known.makeSearch = std::move(makeSearch);
   auto job = EngraveJob::create(spot.model, request, known);
   QRELIEF_TRY(job);

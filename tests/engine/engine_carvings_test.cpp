@@ -33,11 +33,20 @@ class EngineCarvingsTest : public GlTest {
   }
   int carveBy(const std::string& options) {
     EXPECT_EQ(Json::parse(engine_->startJob("engrave", options))["ok"], true);
+    toNextAnswer();
+    return engine_->carving();
+  }
+  /// Runs the engraving until the host must answer, or to its end. @returns the last answer
+  Json toNextAnswer() {
     for (;;) {
       const Json progress = Json::parse(engine_->advanceJob("engrave"));
       if (progress["ok"] != true) ADD_FAILURE() << progress;
-      if (progress["ok"] != true || progress["done"] == true) return engine_->carving();
+      if (progress["ok"] != true || progress["done"] == true) return progress;
     }
+  }
+  static std::string lastChange(const Json& step) {
+    const Json change = step["changes"].back();
+    return change["setting"].get<std::string>() + "=" + change["value"].get<std::string>();
   }
   std::string reportedText() const { return Json::parse(engine_->report())["text"]; }
 
@@ -127,45 +136,42 @@ TEST_F(EngineCarvingsTest, PlacesCarvingsSideBySideOnAPlate) {
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
 }
 
-TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneDecodes) {
-  EXPECT_EQ(Json::parse(engine_->nextStep())["ok"], false);
-  EXPECT_EQ(Json::parse(engine_->startJob("engrave", R"({"next": true})"))["ok"], false);
+TEST_F(EngineCarvingsTest, CarvesDeeperAndKeepsTheFirstCarvingUntilADeeperOneDecodes) {
   const int first = carve("plan");
   std::vector<std::string> changes;
   Json step;
   for (;;) {
     engine_->setReadings(R"([""])", "a reader");
-    step = Json::parse(engine_->nextStep());
-    EXPECT_EQ(step["carving"], first);
-    if (step["step"] != "carve") break;
-    const Json change = step["changes"].back();
-    changes.push_back(change["setting"].get<std::string>() + "=" + change["value"].get<std::string>());
-    EXPECT_NE(carveBy(R"({"next": true})"), first);
+    step = toNextAnswer();
+    EXPECT_EQ(step["best"], first);
+    if (step["needs"] != "texts") break;
+    changes.push_back(lastChange(step));
+    EXPECT_NE(step["carving"], first);
   }
   EXPECT_EQ(changes, (std::vector<std::string>{"carveFor=design", "preset=robust"}));
-  EXPECT_EQ(step["step"], "print");
-  ASSERT_TRUE(engine_->useCarving(first));
+  EXPECT_EQ(step["needs"], "print");
+  EXPECT_EQ(step["carving"], first);
   EXPECT_EQ(Json::parse(engine_->report())["depth"]["preset"], "balanced");
 
   carveBy(R"({"fixed": ["carveFor", "preset"], "print": false})");
   engine_->setReadings(R"([""])", "a reader");
-  step = Json::parse(engine_->nextStep());
-  EXPECT_EQ(step["step"], "deliver");
-  EXPECT_EQ(step["carving"], engine_->carving());
+  do step = toNextAnswer();  // without a print it tries what is left open
+  while (step["needs"] == "texts" && Json::parse(engine_->setReadings(R"([""])", "a reader"))["ok"] == true);
+  EXPECT_TRUE(step["needs"].is_null());
+  EXPECT_EQ(step["carving"], step["best"]);
 }
 
-TEST_F(EngineCarvingsTest, ExportsTheKeptCarvingWhileThePlanMakesAnother) {
+TEST_F(EngineCarvingsTest, ExportsTheBestCarvingWhileAnotherIsMade) {
   const int first = carve("kept");
-  engine_->setReadings(R"([""])", "a reader");
   const auto stl = engine_->exportModel("stl"), ply = engine_->exportModel("ply");
   ASSERT_FALSE(ply.empty());
-  ASSERT_EQ(Json::parse(engine_->startJob("engrave", R"({"next": true})"))["ok"], true);
+  engine_->setReadings(R"([""])", "a reader");
+  engine_->advanceJob("engrave");
   EXPECT_EQ(engine_->exportModel("stl", "any", first), stl);
   EXPECT_EQ(engine_->exportModel("ply", "any", first), ply);
   EXPECT_EQ(engine_->exportFiles("a.stl", first).at(0).bytes, stl);
   EXPECT_TRUE(engine_->exportModel("ply").empty()) << "there is no current one";
-  while (Json::parse(engine_->advanceJob("engrave"))["done"] != true) {
-  }
+  toNextAnswer();
   EXPECT_NE(engine_->exportModel("stl"), stl);
   EXPECT_EQ(engine_->exportModel("stl", "any", first), stl);
   EXPECT_TRUE(engine_->exportModel("stl", "any", first + 100).empty());
@@ -173,19 +179,30 @@ TEST_F(EngineCarvingsTest, ExportsTheKeptCarvingWhileThePlanMakesAnother) {
 
 TEST_F(EngineCarvingsTest, AnAttemptWithASmallerSymbolNeedsNoOtherSettings) {
   engine_->configure(R"({"text": "https://example.org/0123456789012345678901234567890123456789", "size": 30})");
-  const Json placed = Json::parse(engine_->placement());  // the plan's carvings may use this placement
+  const Json placed = Json::parse(engine_->placement());  // the attempts may use this placement
   carveBy(R"({"print": false})");
   Json step;
   do {
     engine_->setReadings(R"([""])", "a reader");
-    step = Json::parse(engine_->nextStep());
-    ASSERT_EQ(step["step"], "carve") << step;
-    carveBy(R"({"next": true})");
+    step = toNextAnswer();
+    ASSERT_EQ(step["needs"], "texts") << step;
   } while (step["changes"].back()["setting"] != "text");
   const Json report = Json::parse(engine_->report());
   const int modules = report["symbol"]["modules"];
   EXPECT_LT(modules, placed["placement"]["modules"].get<int>());
   EXPECT_NEAR(report["size"]["moduleMm"].get<double>() * modules, report["size"]["symbolMm"].get<double>(), 1e-9);
+}
+
+TEST_F(EngineCarvingsTest, ACancelKeepsTheBestCarvingSoFar) {
+  const int first = carve("best so far");
+  const auto stl = engine_->exportModel("stl");
+  engine_->setReadings(R"([""])", "a reader");
+  engine_->advanceJob("engrave");
+  EXPECT_EQ(engine_->carving(), 0) << "a deeper one is made";
+  engine_->cancelJob("engrave");
+  EXPECT_EQ(engine_->carving(), first);
+  EXPECT_EQ(engine_->exportModel("stl"), stl);
+  EXPECT_EQ(Json::parse(engine_->advanceJob("engrave"))["error"]["code"], "not-engraving");
 }
 
 TEST_F(EngineCarvingsTest, ForgetsOlderCarvings) {

@@ -340,9 +340,10 @@ TEST_F(EngraveTest, AKnownPlaceLeavesOutTheFirstStage) {
   const auto model = upload(shapes::icosphere(40, 4));
   const EngraveRequest engraving = request({0, 0, 40}, 25);
   const Symbol symbol = *encodeSymbol(engraving.code.text, engraving.code.symbol);
-  PlacementSearch placed(model->prepared, *model->renderer, symbol.size, searchedPlacement(engraving, symbol.size));
-  while (!*placed.step()) {
+  PlacementSearch search(model->prepared, *model->renderer, symbol.size, searchedPlacement(engraving, symbol.size));
+  while (!*search.step()) {
   }
+  const FoundPlacement placed = search.found();
   EXPECT_THAT(followJob(**EngraveJob::create(model, engraving, {.placed = &placed})),
               testing::ElementsAre("measuring-surface", "finding-depth", "carving-mesh", "checking-solid",
                                    "looking-at-result"));

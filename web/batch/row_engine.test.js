@@ -3,9 +3,12 @@ import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { kReaderName } from '../decoder/reader.js';
+import { Carver } from './carver.js';
 import { sha256 } from './hashes.js';
 import { RowEngine } from './row_engine.js';
 
+const kDone = { needs: null, carving: 7, changes: [] };
 const kJob = /** @type {any} */ ({
   model: { bytes: new Uint8Array(3), fileName: 'cube.stl', scaleToMm: 25.4, upAxis: 'y' },
   input: 'aa',
@@ -15,10 +18,11 @@ const kJob = /** @type {any} */ ({
 });
 
 /** @type {string[]} */ let calls;
-/** @type {any[]} */ let plans; // of the carvings
+/** @type {any[]} */ let options; // of the engravings
+/** @type {any[]} */ let read; // what the engraving goes on with
 /** @type {any[]} */ let configured;
 /** @type {any[]} */ let placements; // of the texts to hash
-/** @type {any[]} */ let steps; // of the module's plan; then it delivers
+/** @type {any[]} */ let steps; // what the engraving needs, one after the other
 /** @type {any} */ let answers;
 /** @type {RowEngine} */ let engine;
 /** Carves the second row. @param {boolean} looks */
@@ -32,10 +36,11 @@ const carveSecond = async (looks = false) => {
 
 beforeEach(() => {
   calls = [];
+  read = [];
   configured = [];
   placements = [];
-  plans = [];
-  steps = [];
+  options = [];
+  steps = [{ needs: 'texts', carving: 7, pictures: [] }, kDone];
   answers = {
     start: { problems: [] },
     batchRow: { number: 2, line: 3, id: 'b', text: 'two', file: 'b.3mf', settings: { text: 'two', version: 1 } },
@@ -46,13 +51,12 @@ beforeEach(() => {
     unitEntries: (/** @type {number} */ _, /** @type {any} */ { input, settings: [settings] }) => [
       { number: 2, id: 'b', text: 'two', file: 'b.3mf', status: 'failed', sha256: { input, settings } },
     ],
-    setReadings: { passed: true },
-    nextStep: () => steps.shift() ?? { step: 'deliver', carving: 7 },
+    engrave: () => steps.shift(),
+    continueEngrave: () => steps.shift(),
     configure: (/** @type {any} */ settings) => void configured.push(settings),
     describeRow: { passed: true, failed: [], details: { grades: 'A' } },
     exportFiles: (/** @type {string} */ name) => [{ name, bytes: new Uint8Array([1, 2]) }],
     printJob: { order: {}, stl: new Uint8Array() },
-    carving: 7,
     setPrintedReadings: { passed: true },
   };
   const client = new Proxy(
@@ -62,7 +66,8 @@ beforeEach(() => {
         (_, name) =>
         async (/** @type {any[]} */ ...args) => {
           calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
-          if (name === 'engrave') plans.push(args[0].plan);
+          if (name === 'engrave') options.push(args[0].options);
+          if (name === 'continueEngrave') read.push(args[0].read);
           const answer = answers[name];
           if (answer instanceof Error) throw answer;
           return typeof answer === 'function' ? answer(...args) : answer;
@@ -102,38 +107,30 @@ test('A row is carved with common and own settings, and its line has the hashes 
   assert.ok(!calls.includes('printJob'));
 });
 
-test('Simulates the print if the plan asks for it', async () => {
-  steps = [{ step: 'print', carving: 7 }];
+test('Decodes what the engraving shows, and simulates its print if it needs one', async () => {
+  steps = [{ needs: 'texts', carving: 7, pictures: [] }, { needs: 'print', carving: 7 }, kDone];
   await carveSecond(true);
+  assert.deepEqual(options, [{ print: true }]);
+  assert.deepEqual(read, [{ texts: ['two'], reader: kReaderName }, undefined]);
   assert.ok(calls.includes('setPrintedReadings 7 12'));
-  assert.deepEqual(plans, [{ print: true }]);
 });
 
-const kDeeper = { step: 'carve', carving: 7, changes: [{ setting: 'preset', value: 'robust' }] };
-
-test('Carves what the plan asks for, and delivers what it names', async () => {
-  steps = [kDeeper, { step: 'deliver', carving: 6 }];
-  assert.equal((await carveSecond()).entry.status, 'done');
-  assert.deepEqual(plans, [{ print: false }, { next: true }]);
-  assert.equal(calls.filter((call) => call.startsWith('useCarving')).at(-1), 'useCarving 6');
+test('The settings of the result are those as asked for with its changes', async () => {
+  const changes = [
+    { setting: 'preset', value: 'robust' },
+    { setting: 'maxSizeMm', value: '80' },
+  ];
+  steps = [{ ...kDone, changes }];
+  const carver = new Carver({ client: /** @type {any} */ (engine).client_ });
+  const job = { signal: new AbortController().signal, onProgress: () => {} };
+  const settings = await carver.carve(/** @type {any} */ ({ text: 'a', preset: 'balanced' }), true, job);
+  assert.deepEqual(settings, { text: 'a', preset: 'robust', maxSizeMm: 80 });
 });
 
-test('Goes on with the plan if a changed carving fails, but not if the module is lost', async () => {
-  let carvings = 0;
-  answers.engrave = () => {
-    carvings += 1;
-    if (carvings === 2) throw new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
-  };
-  steps = [kDeeper];
-  assert.equal((await carveSecond()).entry.status, 'done');
-  assert.ok(calls.includes('useCarving 7'));
-  carvings = 0;
-  steps = [kDeeper];
-  answers.engrave = () => {
-    carvings += 1;
-    if (carvings === 2) throw new EngineFailure(internal(message('engine-hung')));
-  };
-  await assert.rejects(carveSecond());
+test('A row fails with the engine if an engraving does not go on', async () => {
+  steps = [{ needs: 'texts', carving: 7, pictures: [] }];
+  answers.continueEngrave = new EngineFailure(internal(message('engine-hung')));
+  await assert.rejects(carveSecond(), { code: 'engine-hung' });
 });
 
 test('A row with failed checks has no file and names the checks', async () => {
@@ -190,6 +187,7 @@ test('Rows of a plate share its file, without those that failed', async () => {
       sha256: { input: 'aa', settings: settings[index] },
     }));
   let described = 0;
+  answers.engrave = () => kDone;
   answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
   answers.exportPlate = new Uint8Array([9]);
   const { rows, files } = await engine.carve([0, 1, 2].map((index) => ({ index, print: false })));

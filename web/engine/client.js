@@ -20,9 +20,9 @@ const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a
  * Options of a job. Aborting settles the promise at once. The module ends its step and keeps the model; it is replaced
  * if that takes too long.
  * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
+ * Of an engraving. `onPrintable`: gets the result of printJob() before an attempt is finished.
+ * @typedef {JobOptions & { onPrintable?: (job: import('./types.js').PrintJob | null) => void }} EngraveJobOptions
  */
-
-/** @typedef {import('./types.js').PlanOptions} PlanOptions */
 
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void, isHeard: boolean }} Pending */
 
@@ -47,7 +47,7 @@ const kReplaced = internal(message('engine-replaced'));
 /** @typedef {import('./verbs.js').Calls<typeof kBatchVerbs>} BatchCalls */
 /** @typedef {import('./verbs.js').Calls<typeof kFactVerbs>} FactCalls */
 /** @typedef {Pick<import('./engine_host.js').EngineHost, typeof kHostVerbs[number]>} HostCalls */
-/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave'} OwnMethods  of EngineClient */
+/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave' | 'continueEngrave'} OwnMethods  of EngineClient */
 /** @typedef {Remote<Omit<PageCalls & BatchCalls & FactCalls & HostCalls, OwnMethods>>} VerbMethods */
 
 /** The methods of the client that only hand a verb to the host. */
@@ -128,16 +128,30 @@ export class EngineClient extends Verbs {
   }
 
   /**
-   * Carves the code.
-   * @param {JobOptions & { plan?: PlanOptions, withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
-   *   `withOverrides`: use the inspector's settings; `onPrintable`: gets the result of printJob() before the carving
-   *   finishes
-   * @returns {Promise<boolean>}  false if cancelled
+   * Engraves the code until the engraving needs something, or to its end.
+   * @param {EngraveJobOptions & { options?: import('./types.js').EngraveOptions, withOverrides?: boolean }} options
+   *   `withOverrides`: use the inspector's settings
+   * @returns {Promise<import('./types.js').EngraveAnswer | undefined>}  undefined if cancelled
    */
-  async engrave({ plan = {}, withOverrides = false, onPrintable, ...options }) {
+  engrave({ options = {}, withOverrides = false, ...job }) {
+    return this.runEngraving_('engrave', job, options, withOverrides);
+  }
+
+  /**
+   * Continues an engraving with what it needed. The texts of a print: see setPrintedReadings().
+   * @param {EngraveJobOptions & { read?: { texts: string[], reader: string } }} options
+   *   `read`: text decoded in each try on its pictures, '' if none, and the decoder's name
+   * @returns {Promise<import('./types.js').EngraveAnswer | undefined>}  undefined if cancelled
+   */
+  continueEngrave({ read, ...job }) {
+    return this.runEngraving_('continueEngrave', job, read);
+  }
+
+  /** @param {string} verb @param {EngraveJobOptions} job @param {any[]} args */
+  async runEngraving_(verb, { onPrintable, ...job }, ...args) {
     this.onPrintable_ = onPrintable;
     try {
-      return (await this.runJob_('engrave', options, plan, withOverrides, onPrintable !== undefined)) ?? false;
+      return (await this.runJob_(verb, job, ...args, onPrintable !== undefined)) ?? undefined;
     } finally {
       if (this.onPrintable_ === onPrintable) this.onPrintable_ = undefined;
     }

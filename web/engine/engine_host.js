@@ -164,25 +164,58 @@ export class EngineHost {
   }
 
   /**
-   * Carves the code.
-   * @param {import('./types.js').PlanOptions} [plan]
+   * Engraves the code until the engraving needs something, or to its end.
+   * @param {import('./types.js').EngraveOptions} [options]
    * @param {boolean} [withOverrides]  use the inspector's settings
-   * @param {boolean} [printsEarly]    send the print job as soon as the file is written
-   * @returns {Promise<boolean>}  false: cancelled
+   * @param {boolean} [printsEarly]    send each attempt's print job as soon as its file is written
+   * @returns {Promise<import('./types.js').EngraveAnswer | null>}  null: cancelled
    */
-  async engrave(plan = {}, withOverrides = false, printsEarly = false) {
+  engrave(options = {}, withOverrides = false, printsEarly = false) {
+    return this.runEngraving_({ options: { ...options, withOverrides } }, printsEarly);
+  }
+
+  /**
+   * Continues an engraving with what it needed. The texts of a print: see setPrintedReadings().
+   * @param {{ texts: string[], reader: string } | undefined} read  text decoded in each try on its pictures, '' if none
+   * @param {boolean} [printsEarly]  see engrave()
+   * @returns {Promise<import('./types.js').EngraveAnswer | null>}  null: cancelled
+   */
+  async continueEngrave(read, printsEarly = false) {
+    if (read) this.engine_.setReadings(read.texts, read.reader);
+    return this.runEngraving_({ isBegun: true }, printsEarly);
+  }
+
+  /**
+   * Ends an engraving early.
+   * @returns {import('./types.js').Delivery | null}  its best carving so far; null: none yet
+   */
+  endEngrave() {
+    this.engine_.cancelJob('engrave');
+    return this.engine_.carving() > 0 ? this.delivery_() : null;
+  }
+
+  /** @param {Partial<import('./job_runner.js').Job<'engrave'>>} job @param {boolean} printsEarly */
+  async runEngraving_(job, printsEarly) {
     let isSent = !printsEarly;
     const last = await this.runJob_({
+      ...job,
       name: 'engrave',
-      options: { ...plan, withOverrides },
       onStep: ({ printable }) => {
-        if (isSent || !printable) return;
-        isSent = true;
-        this.notify_({ event: 'printable', job: this.printJob() });
+        if (printable && !isSent) this.notify_({ event: 'printable', job: this.printJob() });
+        isSent = !printsEarly || printable;
       },
       onSlice: ({ stage }) => this.tellSearch_(stage),
     });
-    return last !== null;
+    if (!last) return null;
+    const { needs, carving, best, changes } = last;
+    const pictures = needs === 'texts' ? this.engine_.pictures('reading') : [];
+    return { needs, carving, best, changes, pictures, ...(needs !== 'texts' && { delivery: this.delivery_() }) };
+  }
+
+  /** The current carving. */
+  delivery_() {
+    const [seen] = this.engine_.pictures('reader');
+    return { number: this.engine_.carving(), report: this.engine_.report(), seen };
   }
 
   /**
@@ -255,8 +288,7 @@ export class EngineHost {
    */
   setPrintedReadings(number, texts, facingDeg) {
     if (this.engine_.carving() !== number) return null;
-    const passed = this.engine_.setPrintedReadings(texts, facingDeg);
-    return { passed, report: this.engine_.report() };
+    return { ...this.engine_.setPrintedReadings(texts, facingDeg), report: this.engine_.report() };
   }
 
   /**

@@ -7,10 +7,11 @@ import { message } from './message.js';
 /** @typedef {import('./verbs.js').JobAnswers} JobAnswers */
 /** @typedef {Pick<import('./verbs.js').Calls<typeof import('./verbs.js').kInnerVerbs>, 'startJob' | 'advanceJob' | 'cancelJob'>} JobVerbs */
 /**
- * A job with progress for the page. `onStep`: gets the answer of each step; `onSlice`: is called between slices.
+ * A job with progress for the page. `isBegun`: it goes on where it needed something; `onStep`: gets the answer of each
+ * step; `onSlice`: is called between slices.
  * @template {'engrave' | 'spots'} Name
- * @typedef {{ name: Name, options?: import('./verbs.js').JobOptions, onStep?: (progress: JobAnswers[Name]) => void,
- *   onSlice?: (progress: JobAnswers[Name]) => void }} Job
+ * @typedef {{ name: Name, isBegun?: boolean, options?: import('./verbs.js').JobOptions,
+ *   onStep?: (progress: JobAnswers[Name]) => void, onSlice?: (progress: JobAnswers[Name]) => void }} Job
  */
 
 const kSliceMs = 40; // work between message checks: a cancel takes effect within one slice plus one step
@@ -48,7 +49,7 @@ export class JobRunner {
   }
 
   /**
-   * Runs a job.
+   * Runs a job until it ends or needs something.
    * @template {'engrave' | 'spots'} Name
    * @param {Job<Name>} job
    * @returns {Promise<JobAnswers[Name] | null>}  answer of the last step; null if cancelled
@@ -57,10 +58,14 @@ export class JobRunner {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
     this.job_ = job;
     try {
-      const tell = (/** @type {EngraveProgress} */ { stage, fraction }) => this.tell_({ stage, fraction });
-      const begun = this.engine_.startJob(job.name, job.options ?? {});
-      if (begun.stage) tell(begun);
-      let stageCode = begun.stage?.code;
+      const tell = (/** @type {EngraveProgress} */ { stage, fraction, changes }) =>
+        this.tell_({ stage, fraction, changes });
+      /** @type {string | undefined} */ let stageCode;
+      if (!job.isBegun) {
+        const begun = this.engine_.startJob(job.name, job.options ?? {});
+        if (begun.stage) tell(begun);
+        stageCode = begun.stage?.code;
+      }
       for (;;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;

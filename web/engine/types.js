@@ -123,7 +123,10 @@
  * @typedef {{ at: [number, number] } | { rotateDeg: number, symbolMm: number }} CodeChange
  */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
-/** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
+/**
+ * @typedef {{ stage: Message, fraction: number, changes?: SettingChange[] }} EngraveProgress
+ *   `changes`: of an engraving's attempt from the code as requested
+ */
 /** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} NamedFile */
 /**
  * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse
@@ -158,10 +161,16 @@
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
  * @typedef {{ passed: boolean }} ReadingResult
- * @typedef {{ step: 'carve' | 'print' | 'deliver', carving: number, changes: SettingChange[] }} EngraveStep
- *   what to do next for an engraving; `carving`: number of the carving to print or to deliver, or of the best so far
- * @typedef {ReadingResult & { report: Report }} PrintedResult
- *   result of a carving and its print; `report` includes the print
+ * @typedef {{ needs: 'texts' | 'print' | null, carving: number, best: number, changes: SettingChange[] }} EngraveStep
+ *   what an engraving needs to go on: the texts of the carving's pictures, or its print; null: the carving is the
+ *   result. `carving`, `best`: number of the current carving and of the best so far, 0: none; `changes`: those of the
+ *   attempt from the code as requested
+ * @typedef {{ number: number, report: Report, seen: GreyImage | undefined }} Delivery
+ *   a carving to show; `seen`: as a phone sees it; undefined for a text alone
+ * @typedef {EngraveStep & { pictures: GreyImage[], delivery?: Delivery }} EngraveAnswer
+ *   `pictures`: to decode, if it needs texts; `delivery`: the carving, if it does not
+ * @typedef {ReadingResult & { more: boolean, report: Report }} PrintedResult
+ *   result of a carving and its print; `more`: the engraving has another attempt to make; `report` includes the print
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
  *   pixelsPerModule: number | null, distanceMm: number | null }} ViewTrials
  *   `tilts`: up to the first tilt at which nothing decodes; `forgiving`: decodes at every tilt of a phone held without
@@ -230,9 +239,9 @@
  */
 
 /**
- * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
- * `fixed`: keys of settings that must not change; `offers`: try other marks as remedies, false by default.
- * @typedef {{ next?: boolean, print?: boolean, fixed?: string[], offers?: boolean }} PlanOptions
+ * Options of an engraving. `print`: look at prints, true by default; `fixed`: keys of settings that must not change;
+ * `offers`: try other marks as remedies, false by default.
+ * @typedef {{ print?: boolean, fixed?: string[], offers?: boolean }} EngraveOptions
  */
 
 /** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model and the print order */

@@ -18,14 +18,14 @@
 /**
  * The answers of the jobs' steps. `preparation` is never started.
  * @typedef {object} JobAnswers
- * @property {JobProgress & { printable: boolean }} engrave
+ * @property {JobProgress & import('./types.js').EngraveStep & { printable: boolean }} engrave
  * @property {JobProgress & import('./types.js').Spots} spots  the spots come with the last step
  * @property {HoverResult & { done: boolean }} settling
  * @property {{ done: boolean }} preparation
  * @property {import('./types.js').ViewTrialProgress} view-trials
  */
 /** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
-/** @typedef {import('./types.js').PlanOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
+/** @typedef {import('./types.js').EngraveOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
 
 /**
  * A row.
@@ -61,14 +61,12 @@ export const kPageVerbs = {
   /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
   spotPicture: {},
 
-  /** Returns what to do next for the engraving. @type {Verb<() => import('./types.js').EngraveStep>} */
-  nextStep: {},
   /**
    * Returns the number of the finished carving that can be reported and exported; 0: none.
    * @type {Verb<() => number>}
    */
   carving: {},
-  /** Restores the last carving or the one before it; false: it is gone. @type {Verb<(number: number) => boolean>} */
+  /** Restores a carving that is kept; false: it is gone. @type {Verb<(number: number) => boolean>} */
   useCarving: { draws: true },
   /** @type {Verb<() => import('./types.js').Report>} */
   report: {},
@@ -133,8 +131,8 @@ export const kInnerVerbs = {
   cancelJob: {},
   /** @type {Verb<(changed: PrintChange) => object | null>} */
   printOrder: { part: 'order' },
-  /** @type {Verb<(texts: string[], facingDeg: number) => boolean>} */
-  setPrintedReadings: { part: 'passed' },
+  /** @type {Verb<(texts: string[], facingDeg: number) => Omit<import('./types.js').PrintedResult, 'report'>>} */
+  setPrintedReadings: {},
   /** @type {Verb<() => PrintChange[]>} */
   otherPrints: { part: 'others' },
   /** @type {Verb<(changed: PrintChange, texts: string[], facingDeg: number) => Aspect>} */
@@ -258,6 +256,8 @@ export const kHostVerbs = /** @type {const} */ ([
   'findSpots',
   'prepareEngrave',
   'engrave',
+  'continueEngrave',
+  'endEngrave',
   'startViewTrials',
   'noteViewTrial',
   'cancel',

@@ -101,7 +101,7 @@ class Demonstration {
       say(() => text('method.working', { stage: text('method.starting') }));
       const begun = performance.now();
       const before = await this.place_();
-      await this.client_.engrave({
+      const step = await this.client_.engrave({
         signal: new AbortController().signal,
         onProgress: ({ stage }) => say(() => text('method.working', { stage: sentenceOf(stage) })),
       });
@@ -109,7 +109,7 @@ class Demonstration {
       await this.showCarved_(true);
       for (const id of ['from-reader', 'beside', 'carved']) byId(id, HTMLButtonElement).disabled = false;
       this.showReport_(await this.client_.report(), before);
-      await this.read_();
+      await this.read_(step?.pictures ?? []);
       const seconds = Math.round((performance.now() - begun) / 100) / 10;
       say(() => text('method.ready', { seconds }));
     } catch (thrown) {
@@ -174,12 +174,13 @@ class Demonstration {
     ]);
   }
 
-  async read_() {
+  /** @param {import('../engine/types.js').GreyImage[]} pictures  to decode */
+  async read_(pictures) {
     const [photo] = await this.client_.pictures('reader');
     const rgba = new Uint8ClampedArray(4 * photo.pixels.length);
     photo.pixels.forEach((grey, at) => rgba.set([grey, grey, grey, 255], 4 * at));
     show('photo', { width: photo.width, height: photo.height, rgba });
-    await this.client_.setReadings(await readEach(await this.client_.pictures('reading')), kReaderName);
+    await this.client_.setReadings(await readEach(pictures), kReaderName);
     const { text: read } = (await this.client_.report()).verification;
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }

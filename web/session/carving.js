@@ -13,7 +13,6 @@ import { sameWork } from './work.js';
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, work: Work }} Carved
  *   `number`: of the carving in its module; `life`: number of that module; `work`: the work it was carved from */
-/** @typedef {{ work: Work, number: number }} Attempt */
 /** @typedef {import('../i18n/live.js').Words} Words */
 
 /**
@@ -60,9 +59,9 @@ export class Carving {
     this.shown = false;
     this.life_ = 0;
     this.clickedMs_ = 0; // when the user pressed Engrave
-    /** The work that the plan was asked for. */ this.asked_ = store.work;
+    /** The work that the engraving was asked for. */ this.asked_ = store.work;
     /** Says what the attempt under way changes. @type {Words | undefined} */ this.attempt_ = undefined;
-    /** Why the carving as requested failed, while other marks are tried. @type {unknown} */ this.failure_ = undefined;
+    /** The work of each attempt, by its carving. @type {Map<number, Work>} */ this.works_ = new Map();
     /** True from a click on Engrave until the module begins to engrave. */ this.isOwed_ = false;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
@@ -213,7 +212,7 @@ export class Carving {
   }
 
   /**
-   * Engraves with the chosen settings, and with the changes that the module's plan asks for. The controls show the
+   * Engraves with the chosen settings, and with changed ones where the result does not decode. The controls show the
    * changes of the attempt that is kept.
    * @param {AbortSignal} signal
    * @param {string} [overrides]
@@ -226,48 +225,95 @@ export class Carving {
     this.started.tell();
     const asked = this.store_.work;
     this.asked_ = asked;
-    /** @type {Attempt[]} */ const attempts = []; // those that could be carved
-    this.failure_ = undefined;
-    this.attempt_ = undefined;
+    this.works_.clear();
     prepareReader();
     this.printing_.expect();
-    /** @type {import('../engine/client.js').PlanOptions} */
-    let plan = { fixed: this.batching_.decided, offers: true };
-    for (let work = asked; ;) {
-      const reading = await this.carveOnce_(signal, plan, overrides !== undefined);
-      if (!reading) {
-        this.printing_.stop();
-        this.messages_.say(() => text('page.cancelled'));
-        // Not awaited: it starts when the module's step has ended.
-        const [first] = attempts;
-        this.restoring_ = (first ? this.keep_(first) : this.restore(before)).catch(() => false);
-        return;
-      }
-      if (reading.number) attempts.push({ work, number: reading.number });
-      const step = await this.nextStep_();
-      const isEdited = !sameWork(asked, this.store_.work);
-      if (step.step !== 'carve' || isEdited) {
-        const kept = attempts.find(({ number }) => number === step.carving) ?? attempts.at(-1);
-        if (!kept) throw this.failure_;
-        if (kept.number !== reading.number) this.printing_.stop(); // it prints the last attempt
-        await this.keep_(kept, !isEdited);
-        this.messages_.say(() => this.wordsFor_(kept.work, asked, overrides));
-        return;
-      }
-      work = this.after_(step.changes);
-      const unsound = asked.values.content === 'text' ? 'fine' : 'unread';
-      this.attempt_ = attemptWords(work, asked, attempts.length > 0 ? unsound : 'failed');
-      plan = { next: true };
+    const unsound = asked.values.content === 'text' ? 'fine' : 'unread';
+    const job = this.jobOf_(signal, asked, () => (this.works_.size > 0 ? unsound : 'failed'));
+    const step = await this.untilRead_(
+      this.client_.engrave({
+        ...job,
+        options: { fixed: this.batching_.decided, offers: true },
+        withOverrides: overrides !== undefined,
+      }),
+      job,
+    );
+    if (step?.delivery) {
+      const work = await this.keep_(step.delivery, sameWork(asked, this.store_.work));
+      this.messages_.say(() => this.wordsFor_(work, asked, overrides));
+      return;
     }
+    if (signal.aborted) {
+      this.messages_.say(() => text('page.cancelled'));
+      this.restoring_ = this.endEarly_(before).catch(() => {}); // not awaited: the module's step must end first
+      return;
+    }
+    await this.endEarly_(before);
+    const { work } = this.carved ?? {};
+    if (work) this.messages_.say(() => this.wordsFor_(work, asked, overrides));
   }
 
-  /** Returns the plan's next step; throws the failure of the first carving if no plan began. */
-  async nextStep_() {
-    try {
-      return await this.client_.nextStep();
-    } catch (thrown) {
-      throw this.failure_ ?? thrown;
+  /** Shows the best attempt of the engraving so far, else the carving before it. @param {Carved | undefined} before */
+  async endEarly_(before) {
+    this.printing_.stop();
+    const best = await this.client_.endEngrave();
+    if (best && this.works_.has(best.number)) await this.keep_(best);
+    else await this.restore(before);
+  }
+
+  /**
+   * Returns the options of an engraving's job. Its progress says what an attempt changes, and why it is made.
+   * @param {AbortSignal} signal
+   * @param {Work} from  the work that the attempts are compared with
+   * @param {() => import('./attempt_words.js').Reason} reason
+   * @returns {import('../engine/client.js').EngraveJobOptions}
+   */
+  jobOf_(signal, from, reason) {
+    /** @type {string | undefined} */ let attempt;
+    return {
+      signal,
+      onProgress: (progress) => {
+        this.isOwed_ = false;
+        const { changes = [] } = progress;
+        if (JSON.stringify(changes) !== attempt) {
+          attempt = JSON.stringify(changes);
+          this.attempt_ = changes.length > 0 ? attemptWords(this.after_(changes), from, reason()) : undefined;
+          if (this.carved) this.panel_.setAttempt(this.attempt_);
+        }
+        this.jobs_.showProgress(progress, this.attempt_);
+      },
+      onPrintable: (print) => this.printing_.beginEarly(print),
+    };
+  }
+
+  /**
+   * Decodes the attempts of an engraving until one is to be printed, or the engraving ends.
+   * @param {ReturnType<import('../engine/client.js').EngineClient['engrave']>} begun
+   * @param {import('../engine/client.js').EngraveJobOptions} job
+   * @returns {ReturnType<import('../engine/client.js').EngineClient['engrave']>}
+   *   undefined: cancelled, or the user changed something
+   */
+  async untilRead_(begun, job) {
+    const { work } = this.store_;
+    let last = 0;
+    let step = await begun;
+    while (step) {
+      this.works_.set(step.carving, this.after_(step.changes));
+      if (step.needs !== 'texts') {
+        if (step.carving !== last) this.printing_.stop(); // it prints the last attempt
+        return step;
+      }
+      last = step.carving;
+      this.messages_.say(() => text('page.readingBack'));
+      // Meanwhile the module prepares the carved model for display.
+      const [texts] = await Promise.all([readEach(step.pictures), this.client_.show({ carved: true })]);
+      if (!sameWork(work, this.store_.work)) {
+        await this.client_.setReadings(texts, kReaderName);
+        return undefined;
+      }
+      step = await this.client_.continueEngrave({ ...job, read: { texts, reader: kReaderName } });
     }
+    return step;
   }
 
   /**
@@ -276,6 +322,7 @@ export class Carving {
    * @returns {Work}
    */
   after_(changes) {
+    if (changes.length === 0) return this.asked_;
     const isOfText = (/** @type {import('../engine/types.js').SettingChange} */ { setting }) => setting === 'text';
     const content = changes.find(isOfText)?.value ?? this.asked_.text;
     const values = changes
@@ -292,19 +339,17 @@ export class Carving {
 
   /**
    * Makes an attempt the result, and starts its print.
-   * @param {Attempt} attempt
-   * @param {boolean} [goesOn]  the plan goes on after its print
-   * @returns {Promise<boolean>}  false: it is gone
+   * @param {import('../engine/types.js').Delivery} delivery
+   * @param {boolean} [goesOn]  the engraving goes on after its print
+   * @returns {Promise<Work>}  the attempt's
    */
-  async keep_({ work, number }, goesOn = false) {
-    if (!(await this.client_.useCarving(number))) return false;
+  async keep_({ number, report, seen }, goesOn = false) {
+    const work = this.works_.get(number) ?? this.asked_;
     await this.adopt_(work, this.asked_);
-    const [seen] = await this.client_.pictures('reader');
-    const { elapsedMs } = this;
-    this.carved = { report: await this.client_.report(), elapsedMs, number, work, seen, ...this.ground_ };
+    this.carved = { report, elapsedMs: this.elapsedMs, number, work, seen, ...this.ground_ };
     await this.present_();
     this.print(true, goesOn);
-    return true;
+    return work;
   }
 
   /**
@@ -316,40 +361,6 @@ export class Carving {
     if (work === before || !sameWork(before, this.store_.work)) return;
     this.store_.update({ text: work.text, values: work.values });
     await this.client_.configure(this.batching_.settings());
-  }
-
-  /**
-   * Carves and decodes once.
-   * @param {AbortSignal} signal
-   * @param {import('../engine/client.js').PlanOptions} plan
-   * @param {boolean} [withOverrides]
-   * @returns {Promise<(import('../engine/types.js').ReadingResult & { number?: number }) | undefined>}  with the
-   *   carving's number, unless it could not be carved; undefined: cancelled
-   */
-  async carveOnce_(signal, plan, withOverrides = false) {
-    try {
-      const finished = await this.client_.engrave({
-        signal,
-        plan,
-        withOverrides,
-        onProgress: (progress) => {
-          this.isOwed_ = false;
-          this.jobs_.showProgress(progress, this.attempt_);
-        },
-        onPrintable: (job) => this.printing_.beginEarly(job),
-      });
-      if (!finished) return undefined;
-    } catch (thrown) {
-      if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
-      this.failure_ ??= thrown;
-      return { passed: false }; // the plan goes on without this carving
-    }
-    this.messages_.say(() => text('page.readingBack'));
-    const pictures = await this.client_.pictures('reading');
-    // Meanwhile the module prepares the carved model for display.
-    const [texts] = await Promise.all([readEach(pictures), this.client_.show({ carved: true })]);
-    const reading = await this.client_.setReadings(texts, kReaderName);
-    return { ...reading, number: await this.client_.carving() };
   }
 
   /** Shows a new carving. */
@@ -381,23 +392,21 @@ export class Carving {
       this.panel_.update();
       if (!result) return;
       this.printed.tell();
-      if (mayDeepen) void this.guard_(() => this.deepen_(carved));
+      if (mayDeepen && result.more) void this.guard_(() => this.deepen_(carved));
     });
   }
 
   /**
-   * Goes on with the plan after the print of `first`: carves deeper if the print barely decodes, for example.
+   * Goes on with the engraving after the print of `first`: carves deeper if the print barely decodes, for example.
    * @param {Carved} first
    */
   async deepen_(first) {
     await this.running_?.catch(() => {}); // the job that made it is about to end
     if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
-    const step = await this.client_.nextStep();
-    if (step.step !== 'carve') return;
     await this.run_(
       () => text('page.preparing'),
       (signal) =>
-        this.improve_(first, step, signal).finally(() => {
+        this.improve_(first, signal).finally(() => {
           this.attempt_ = undefined;
           this.panel_.setAttempt(undefined);
         }),
@@ -405,46 +414,44 @@ export class Carving {
   }
 
   /**
-   * Makes the plan's attempts until one is delivered, the user cancels or changes something. Until then the best result
-   * so far stays available.
+   * Makes further attempts until one is delivered, the user cancels or changes something. Until then the best result so
+   * far stays available.
    * @param {Carved} first
-   * @param {import('../engine/types.js').EngraveStep} step  the next one
    * @param {AbortSignal} signal
    */
-  async improve_(first, step, signal) {
+  async improve_(first, signal) {
     const reason = first.report.verification.verdict.prints.level === 'bad' ? 'print-unread' : 'print-barely';
+    const job = this.jobOf_(signal, first.work, () => reason);
     /** @type {Map<number, Carved>} */ const made = new Map(); // those with a print, by number
-    let { work } = first;
     this.changed.tell(false, false);
     await this.client_.show({ carved: false });
-    for (let isMade = true; isMade && this.isCurrent && step.step !== 'deliver';) {
-      if (step.step === 'carve') {
-        work = this.after_(step.changes);
-        this.attempt_ = attemptWords(work, first.work, reason);
-        this.panel_.setAttempt(this.attempt_);
-        this.printing_.expect();
-        isMade = (await this.carveOnce_(signal, { next: true })) !== undefined;
-      } else {
-        const { carving: number } = step;
-        const print = await this.printNow_(number, signal);
-        const { report = first.report } = print?.result ?? {};
-        if (print) made.set(number, { ...first, seen: undefined, number, work, report, printed: print.printed });
-        isMade = print !== undefined;
-      }
-      if (!isMade) break;
-      step = await this.client_.nextStep();
-      await this.prefer_(made.get(step.carving));
+    this.printing_.expect();
+    let step = await this.untilRead_(this.client_.continueEngrave(job), job);
+    while (step?.needs === 'print' && this.isCurrent) {
+      const { carving: number } = step;
+      const print = await this.printNow_(number, signal);
+      if (!print) break;
+      const { report } = print.result;
+      const work = this.works_.get(number) ?? first.work;
+      made.set(number, { ...first, seen: undefined, number, work, report, printed: print.printed });
+      if (print.result.more) this.printing_.expect();
+      step = await this.untilRead_(this.client_.continueEngrave(job), job);
+      await this.prefer_(step && made.get(step.best));
     }
+    const isDelivered = step?.needs === null;
     const { carved } = this;
-    if (carved && step.step === 'deliver') carved.elapsedMs = this.elapsedMs;
-    if (carved && carved !== first && step.step === 'deliver' && (await this.client_.useCarving(carved.number))) {
+    if (carved && isDelivered) carved.elapsedMs = this.elapsedMs;
+    if (carved && carved !== first && isDelivered) {
       await this.present_();
       this.printed.tell();
       this.messages_.say(() => engravedWords(carved.work, first.work, true));
       return;
     }
     this.printing_.stop();
-    this.restoring_ = this.restore(carved).catch(() => false);
+    this.restoring_ = this.client_
+      .endEngrave()
+      .then(() => this.restore(carved))
+      .catch(() => false); // not awaited: the module's step must end first
     const end = signal.aborted ? 'page.cancelledDeeper' : this.isCurrent ? 'page.engravedFirst' : 'page.outdated';
     this.messages_.say(() => text(end));
   }

@@ -14,13 +14,12 @@ import { FakeMessages, Pending, crashed, fake, noRoom, replaced, settled, storeO
 
 const kText = 'HELLO';
 
-/** A decoder that makes one try per picture and finds `found` in each. */
+/** A decoder that makes one try per picture. */
 class FakeReader {
-  static found = kText;
   /** @type {(event: any) => void} */ onmessage = () => {};
   /** @param {{ id: number, pictures: unknown[] }} request */
   postMessage({ id, pictures }) {
-    queueMicrotask(() => this.onmessage({ data: { id, texts: pictures.map(() => FakeReader.found) } }));
+    queueMicrotask(() => this.onmessage({ data: { id, texts: pictures.map(() => kText) } }));
   }
   terminate() {}
 }
@@ -39,33 +38,57 @@ const setValues = (now) => store.update({ values: now });
 /** @type {Jobs} */ let jobs;
 /** @type {any} */ let printing;
 /** @type {number} */ let printsSeen;
-/** @type {number} */ let number; // of the module's last carving
-/** @type {any[]} */ let steps; // of the module's plan; then it prints
+/** @type {any[]} */ let steps; // what the module's engraving needs, one after the other, or how it goes on
+/** @type {any} */ let best; // delivery of an engraving that ends early
 /** @type {number} */ let explained; // times that the page said why there is no code
 /** @type {Carving} */ let carving;
 const latest = () => carving.carved;
 const { Worker: realWorker } = globalThis;
 
+/** @param {number} number */
+const reportOf = (number) => /** @type {any} */ ({ text: kText, number, size: {}, verification: {} });
+/** @param {number} number  of the carving */
+const delivery = (number) => ({ number, report: reportOf(number), seen: undefined });
+/** @param {number} carving @param {string[]} change  its setting and value */
+const texts = (carving, ...[setting, value]) => ({
+  needs: 'texts',
+  carving,
+  pictures: [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
+  changes: setting ? [{ setting, value }] : [],
+});
+/** @param {any} read  what was decoded @param {'print' | null} needs @param {number} [number]  of the best */
+const read = ({ carving, changes }, needs = /** @type {any} */ ('print'), number = carving) => ({
+  needs,
+  carving,
+  best: number,
+  changes,
+  pictures: [],
+  delivery: delivery(carving),
+});
+const kFirst = texts(1);
+const engravings = () => client.calls.filter((/** @type {string} */ call) => call === 'engrave').length;
+
 before(() => Object.assign(globalThis, { Worker: FakeReader }));
 after(() => Object.assign(globalThis, { Worker: realWorker }));
 beforeEach(() => {
-  FakeReader.found = kText;
   store = storeOf({ text: kText, values: { preset: 'robust' } });
   shows = [];
-  number = 0;
-  steps = [];
+  steps = [kFirst, read(kFirst)];
+  best = null;
   explained = 0;
+  const goOn = async (/** @type {any} */ job) => {
+    const step = steps.shift();
+    if (step instanceof Error) throw step;
+    if (typeof step === 'function') return step(job);
+    job.onProgress({ stage: message('finding-depth'), fraction: 0.5, changes: step.changes });
+    return step;
+  };
   client = fake(EngineClient, {
-    engrave: async () => {
-      number += 1;
-      return true;
-    },
-    carving: async () => number,
+    engrave: goOn,
+    continueEngrave: goOn,
+    endEngrave: async () => best,
     useCarving: async () => true,
-    nextStep: async () => steps.shift() ?? { step: 'print', carving: number },
-    pictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
-    setReadings: async (/** @type {string[]} */ texts) => ({ passed: texts.every((one) => one === kText) }),
-    report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
+    report: async () => reportOf(1),
   });
   placing = fake(Placing, { place: async () => {} }, { placement: { symbolMm: 20 }, moved: new Signal() });
   attempts = [];
@@ -104,7 +127,7 @@ test('A carving is decoded, reported and shown', async () => {
   await carving.engrave();
   assert.equal(latest()?.report.text, kText);
   assert.equal(carving.carved?.number, 1);
-  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('setReadings')));
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('continueEngrave')).length, 1);
   assert.deepEqual(shows.at(-1), [true, true]);
 });
 
@@ -117,36 +140,46 @@ test('Nothing is carved if the code has no place', async () => {
 });
 
 test('An engraving that a lost module did not begin is made with the next one', async () => {
-  const { engrave } = client.answers;
-  client.answers.engrave = async () => {
-    throw replaced();
-  };
+  steps.unshift(replaced());
   await assert.rejects(carving.engrave(), { code: 'engine-replaced' });
-  client.answers.engrave = engrave;
   await carving.resume();
   assert.equal(latest()?.number, 1);
   await carving.resume();
-  assert.equal(number, 1, 'it is made once');
+  assert.equal(engravings(), 2, 'it is made once');
 });
 
 test('An engraving during which the module was lost is not made again', async () => {
-  client.answers.engrave = async (/** @type {any} */ { onProgress }) => {
-    onProgress({ stage: message('finding-depth'), fraction: 0.5 });
-    throw crashed();
-  };
+  steps = [
+    (/** @type {any} */ { onProgress }) => {
+      onProgress({ stage: message('finding-depth'), fraction: 0.5 });
+      throw crashed();
+    },
+  ];
   await assert.rejects(carving.engrave(), { code: 'engine-crashed' });
   await carving.resume();
-  assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'engrave').length, 1);
+  assert.equal(engravings(), 1);
 });
+
+/** A step that lasts until the user cancels. @param {() => void} [begun] */
+const untilCancelled =
+  (begun) =>
+  (/** @type {any} */ { signal }) => {
+    const held = new Pending();
+    signal.addEventListener('abort', () => held.resolve(undefined));
+    begun?.();
+    return held.promise;
+  };
 
 test('Cancelling restores the previous carving, which counts as the latest until then', async () => {
   await carving.engrave();
   const before = carving.carved;
   /** @type {unknown} */ let latest;
-  client.answers.engrave = async () => {
-    latest = carving.latest;
-    return false;
-  };
+  steps = [
+    untilCancelled(() => {
+      ({ latest } = carving);
+      queueMicrotask(() => jobs.cancel());
+    }),
+  ];
   await carving.engrave();
   assert.equal(latest, before);
   await settled();
@@ -156,64 +189,48 @@ test('Cancelling restores the previous carving, which counts as the latest until
 
 test('A second carving does not start beside the first', async () => {
   const pending = new Pending();
-  client.answers.engrave = () => pending.promise;
+  steps.unshift(() => pending.promise);
   const first = carving.engrave();
   await settled();
   await carving.engrave();
-  number += 1;
-  pending.resolve(true);
+  pending.resolve(kFirst);
+  steps = [read(kFirst)];
   await first;
-  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
+  assert.equal(engravings(), 1);
 });
 
 test('A failed carving leaves nothing, and the next one can start', async () => {
-  const { engrave } = client.answers;
-  client.answers.engrave = async () => {
-    throw noRoom();
-  };
+  steps.unshift(noRoom());
   await assert.rejects(carving.engrave(), { code: 'no-centre' });
   assert.equal(carving.carved, undefined);
-  client.answers.engrave = engrave;
   await carving.engrave();
   assert.equal(latest()?.report.text, kText);
 });
 
-test('A code that cannot be carved as requested is carved as the plan says', async () => {
+test('A code that cannot be carved as requested is carved with changes', async () => {
   setValues({ size: 'free' });
-  const { engrave } = client.answers;
-  client.answers.engrave = async (/** @type {any} */ { plan }) => {
-    assert.equal(values().size, 'free', 'the controls show what was asked for until an attempt is kept');
-    if (!plan.next) throw noRoom();
-    return engrave();
-  };
-  steps = [carve('size', 'best'), print(1)];
+  const second = texts(1, 'size', 'best');
+  steps = [
+    (/** @type {any} */ { onProgress }) => {
+      onProgress({ stage: message('finding-depth'), fraction: 0, changes: second.changes });
+      assert.equal(values().size, 'free', 'the controls show what was asked for until an attempt is kept');
+      return second;
+    },
+    read(second),
+  ];
   await carving.engrave();
   assert.equal(values().size, 'best');
   assert.equal(latest()?.work.values.size, 'best');
+  assert.match(messages.said.join(), /since it cannot be engraved as chosen/);
   assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
 });
 
 test('A text that cannot be carved as a shadow is made in a second colour', async () => {
   setValues({ content: 'text', mark: 'auto' });
-  const { engrave } = client.answers;
-  client.answers.engrave = async (/** @type {any} */ { plan }) => {
-    if (!plan.next) throw noRoom();
-    return engrave();
-  };
-  steps = [carve('mark', 'paint'), deliver(1)];
+  steps = [read(texts(1, 'mark', 'paint'), null)];
   await carving.engrave();
   assert.equal(values().mark, 'paint');
   assert.match(messages.said.at(-1) ?? '', /^Made in a second colour/);
-});
-
-test('If nothing that the plan tries can be carved, the first reason is shown', async () => {
-  setValues({ size: 'free' });
-  client.answers.engrave = async () => {
-    throw noRoom();
-  };
-  steps = [carve('size', 'best'), deliver(0)];
-  await assert.rejects(carving.engrave(), { code: 'no-centre' });
-  assert.equal(values().size, 'free', 'the controls are those of the request again');
 });
 
 test('Every change marks the carving as outdated at once, and undoing it removes the mark', async () => {
@@ -242,33 +259,10 @@ test('A carving is lost with its module', async () => {
   assert.deepEqual(shows.at(-1), [false, false]);
 });
 
-/** @param {number} attempt  number of the carving */
-const print = (attempt) => ({ step: 'print', carving: attempt });
-/** @param {number} attempt  number of the carving */
-const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
-/** @param {string} setting @param {string} value */
-const carve = (setting, value) => ({ step: 'carve', carving: 1, changes: [{ setting, value }] });
-
-/**
- * Holds back the carvings after the first; cancelling ends them.
- * @param {Pending} held
- * @returns {Promise<void>}  resolves when the second has begun
- */
-function untilCancelled(held) {
-  const { engrave } = client.answers;
-  return new Promise((resolve) => {
-    client.answers.engrave = (/** @type {any} */ { plan, signal }) => {
-      if (!plan.next) return engrave();
-      signal.addEventListener('abort', () => held.resolve(false));
-      resolve();
-      return held.promise;
-    };
-  });
-}
-
 test('A code that does not decode is carved with the next deeper preset', async () => {
   setValues({ preset: 'balanced' });
-  steps = [carve('preset', 'robust'), print(2)];
+  const second = texts(2, 'preset', 'robust');
+  steps = [kFirst, second, read(second)];
   await carving.engrave();
   assert.equal(values().preset, 'robust');
   assert.equal(latest()?.number, 2);
@@ -277,7 +271,8 @@ test('A code that does not decode is carved with the next deeper preset', async 
 test('A link that must be in capitals is so in the text, and the message says it', async () => {
   store.update({ text: 'https://example.org/a' });
   setValues({ preset: 'balanced' });
-  steps = [carve('text', 'HTTPS://EXAMPLE.ORG/a'), print(2)];
+  const second = texts(2, 'text', 'HTTPS://EXAMPLE.ORG/a');
+  steps = [kFirst, second, read(second)];
   await carving.engrave();
   assert.equal(store.work.text, 'HTTPS://EXAMPLE.ORG/a');
   assert.deepEqual(values(), { preset: 'balanced' });
@@ -286,44 +281,57 @@ test('A link that must be in capitals is so in the text, and the message says it
 
 test('A code that does not decode when carved for the print is carved for the design, with a message', async () => {
   setValues({ preset: 'balanced', carveFor: 'print' });
-  steps = [carve('carveFor', 'design'), print(2)];
+  const second = texts(2, 'carveFor', 'design');
+  steps = [kFirst, second, read(second)];
   await carving.engrave();
   assert.deepEqual(values(), { preset: 'balanced', carveFor: 'design' });
   assert.equal(latest()?.number, 2);
   assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
-test('A code that decodes with no preset stays as requested', async () => {
+test('A code that decodes with no preset stays as requested, and is printed instead of the last attempt', async () => {
   setValues({ preset: 'balanced' });
-  FakeReader.found = '';
-  steps = [carve('preset', 'robust'), print(1)];
+  steps = [kFirst, texts(2, 'preset', 'robust'), read(kFirst)];
   await carving.engrave();
   assert.equal(values().preset, 'balanced');
-  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 2);
-  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('useCarving 1')));
+  assert.equal(latest()?.number, 1);
+  const calls = printing.calls.filter((/** @type {string} */ call) => /^(stop|begin)/.test(call));
+  assert.deepEqual(calls.slice(-2), ['stop', 'begin 1']);
 });
 
 test('Cancelling a deeper carving keeps the requested one with its readings', async () => {
   setValues({ preset: 'shallow' });
-  FakeReader.found = '';
-  const deeper = new Pending();
-  steps = [carve('preset', 'balanced')];
-  const { engrave } = client.answers;
-  const begun = untilCancelled(deeper);
+  const begun = new Pending();
+  steps = [kFirst, untilCancelled(() => begun.resolve())];
+  best = delivery(1);
   const run = carving.engrave();
-  await begun;
+  await begun.promise;
   jobs.cancel();
   await run;
   await settled();
   assert.equal(values().preset, 'shallow');
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
-  assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'useCarving 1').length, 1);
+  assert.equal(latest()?.number, 1);
   assert.equal(latest()?.work.values.preset, 'shallow');
   assert.deepEqual(shows.at(-1), [true, true]);
-  client.answers.engrave = engrave;
   setValues({ preset: 'balanced' });
+  steps = [kFirst, read(kFirst)];
   await carving.engrave();
   assert.equal(latest()?.work.values.preset, 'balanced');
+});
+
+test('A change by the user ends the attempts, and what is there is kept as outdated', async () => {
+  setValues({ preset: 'balanced' });
+  client.answers.show = async (/** @type {any} */ { carved }) => carved && setValues({ preset: 'shallow' }); // while it is decoded
+  steps = [kFirst];
+  best = delivery(1);
+  await carving.engrave();
+  assert.deepEqual([values().preset, latest()?.number], ['shallow', 1]);
+  assert.ok(client.calls.includes('endEngrave'));
+  assert.equal(
+    panel.calls.filter((/** @type {string} */ call) => /^setOutdated/.test(call)).at(-1),
+    'setOutdated true',
+  );
 });
 
 test('The print starts with the result and is added to it', async () => {
@@ -340,21 +348,23 @@ test('The print starts with the result and is added to it', async () => {
   assert.equal(printsSeen, 1);
 });
 
-/** Makes prints with these results, one after the other. @param {any[]} results */
+/** Makes prints with these results, one after the other. After the last one nothing is left to try. @param {any[]} results */
 const printsAre = (...results) => {
   printing.answers.begin = async (/** @type {number} */ number, /** @type {any} */ tell) => {
-    const result = results.shift();
+    const result = { ...results.shift(), more: results.length > 0 };
     const verification = { verdict: { prints: { level: result?.passed ? 'good' : 'barely' } } };
     tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number, size: {}, verification } });
   };
 };
-const kDeeper = [print(1), carve('preset', 'robust')];
+const kDeeper = texts(2, 'preset', 'robust');
+/** The engraving until the print of the first attempt. */
+const kOnce = [kFirst, read(kFirst)];
 
 test('A code whose print barely decodes is carved with the next deeper preset whose print decodes', async (t) => {
   t.mock.method(performance, 'now', () => 1000 * placing.calls.length + 100 * printing.calls.length);
   setValues({ preset: 'balanced' });
   printsAre({ passed: false }, { passed: true });
-  steps = [...kDeeper, print(2), deliver(2)];
+  steps = [...kOnce, kDeeper, read(kDeeper), read(kDeeper, null)];
   await carving.engrave();
   await settled();
   assert.equal(values().preset, 'robust');
@@ -369,7 +379,8 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
 test('A code that does not read as printed is made larger, from the settings as requested', async () => {
   setValues({ preset: 'balanced', size: 'free' });
   printsAre({ passed: false }, { passed: false }, { passed: true });
-  steps = [...kDeeper, print(2), carve('size', 'best'), print(3), deliver(3)];
+  const larger = texts(3, 'size', 'best');
+  steps = [...kOnce, kDeeper, read(kDeeper, 'print', 1), larger, read(larger, 'print', 1), read(larger, null)];
   await carving.engrave();
   await settled();
   assert.deepEqual(values(), { preset: 'balanced', size: 'best' });
@@ -378,17 +389,10 @@ test('A code that does not read as printed is made larger, from the settings as 
 });
 
 test('If no deeper preset helps the print, the code stays as requested', async () => {
-  for (const second of [{ passed: false }, undefined]) {
+  for (const isRead of [true, false]) {
     setValues({ preset: 'balanced' });
-    number = 0;
-    printsAre({ passed: false }, second);
-    steps = [...kDeeper, ...(second ? [print(2)] : []), deliver(1)];
-    const { engrave } = client.answers;
-    if (!second)
-      client.answers.engrave = (/** @type {any} */ { plan }) => {
-        if (plan.next) throw noRoom();
-        return engrave();
-      };
+    printsAre({ passed: false }, { passed: false });
+    steps = [...kOnce, kDeeper, ...(isRead ? [read(kDeeper, 'print', 1)] : []), read(kFirst, null)];
     await carving.engrave();
     await settled();
     assert.match(messages.said.at(-1) ?? '', /^Engraved\. Nothing that QRelief may change/);
@@ -401,11 +405,11 @@ test('If no deeper preset helps the print, the code stays as requested', async (
 
 test('Cancelling a deeper carving for the print restores the first result', async () => {
   setValues({ preset: 'balanced' });
-  printsAre({ passed: false });
-  steps = [...kDeeper];
-  const begun = untilCancelled(new Pending());
+  printsAre({ passed: false }, {});
+  const begun = new Pending();
+  steps = [...kOnce, untilCancelled(() => begun.resolve())];
   await carving.engrave();
-  await begun;
+  await begun.promise;
   jobs.cancel();
   await jobs.untilIdle();
   await settled();
@@ -414,13 +418,24 @@ test('Cancelling a deeper carving for the print restores the first result', asyn
   assert.deepEqual(shows.at(-1), [true, true]);
 });
 
+/** Holds back the deeper carving, which has begun when `begun` resolves. */
+function heldBack() {
+  const deeper = new Pending();
+  const started = new Pending();
+  const hold = (/** @type {any} */ { onProgress }) => {
+    onProgress({ stage: message('finding-depth'), fraction: 0, changes: kDeeper.changes });
+    started.resolve();
+    return deeper.promise;
+  };
+  steps = [...kOnce, hold, read(kDeeper), read(kDeeper, null)];
+  return { deeper, begun: started.promise };
+}
+
 test('While a deeper carving is made, the first result and its settings stay, and its file can be saved', async (t) => {
   setValues({ preset: 'balanced' });
   store.update({ source: /** @type {any} */ ({ fileName: 'cup.stl' }) });
   printsAre({ passed: false }, { passed: true });
-  steps = [...kDeeper, print(2), deliver(2)];
-  const deeper = new Pending();
-  const begun = untilCancelled(deeper);
+  const { deeper, begun } = heldBack();
   await carving.engrave();
   const hidden = panel.calls.filter((/** @type {string} */ call) => call === 'hide').length;
   await begun;
@@ -434,23 +449,19 @@ test('While a deeper carving is made, the first result and its settings stay, an
   Reflect.deleteProperty(globalThis, 'document');
   assert.ok(client.calls.includes('exportModel stl any 1'));
   assert.match(link.download, /^cup-/);
-  number += 1;
-  deeper.resolve(true);
+  deeper.resolve(kDeeper);
   await jobs.untilIdle();
   assert.deepEqual([values().preset, latest()?.number], ['robust', 2]);
 });
 
 test('A change by the user ends the attempts for the print, and stays', async () => {
   setValues({ preset: 'balanced' });
-  printsAre({ passed: false });
-  steps = [...kDeeper, print(2), deliver(2)];
-  const deeper = new Pending();
-  const begun = untilCancelled(deeper);
+  printsAre({ passed: false }, {});
+  const { deeper, begun } = heldBack();
   await carving.engrave();
   await begun;
   setValues({ preset: 'shallow' });
-  number += 1;
-  deeper.resolve(true);
+  deeper.resolve(kDeeper);
   await jobs.untilIdle();
   await settled();
   assert.deepEqual([values().preset, latest()?.number], ['shallow', 1]);
@@ -463,26 +474,23 @@ test('A code is not carved again for its print after a change by the user', asyn
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void (tell = listener);
   await carving.engrave();
   setValues({ preset: 'shallow' });
-  tell({ state: 'made', print: {} }, { passed: false, report: { text: kText } });
+  tell({ state: 'made', print: {} }, { passed: false, more: true, report: { text: kText } });
   await settled();
-  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
+  assert.equal(client.calls.filter((/** @type {string} */ call) => /^continueEngrave/.test(call)).length, 1);
 });
 
-test('Dropping a carving stops its print', async () => {
-  client.answers.engrave = async (/** @type {any} */ { onPrintable }) => {
-    onPrintable({});
-    return client.calls.filter((/** @type {string} */ call) => call === 'engrave').length === 1;
-  };
-  FakeReader.found = 'something else';
-  setValues({ preset: 'balanced' });
-  steps = [carve('preset', 'robust')];
+test('Cancelling stops the print that has begun', async () => {
+  steps = [
+    (/** @type {any} */ job) => {
+      job.onPrintable({});
+      queueMicrotask(() => jobs.cancel());
+      return untilCancelled()(job);
+    },
+  ];
   await carving.engrave();
+  await settled();
   const calls = printing.calls.filter((/** @type {string} */ call) => ['beginEarly', 'stop'].includes(call));
-  assert.deepEqual(
-    calls.slice(calls.indexOf('beginEarly')).slice(0, 3),
-    ['beginEarly', 'beginEarly', 'stop'],
-    'the deeper one was cancelled',
-  );
+  assert.deepEqual(calls.slice(calls.indexOf('beginEarly')).slice(0, 2), ['beginEarly', 'stop']);
 });
 
 test('The print of a replaced carving is reported to that carving', async () => {
@@ -490,6 +498,7 @@ test('The print of a replaced carving is reported to that carving', async () => 
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void tells.push(listener);
   await carving.engrave();
   const first = carving.carved;
+  steps = [kFirst, read(kFirst)];
   await carving.engrave();
   const second = carving.carved;
   const updates = panel.calls.filter((/** @type {string} */ call) => call === 'update').length;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdict/engraver.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/clock.h"
+#include "pipeline/requested_symbol.h"
+
+namespace qrelief {
+namespace {
+
+/// Returns the number of steps of a carving to do ahead: the surface, and the first passes of the search if there is
+/// one.
+int preparedSteps(const EngraveRequest& request) { return request.needsLight() ? 5 : 1; }
+
+}  // namespace
+
+Engraver::Engraver(std::shared_ptr<const EngravableModel> model, std::size_t maxPlaces)
+    : model_(std::move(model)), maxPlaces_(maxPlaces) {}
+
+Result<std::shared_ptr<const LuminancePrograms>> Engraver::programs() {
+  if (programs_) return programs_;
+  auto compiled = LuminancePrograms::create();
+  QRELIEF_TRY(compiled);
+  programs_ = std::move(*compiled);
+  return programs_;
+}
+
+/// Returns the place of a request; null: not known.
+Engraver::Place* Engraver::placeOf(const EngraveRequest& request, int modules) {
+  const PlacementRequest searched = searchedPlacement(request, modules);
+  const auto place = std::find_if(places_.begin(), places_.end(),
+                                  [&](const Place& one) { return one.modules == modules && one.request == searched; });
+  return place == places_.end() ? nullptr : &*place;
+}
+
+void Engraver::remember(const EngraveRequest& request, int modules, FoundPlacement found) {
+  if (placeOf(request, modules)) return;
+  places_.push_front({modules, searchedPlacement(request, modules), std::move(found), nullptr});
+  if (places_.size() > maxPlaces_) places_.pop_back();
+}
+
+/// Creates the job of a carving.
+/// @param sharesMeasurement  use the measurement of the last carving there, whose maps then change
+Result<Engraver::Work> Engraver::create(const EngraveRequest& request, bool sharesMeasurement) {
+  const auto symbol = requestedSymbol(request.code);
+  QRELIEF_TRY(symbol);
+  if (model_->usesShaders(device_)) QRELIEF_TRY(programs());
+  const Place* const place = placeOf(request, symbol->size);
+  auto job = EngraveJob::create(model_, request,
+                                {.placed = place ? &place->found : nullptr,
+                                 .programs = programs_,
+                                 .symbol = &*symbol,
+                                 .measured = place && sharesMeasurement ? place->measured : nullptr,
+                                 .device = device_});
+  QRELIEF_TRY(job);
+  return Work{request, symbol->size, std::move(*job), 0, place ? place->found.directionMs + place->found.sizeMs : 0};
+}
+
+/// Begins a carving, with the work done ahead if it is for the same request.
+Result<Engraver::Work> Engraver::begin(const EngraveRequest& request) {
+  std::optional<Work> prepared = std::exchange(prepared_, std::nullopt);
+  if (prepared && prepared->request == request) return std::move(*prepared);
+  return create(request, true);
+}
+
+/// Does one bounded piece of work.
+Result<Progress> Engraver::advance(Work& work) {
+  const auto start = Clock::now();
+  const Result<Progress> progress = work.job->advance();
+  ++work.steps;
+  work.ms += millisecondsSince(start);
+  return progress;
+}
+
+/// Remembers the place of a finished carving and what was measured there.
+void Engraver::keepPlace(const Work& work) {
+  if (auto found = work.job->foundPlace()) remember(work.request, work.modules, std::move(*found));
+  if (Place* const place = placeOf(work.request, work.modules)) place->measured = work.job->placementMeasurement();
+}
+
+bool Engraver::prepare(const EngraveRequest& request) {
+  const auto symbol = requestedSymbol(request.code);
+  const bool isPlaced = symbol && placeOf(request, symbol->size);
+  if (prepared_ && !(isPlaced && prepared_->request == request)) prepared_.reset();
+  if (!isPlaced) return true;
+  if (!prepared_) {
+    const auto start = Clock::now();
+    auto work = create(request, false);  // the measurement may belong to a carving that is shown
+    if (!work) return true;              // the engraving itself reports the error
+    prepared_ = std::move(*work);
+    prepared_->ms += millisecondsSince(start);
+  } else if (prepared_->steps < preparedSteps(request) && !advance(*prepared_)) {
+    prepared_.reset();
+    return true;
+  }
+  return prepared_->steps >= preparedSteps(request);
+}
+
+}  // namespace qrelief

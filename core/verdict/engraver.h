@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+
+#include "pipeline/engrave.h"
+
+namespace qrelief {
+
+/// What engravings of one model share: shader programs, the places found and what was measured there, and work that was
+/// done ahead. Needs the model's GL context, if it has one.
+class Engraver {
+ public:
+  /// @param model      checked: see PreparedModel::engravable()
+  /// @param maxPlaces  number of places to remember, ≥ 1; each costs memory
+  explicit Engraver(std::shared_ptr<const EngravableModel> model, std::size_t maxPlaces = 8);
+
+  const EngravableModel& model() const { return *model_; }
+  std::shared_ptr<const EngravableModel> sharedModel() const { return model_; }
+  /// Sets the device for carvings that begin from now on.
+  void setDevice(Device device) { device_ = device; }
+  /// Returns the programs that compute light, compiled at the first call. Needs a GL context.
+  Result<std::shared_ptr<const LuminancePrograms>> programs();
+
+  /// Remembers a place that was found elsewhere.
+  /// @param modules  along the symbol's edge
+  /// @param found    for searchedPlacement(request, modules)
+  void remember(const EngraveRequest& request, int modules, FoundPlacement found);
+  /// Does one bounded piece of the work that the engraving of a request begins with, if its place is known.
+  /// @returns true if nothing is left to do
+  bool prepare(const EngraveRequest& request);
+
+ private:
+  friend class Engraving;
+
+  struct Place {
+    int modules;
+    PlacementRequest request;
+    FoundPlacement found;
+    std::shared_ptr<PlacementMeasurement> measured;  // by the last carving there
+  };
+  /// A carving under way.
+  struct Work {
+    EngraveRequest request;
+    int modules = 0;
+    std::unique_ptr<EngraveJob> job;
+    int steps = 0;  // done so far
+    double ms = 0;  // so far, with the search for the place
+  };
+
+  Place* placeOf(const EngraveRequest& request, int modules);
+  Result<Work> create(const EngraveRequest& request, bool sharesMeasurement);
+  Result<Work> begin(const EngraveRequest& request);
+  static Result<Progress> advance(Work& work);
+  void keepPlace(const Work& work);
+
+  std::shared_ptr<const EngravableModel> model_;
+  std::size_t maxPlaces_;
+  Device device_ = Device::Faster;
+  std::shared_ptr<const LuminancePrograms> programs_;
+  std::list<Place> places_;  // the last one first
+  std::optional<Work> prepared_;
+};
+
+}  // namespace qrelief
