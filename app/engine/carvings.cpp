@@ -48,12 +48,12 @@ Engraver& Carvings::engraver(const Ground& ground) {
   return *engraver_;
 }
 
-bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
+bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch) {
   if (timerQueries_ || !placed) return true;
   request.depth.recordSearch = true;
   Engraver& with = engraver(ground);
   with.remember(request, placed->modules(), placed->found());
-  return with.prepare(request);
+  return with.prepare(request, withSearch);
 }
 
 void Carvings::start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,
@@ -80,7 +80,7 @@ Result<Engraving::Step> Carvings::advance() {
   if (engraving_->attemptOfJob() != before) {
     ++started_;
     current_ = 0;
-    if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
+    passTimings_ = timerQueries_ ? std::make_unique<gl::PassTimings>(*timerQueries_) : nullptr;
   }
   if (*step == Engraving::Step::Done)
     makeCurrent(engraving_->best());

@@ -28,9 +28,12 @@ class Carvings {
   };
 
   /// Does one bounded piece of the work that the request's engraving begins with, so that the engraving has less to do.
-  /// @param placed  the request's place; null: not known yet, so nothing is prepared
+  /// @param placed      the request's place; null: not known yet, so nothing is prepared
+  /// @param withSearch  also the whole first search for depths
   /// @returns true if nothing is left to do
-  bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed);
+  bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch);
+  /// Returns the job of that work; null: there is none.
+  const EngraveJob* prepared() const { return engraver_ ? engraver_->prepared() : nullptr; }
   /// Starts another engraving. Keeps the current carving, if there is one.
   /// @param placed  the request's place, if known
   void start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,
@@ -97,8 +100,9 @@ class Carvings {
   std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name, int number);
 
   // For the inspector; all of it about the last attempt that was started.
-  /// Measures the passes of every attempt that starts from now on.
-  void timePasses(bool withTimerQueries) { timerQueries_ = withTimerQueries; }
+  /// Measures the passes of every attempt that starts from now on, which shaders then make.
+  /// @param withTimerQueries  none: measures nothing
+  void timePasses(std::optional<bool> withTimerQueries) { timerQueries_ = withTimerQueries; }
   gl::PassTimings* passTimings() const { return passTimings_.get(); }
   int started() const { return started_; }  ///< number of attempts so far
   const EngraveRequest& request() const;    ///< requires an engraving or a carving

@@ -99,11 +99,13 @@ class Engine {
   ///                 last colour of the map
   ///             "settling": returns {done} or {done: true, code}; an error where no code fits
   ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
-  ///                 is never started. Returns {done}. There is nothing to do (done) while other work is running or no
-  ///                 code is placed
+  ///                 is never started. Returns {done, depths}. There is nothing to do (done) while other work is
+  ///                 running or no code is placed. With the whole search, then also shows the code as it will be
+  ///                 carved, and `depths` are {meanMm, maxMm}; else null
   ///             "view-trials": notes whether one of the trial's pictures decoded. Returns {done, tried, all, views:
   ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
-  /// @param answers  of "view-trials": {"read"}; all other jobs ignore it
+  /// @param answers  of "view-trials": {"read"}; of "preparation": {"search": the whole first search, too}; all other
+  ///                 jobs ignore it
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots". The best carving of an engraving so far becomes the current one.
   void cancelJob(const std::string& job);
@@ -211,8 +213,8 @@ class Engine {
   bool draw(bool always = false);
 
   // For the inspector.
-  /// Measures the passes of every engraving that starts from now on.
-  void timePasses(bool withTimerQueries) { carvings_.timePasses(withTimerQueries); }
+  /// See Carvings.
+  void timePasses(std::optional<bool> withTimerQueries) { carvings_.timePasses(withTimerQueries); }
   const Carvings& carvings() const { return carvings_; }
   /// Returns the settings as configured.
   const EngraveRequest& settings() const { return wanted_.settings(); }
@@ -231,7 +233,7 @@ class Engine {
   std::string advanceEngrave();
   std::string advanceSpotSearch();
   std::string advanceSettling();
-  std::string advancePreparation();
+  std::string advancePreparation(const std::string& options);
   std::string advanceViewTrials(const std::string& outcome);
 
   // Parts of the answers to the page.

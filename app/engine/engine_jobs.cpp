@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the jobs: engravings, searches for spots and for the place of a hovered code, and view trials.
+#include <algorithm>
 #include <cassert>
 
 #include "base/parse_json.h"
@@ -26,6 +27,15 @@ Json jsonOf(const std::vector<SettingChange>& changes) {
   Json json = Json::array();
   for (const SettingChange& change : changes) json.push_back({{"setting", change.setting}, {"value", change.value}});
   return json;
+}
+
+/// Returns the depths that a search has found, over its carved submodules.
+Json depthsOf(const SearchRecord& search) {
+  const std::vector<float>& depths = search.passes.back().depthMm;
+  double sum = 0;
+  for (const float depth : depths) sum += depth;
+  return {{"meanMm", sum / static_cast<double>(depths.size())},
+          {"maxMm", *std::max_element(depths.begin(), depths.end())}};
 }
 
 }  // namespace
@@ -60,13 +70,23 @@ std::string Engine::startSpotSearch() {
   return started ? done() : answer(started.error());
 }
 
-std::string Engine::advancePreparation() {
+std::string Engine::advancePreparation(const std::string& options) {
+  const Result<Json> parsed = parseJson(options);
+  if (!parsed) return answer(parsed.error());
+  const bool withSearch = parsed->value("search", false);
   bool isDone = true;
+  Json depths;
   if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
     const EngraveRequest request = wanted_.request(scene_.camera().modelUp());
-    isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()));
+    isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()), withSearch);
+    if (const EngraveJob* const job = carvings_.prepared(); job && isDone && withSearch && job->hasSearched()) {
+      const SearchRecord& search = *job->inspectorMaps().search;
+      preview_.show(search, *wanted_.symbol());
+      updateView();
+      depths = depthsOf(search);
+    }
   }
-  return textOf({{"ok", true}, {"done", isDone}});
+  return textOf({{"ok", true}, {"done", isDone}, {"depths", std::move(depths)}});
 }
 
 std::string Engine::advanceEngrave() {
@@ -143,7 +163,7 @@ std::string Engine::startJob(const std::string& job, const std::string& options,
 std::string Engine::advanceJob(const std::string& job, const std::string& answers) {
   if (job == "spots") return advanceSpotSearch();
   if (job == "settling") return advanceSettling();
-  if (job == "preparation") return advancePreparation();
+  if (job == "preparation") return advancePreparation(answers);
   if (job == "view-trials") return advanceViewTrials(answers);
   assert(job == "engrave");
   return advanceEngrave();

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/code_on_surface.h"
+#include "engine/symbol_decal.h"
 #include "pipeline/placement.h"
 
 namespace qrelief {
@@ -22,6 +23,10 @@ class PlacementPreview {
   Status place(const PlacementTask& task);
   /// Takes over an engraving's place and its code.
   void take(const Placement& placement, Result<CodeOnSurface> code);
+  /// Shows the exact code as it will be carved, see showSearch().
+  void show(const SearchRecord& search, const Symbol& symbol) {
+    if (code_ && code_->isExact) showSearch(code_->decal, symbol, code_->symbolMm, search);
+  }
   /// @returns null if the last search was for another request
   const PlacementSearch* found(const EngraveRequest& request, const Result<Symbol>& symbol) const;
 

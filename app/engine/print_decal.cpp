@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/code_on_surface.h"
+#include "engine/symbol_decal.h"
 #include "verification/reading_sweep.h"
 
 namespace qrelief {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kPaperQuantile = 0.8;  // quantile of the greys that is taken as the uncarved surface
 constexpr double kSoftModules = 2;      // width of the soft edge
-constexpr double kShadowPower = 2.5;    // as the view shows the shadows of the model (shaders/view_lighting.frag)
 
 std::uint8_t paperOf(std::span<const std::uint8_t> pixels) {
   std::vector<std::uint8_t> sorted(pixels.begin(), pixels.end());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "depth/search_record.h"
 #include "label/ring_coverage.h"
 #include "pipeline/default_patterns.h"
 #include "settings/engrave_request.h"
@@ -44,6 +45,22 @@ Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double sym
       if (mask.isCarved(row / scale, column / scale))
         decal.ink[static_cast<std::size_t>((row + border) * decal.size + column + border)] = 255;
   return decal;
+}
+
+void showSearch(Decal& decal, const Symbol& symbol, double symbolMm, const SearchRecord& search) {
+  const int edge = kSubmodulesPerModule * symbol.size;
+  const int scale = static_cast<int>(std::lround(decal.size * symbolMm / decal.edgeMm / edge));
+  const int border = (decal.size - scale * edge) / 2;
+  const std::vector<float>& luminance = search.passes.back().luminance;
+  decal.colours = {SurfaceColours{}.body, Vec3f(0)};
+  for (std::size_t k = 0; k < search.carved.size(); ++k) {
+    const double shade = 1 - std::pow(std::clamp<double>(luminance[k], 0, 1), kShadowPower);
+    const int row = static_cast<int>(search.carved[k]) / edge, column = static_cast<int>(search.carved[k]) % edge;
+    for (int y = 0; y < scale; ++y)
+      for (int x = 0; x < scale; ++x)
+        decal.ink[static_cast<std::size_t>((scale * row + y + border) * decal.size + scale * column + x + border)] =
+            static_cast<std::uint8_t>(std::lround(255 * shade));
+  }
 }
 
 }  // namespace qrelief

@@ -47,13 +47,13 @@ void InspectedEngine::open() {
   if (window_) return;
   window_ = makeWindow_();
   window_->setTheme(dark_);
-  engine_.timePasses(withTimerQueries_);
 }
 
 void InspectedEngine::showWindow(bool isShown) {
   if (isShown && window_) window_->resize(size_.x, size_.y, devicePixelRatio_);
   hasGone_ = isShown_ && !isShown;
   isShown_ = isShown;
+  engine_.timePasses(isShown && window_ ? std::optional(withTimerQueries_) : std::nullopt);
 }
 
 std::string InspectedEngine::inspector(const std::string& event) {

@@ -229,6 +229,8 @@ InspectorMaps EngraveJob::inspectorMaps() const {
 
 const SurfaceMaps* EngraveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
 
+bool EngraveJob::hasSearched() const { return state_->search && state_->search->finished(); }
+
 std::optional<FoundPlacement> EngraveJob::foundPlace() const {
   if (!state_->placing) return {};
   return state_->placing->found();

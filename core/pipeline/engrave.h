@@ -149,6 +149,8 @@ class EngraveJob {
   /// owns it.
   const EngraveResult* writtenResult() const;
 
+  /// Returns true once the first depth search has ended.
+  bool hasSearched() const;
   /// Returns the place that the job has found; none if it was known. Call it after `done`.
   std::optional<FoundPlacement> foundPlace() const;
   /// Returns null before the surface is measured.

@@ -10,9 +10,8 @@
 namespace qrelief {
 namespace {
 
-/// Returns the number of steps of a carving to do ahead: the surface, and the first passes of the search if there is
-/// one.
-int preparedSteps(const EngraveRequest& request) { return request.needsLight() ? 5 : 1; }
+/// Numbers of steps of a carving to do ahead: the surface, and the first passes of the search if there is one.
+constexpr int kPreparedSteps = 5, kPreparedWithoutLight = 1;
 
 }  // namespace
 
@@ -80,7 +79,12 @@ void Engraver::keepPlace(const Work& work) {
   if (Place* const place = placeOf(work.request, work.modules)) place->measured = work.job->placementMeasurement();
 }
 
-bool Engraver::prepare(const EngraveRequest& request) {
+bool Engraver::isPrepared(const Work& work, bool withSearch) {
+  if (!work.request.needsLight()) return work.steps >= kPreparedWithoutLight;
+  return withSearch ? work.job->hasSearched() : work.steps >= kPreparedSteps;
+}
+
+bool Engraver::prepare(const EngraveRequest& request, bool withSearch) {
   const auto symbol = requestedSymbol(request.code);
   const bool isPlaced = symbol && placeOf(request, symbol->size);
   if (prepared_ && !(isPlaced && prepared_->request == request)) prepared_.reset();
@@ -91,11 +95,11 @@ bool Engraver::prepare(const EngraveRequest& request) {
     if (!work) return true;              // the engraving itself reports the error
     prepared_ = std::move(*work);
     prepared_->ms += millisecondsSince(start);
-  } else if (prepared_->steps < preparedSteps(request) && !advance(*prepared_)) {
+  } else if (!isPrepared(*prepared_, withSearch) && !advance(*prepared_)) {
     prepared_.reset();
     return true;
   }
-  return prepared_->steps >= preparedSteps(request);
+  return isPrepared(*prepared_, withSearch);
 }
 
 }  // namespace qrelief

@@ -29,8 +29,11 @@ class Engraver {
   /// @param found    for searchedPlacement(request, modules)
   void remember(const EngraveRequest& request, int modules, FoundPlacement found);
   /// Does one bounded piece of the work that the engraving of a request begins with, if its place is known.
+  /// @param withSearch  also the whole first search for depths
   /// @returns true if nothing is left to do
-  bool prepare(const EngraveRequest& request);
+  bool prepare(const EngraveRequest& request, bool withSearch);
+  /// Returns the job of that work; null: there is none.
+  const EngraveJob* prepared() const { return prepared_ ? prepared_->job.get() : nullptr; }
 
  private:
   friend class Engraving;
@@ -54,6 +57,7 @@ class Engraver {
   Result<Work> create(const EngraveRequest& request, bool sharesMeasurement);
   Result<Work> begin(const EngraveRequest& request);
   static Result<Progress> advance(Work& work);
+  static bool isPrepared(const Work& work, bool withSearch);
   void keepPlace(const Work& work);
 
   std::shared_ptr<const EngravableModel> model_;

@@ -130,7 +130,7 @@ TEST_F(EngravingTest, ATextHasNothingToDecode) {
 TEST_F(EngravingTest, EngravingsOfOneModelShareThePlaceAndWorkDoneAhead) {
   Engraver engraver(plate());
   const EngraveRequest request = requestAt({0, 0, 10});
-  EXPECT_TRUE(engraver.prepare(request)) << "its place is not known";
+  EXPECT_TRUE(engraver.prepare(request, false)) << "its place is not known";
   const auto carve = [&] {
     Engraving engraving(engraver, request, {});
     int steps = 0;
@@ -142,11 +142,18 @@ TEST_F(EngravingTest, EngravingsOfOneModelShareThePlaceAndWorkDoneAhead) {
   const auto [secondSteps, second] = carve();
   EXPECT_LT(secondSteps, firstSteps) << "the place is known";
   EXPECT_EQ(second, first);
-  while (!engraver.prepare(request)) {
+  while (!engraver.prepare(request, false)) {
   }
   const auto [thirdSteps, third] = carve();
   EXPECT_LT(thirdSteps, secondSteps);
   EXPECT_EQ(third, first);
+  while (!engraver.prepare(request, true)) {
+  }
+  ASSERT_NE(engraver.prepared(), nullptr);
+  EXPECT_TRUE(engraver.prepared()->hasSearched());
+  const auto [fourthSteps, fourth] = carve();
+  EXPECT_LT(fourthSteps, thirdSteps);
+  EXPECT_EQ(fourth, first);
 }
 
 }  // namespace
