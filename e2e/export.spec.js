@@ -158,7 +158,7 @@ test('A dropped settings file and a shared link restore the settings', async ({ 
       [JSON.stringify({ ...good, version: 9 }), '“x.json” has settings of version 9'],
       [
         JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }),
-        'The setting nozzleMm must be a number from 0.01 to 10, not -1.',
+        '“Nozzle” is -1 mm. Choose from 0.01 mm to 10 mm.',
       ],
     ];
     for (const [bytes, message] of wrong) {

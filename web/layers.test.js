@@ -10,6 +10,7 @@ const kLayers = [
   'generated', // the core's description of its settings
   'offline', // keeps the page for visits without a network
   'engine', // the engine, its worker and its answers
+  'settings', // values of the settings
   'storage', // data that the browser keeps
   'i18n', // all texts, numbers and messages in all languages
   'dom', // elements and files, for all layers above

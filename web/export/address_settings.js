@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings and model in the page's address, by name: `?sample=bunny&at=6.3,-36.2,41.1&pattern=square&light=90,33`.
 import { EngineFailure } from '../engine/engine_error.js';
-import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
-import { kSettings } from '../generated/settings.js';
-import { checkSetting, fileKeys } from './settings_file.js';
+import { settingProblem } from '../settings/setting_problem.js';
+import { settingFrom, settingText } from '../settings/setting_text.js';
+import { fileKeys } from './settings_file.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -18,16 +18,6 @@ function refuse(why) {
   throw new EngineFailure({ kind: 'BadInput', ...message('settings-address-refused', { why: { cause: why } }) });
 }
 
-/** @param {SettingKey} key @param {string} text @returns {unknown} */
-function valueOf(key, text) {
-  const { kind } = kSettings[key];
-  if (kind === 'switch') return text === 'true' ? true : text === 'false' ? false : text;
-  if (kind === 'lamps') return lampsFrom(text) ?? text;
-  const isNumber =
-    (kind === 'number' || kind === 'choice-or-number') && text.trim() !== '' && Number.isFinite(Number(text));
-  return isNumber ? Number(text) : text;
-}
-
 /**
  * Reads and checks the settings in an address.
  * @param {URLSearchParams} address
@@ -39,8 +29,9 @@ export function settingsFromAddress(address, controls) {
   const keys = fileKeys(controls).filter((key) => key !== 'text' && address.has(key));
   return Object.fromEntries(
     keys.map((key) => {
-      const value = valueOf(key, address.get(key) ?? '');
-      checkSetting(key, value, refuse);
+      const value = settingFrom(key, address.get(key) ?? '');
+      const problem = settingProblem(key, value);
+      if (problem) refuse(problem);
       return [key, value];
     }),
   );
@@ -56,9 +47,6 @@ export function spotFromAddress(address) {
   return numbers.length === 3 && numbers.every(Number.isFinite) ? /** @type {Point} */ (numbers) : undefined;
 }
 
-/** @param {unknown} value  of a setting */
-const textOf = (value) => (areLamps(value) ? lampsText(value) : String(value));
-
 /**
  * Returns the parameters that set the page up: the text, the sample with its spot, and the settings that differ from the
  * defaults. Other models cannot be in an address.
@@ -67,13 +55,13 @@ const textOf = (value) => (areLamps(value) ? lampsText(value) : String(value));
  */
 export function addressFor({ settings, defaults, model }) {
   const changed = /** @type {[string, unknown][]} */ (Object.entries(settings)).filter(
-    ([key, value]) => key !== 'text' && textOf(value) !== textOf(/** @type {any} */ (defaults)[key]),
+    ([key, value]) => key !== 'text' && settingText(value) !== settingText(/** @type {any} */ (defaults)[key]),
   );
   const { sample, centreMm } = model ?? {};
   return new URLSearchParams([
     ...(sample ? [['sample', sample]] : []),
     ...(sample && centreMm ? [['at', centreMm.map((mm) => Number(mm.toFixed(kSpotDigits))).join(',')]] : []),
     ['text', settings.text],
-    ...changed.map(([key, value]) => [key, textOf(value)]),
+    ...changed.map(([key, value]) => [key, settingText(value)]),
   ]);
 }

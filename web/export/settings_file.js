@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings files: all inputs of a carving, with a reference to the model but without the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
-import { areLamps } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
+import { excerpt, isPoint, settingProblem } from '../settings/setting_problem.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -48,78 +48,18 @@ function refuseFile(why) {
   throw new EngineFailure({ kind: 'BadInput', ...message('settings-file-refused', { why: { cause: why } }) });
 }
 
-/** Formats a value for a message, 40 characters at most. @param {unknown} value */
-function excerpt(value) {
-  const json = JSON.stringify(value) ?? 'undefined';
-  return json.length > 40 ? `${json.slice(0, 39)}…` : json;
-}
-
 /** @param {unknown} value @returns {value is Record<string, unknown>} */
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
-
-/** @param {unknown} value @returns {value is number} */
-const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
-
-/** @param {unknown} value @returns {value is Point} */
-const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(isNumber);
-
-/** @typedef {(why: import('../engine/message.js').Message) => never} Refuse */
-
-/** @param {string} name @param {unknown} value @param {readonly [number, number]} range @param {Refuse} refuse */
-function checkNumber(name, value, [from, to], refuse) {
-  if (!isNumber(value) || value < from || value > to)
-    refuse(
-      message('settings-wrong-number', {
-        name: { term: name },
-        from: { number: from },
-        to: { number: to },
-        value: { term: excerpt(value) },
-      }),
-    );
-}
-
-/** @param {string} name @param {unknown} value @param {readonly string[]} choices @param {Refuse} refuse */
-function checkChoice(name, value, choices, refuse) {
-  if (!choices.includes(/** @type {string} */ (value)))
-    refuse(
-      message('settings-wrong-choice', {
-        name: { term: name },
-        choices: { term: choices.join(', ') },
-        value: { term: excerpt(value) },
-      }),
-    );
-}
-
-/**
- * Checks the value of a setting from a file or an address.
- * @param {SettingKey} name
- * @param {unknown} value
- * @param {Refuse} [refuse]  throws an error that says why
- */
-export function checkSetting(name, value, refuse = refuseFile) {
-  const { kind, choices = [], min = 0, max = 0 } = kSettings[name];
-  if (kind === 'text') {
-    if (typeof value !== 'string')
-      refuse(message('settings-wrong-text', { name: { term: name }, value: { term: excerpt(value) } }));
-  } else if (kind === 'switch') {
-    if (typeof value !== 'boolean')
-      refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: excerpt(value) } }));
-  } else if (kind === 'lamps') {
-    if (!areLamps(value))
-      refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: excerpt(value) } }));
-  } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
-    checkNumber(name, value, [min, max], refuse);
-  } else {
-    checkChoice(name, value, choices, refuse);
-  }
-}
 
 /** @param {Record<string, unknown>} settings @param {readonly SettingKey[]} keys  of a file */
 function checkSettings(settings, keys) {
   const unknown = Object.keys(settings).find((name) => !keys.includes(/** @type {SettingKey} */ (name)));
   if (unknown !== undefined) refuseFile(message('settings-unknown', { name: { term: excerpt(unknown) } }));
   if (settings.text === undefined) refuseFile(message('settings-missing', { name: { term: 'text' } }));
-  for (const name of keys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
+  for (const name of keys) {
+    const problem = settings[name] !== undefined && settingProblem(name, settings[name]);
+    if (problem) throw new EngineFailure({ kind: 'BadInput', ...problem });
+  }
 }
 
 /** @param {unknown} model @returns {ModelChoice} */
@@ -128,8 +68,23 @@ function checkModel(model) {
   const { file, sample, scaleToMm, upAxis, centreMm } = model;
   if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string'))
     refuseFile(message('settings-wrong-model', { value: { term: excerpt(file) } }));
-  checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6], refuseFile);
-  checkChoice('upAxis', upAxis, ['y', 'z'], refuseFile);
+  if (typeof scaleToMm !== 'number' || !(scaleToMm >= 1e-6 && scaleToMm <= 1e6))
+    refuseFile(
+      message('setting-out-of-range', {
+        setting: { setting: 'scale' },
+        value: { term: excerpt(scaleToMm) },
+        min: { number: 1e-6 },
+        max: { number: 1e6 },
+      }),
+    );
+  if (upAxis !== 'y' && upAxis !== 'z')
+    refuseFile(
+      message('setting-no-choice', {
+        setting: { setting: 'upAxis' },
+        found: { term: excerpt(upAxis) },
+        choices: { term: 'y, z' },
+      }),
+    );
   if (centreMm !== undefined && !isPoint(centreMm))
     refuseFile(message('settings-wrong-centre', { value: { term: excerpt(centreMm) } }));
   return /** @type {ModelChoice} */ ({
