@@ -55,7 +55,7 @@ test('Work is offered and restored after a reload, but not if nothing changed or
       page,
       (work) =>
         work?.text === 'to be continued' &&
-        work.values.rotate === '15' &&
+        work.settings.rotateDeg === 15 &&
         work.centreMm?.every(
           (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01,
         ),

@@ -167,7 +167,7 @@ test('A text alone is shown, engraved and saved as a solid; the code comes back'
   expect(name).toMatch(/^vase-text-Rev-B-2026-\d+mm\.stl$/);
   expect(isClosedStl(bytes)).toBe(true);
 
-  await untilKept(page, (work) => work?.text === 'Rev B\n2026' && work.values.content === 'text');
+  await untilKept(page, (work) => work?.text === 'Rev B\n2026' && work.settings.content === 'text');
   await choose(page, 'Link or text');
   await expect(app.text).toHaveValue(link);
   await expectSymbol(page, link);

@@ -48,7 +48,7 @@ test('An empty text, a too large code and a setting out of range are refused wit
   await app.openSettings();
   await app.setting('Viewing distance (mm)').fill('3');
   await app.setting('Viewing distance (mm)').blur();
-  await expect(app.alert).toContainText('“Viewing distance” must be a number from 20 to 100000, not 3');
+  await expect(app.alert).toContainText('“Viewing distance” is 3 mm. Choose from 20 mm to 100000 mm.');
   await app.setting('Viewing distance (mm)').fill('300');
   await app.setting('Viewing distance (mm)').blur();
   await expect(app.alert).toHaveCount(0);

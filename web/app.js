@@ -132,12 +132,12 @@ function connect(notices) {
     symbolOf: (settings) => client.symbol(settings),
     adviceOn: (content) => client.textAdvice(content),
   });
-  const { fields } = form;
-  const store = new WorkStore({ ...kNoWork, text: code.initialText, values: fields.defaults });
+  const { defaults } = form;
+  const store = new WorkStore({ ...kNoWork, text: code.initialText, settings: defaults });
   showWork(store, { form, code, place: placePanel, batch: batchPanel });
 
   const jobs = new Jobs({ panel: workPanel, messages, onBusy: () => session.allow() });
-  const base = { client, store, fields, messages, notices, jobs, guard };
+  const base = { client, store, defaults, messages, notices, jobs, guard };
   const batching = new Batching({ ...base, panel: batchPanel, isLocked: () => batchCarving.isOpen });
   const model = new ModelSession({
     ...base,

@@ -7,7 +7,7 @@ import { BatchStore, readManifest } from './batch_store.js';
 import { FakeFolder } from './testing.js';
 
 const kRecord = /** @type {any} */ ({
-  work: { fileName: 'cube.stl', values: {} },
+  work: { fileName: 'cube.stl', settings: {} },
   rows: 4,
   printEvery: 10,
   request: { text: '' },

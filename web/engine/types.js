@@ -14,7 +14,7 @@
  */
 
 /**
- * @typedef {{ hit: boolean, buildUp?: string | [number, number, number] }} LaidFace
+ * @typedef {{ hit: boolean, buildUp?: Settings['buildUp'] }} LaidFace
  *   `buildUp`: the setting that lays the face on the printer's plate
  */
 
@@ -26,27 +26,47 @@
 /** @typedef {'auto' | 'none' | 'as-modules' | 'diamond' | 'thick-plus' | 'thick-plus-sharp'} FinderPattern */
 
 /**
- * The settings that the page's code reads by name; all of them are in web/generated/settings.js.
+ * Settings by their keys; what is left out has its default. web/generated/settings.js has ranges and defaults, and
+ * docs/options.md the meanings.
  * @typedef {object} Settings
  * @property {string} text
  * @property {'code' | 'text'} [content]             what to make of the text
+ * @property {'auto' | 'L' | 'M' | 'Q' | 'H'} [ecc]
+ * @property {number} [version]
+ * @property {'auto' | 'shadiest' | number} [mask]
+ * @property {'auto' | 'never'} [eci]
  * @property {'auto' | 'shadow' | 'inlay' | 'paint'} [mark]
- * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            default: the highest level that needs no larger version than M
- * @property {'shallow' | 'balanced' | 'robust'} preset   target darkness of the code
- * @property {ModulePattern} pattern
- * @property {FinderPattern} finderPattern
- * @property {'best' | 'oriented' | 'free' | number} size   edge of the symbol without quiet zone; a number is mm
- * @property {number} maxSizeMm                    upper limit of a found size
- * @property {boolean} quietZone                   the quiet zone has to fit on the surface
- * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
- * @property {number} rotateDeg
+ * @property {number} [markDepthMm]
+ * @property {number} [darkReflectance]
+ * @property {number} [lightReflectance]
+ * @property {'shallow' | 'balanced' | 'robust'} [preset]   target darkness of the code
+ * @property {boolean} [keepPreset]
+ * @property {ModulePattern} [pattern]
+ * @property {FinderPattern} [finderPattern]
  * @property {number} [contrast]                   overrides the preset's
- * @property {number} minWallMm
- * @property {number} nozzleMm                     of the printer, for advice
- * @property {number} layerMm
+ * @property {'design' | 'print'} [carveFor]
+ * @property {'contrast' | 'one-light'} [objective]
+ * @property {'fast' | 'paper-steps'} [solver]
  * @property {number} [maxDepthMm]
- * @property {number} eyeDistanceMm
+ * @property {number} [minWallMm]
+ * @property {'best' | 'oriented' | 'free' | number} [size]   edge of the symbol without quiet zone; a number is mm
+ * @property {number} [maxSizeMm]                  upper limit of a found size
+ * @property {boolean} [quietZone]                 the quiet zone has to fit on the surface
+ * @property {[number, number, number]} [up]
+ * @property {number} [rotateDeg]
+ * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal' | [number, number, number]} [direction]
+ * @property {number} [eyeDistanceMm]
  * @property {import('./lamps.js').Lamp[]} [light]   in addition to the sky
+ * @property {number} [albedo]
+ * @property {'preserved' | 'resampled'} [surface]
+ * @property {boolean} [inlay]
+ * @property {string} [label]
+ * @property {'none' | 'rounded' | 'square'} [frame]
+ * @property {string} [process]                    'none' or a key of kProcesses
+ * @property {number} [nozzleMm]                   of the printer, for advice
+ * @property {number} [layerMm]
+ * @property {number} [lineWidthMm]
+ * @property {'as-modelled' | 'code-up' | 'code-upright' | [number, number, number]} [buildUp]
  */
 
 /**

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the settings and their choices in the current language (setting_words.js).
 import { kSettings } from '../generated/settings.js';
-import { appTexts } from './catalogue.js';
-import { choiceIn, labelIn, nameIn } from './setting_words.js';
+import { appTexts, text } from './catalogue.js';
+import { formatPlain } from './format.js';
+import { choiceIn, labelIn, nameIn, numberNameIn } from './setting_words.js';
 
 const names = /** @type {() => import('./setting_words.js').Names} */ (appTexts);
 
@@ -17,6 +18,31 @@ export const settingHint = (key) => names().settings.settings[key].hint ?? '';
 
 /** @param {string} key @param {string} value */
 export const choiceLabel = (key, value) => choiceIn(names(), key, value);
+
+/** Returns the label of the number beside the choices of a setting: "Width (mm)". @param {string} key */
+export const numberName = (key) => numberNameIn(names(), key);
+
+/**
+ * Returns a value as its control shows it.
+ * @param {string} key
+ * @param {unknown} value  undefined: none
+ * @returns {string}
+ */
+export function valueName(key, value) {
+  const { choices, whole } = kSettings[/** @type {import('../generated/settings.js').SettingKey} */ (key)];
+  if (value === undefined) return text('settings.auto');
+  if (Array.isArray(value)) return vectorName(key, value);
+  if (typeof value !== 'number') return choiceLabel(key, String(value));
+  return choices && whole ? `${controlName(key)} ${value}` : formatPlain(value);
+}
+
+/** @param {string} key @param {number[]} vector */
+function vectorName(key, vector) {
+  if (key !== 'buildUp') return choiceLabel(key, 'vector');
+  const axis = vector.findIndex((part) => part !== 0);
+  if (vector.filter((part) => part !== 0).length !== 1) return text('settings.faceDown');
+  return text('settings.axisUp', { axis: `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` });
+}
 
 /**
  * Returns the texts of all settings by the keys that the engine uses (app/inspector/setting_labels.h).

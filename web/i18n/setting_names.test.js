@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { kSettings } from '../generated/settings.js';
 import { setLanguage } from './catalogue.js';
-import { choiceLabel, controlLabel, controlName, settingTexts } from './setting_names.js';
+import { choiceLabel, controlLabel, controlName, numberName, settingTexts, valueName } from './setting_names.js';
 import { isKnownSetting } from './setting_words.js';
 
 after(() => setLanguage('en'));
@@ -15,12 +15,22 @@ test('a control is named as in the table, with its unit', async () => {
   assert.equal(controlName('rotateDeg'), 'Rotation (°)');
   assert.equal(controlName('contrast'), 'Contrast');
   assert.equal(controlName('size'), 'Size of the code');
-  assert.equal(controlName('sizeMm'), 'Width (mm)');
+  assert.equal(numberName('size'), 'Width (mm)');
   assert.equal(controlName('centreMm'), 'Centre on the surface (mm)');
   assert.equal(controlLabel('minWallMm'), 'Minimum wall');
   assert.equal(controlLabel('centreMm'), 'Centre on the surface');
   assert.equal(controlName('colour'), 'colour');
-  assert.ok(isKnownSetting('sizeMm') && !isKnownSetting('colour'));
+  assert.ok(isKnownSetting('size') && !isKnownSetting('colour'));
+});
+
+test('a value is named as its control shows it', async () => {
+  await setLanguage('en');
+  assert.equal(valueName('mark', 'paint'), choiceLabel('mark', 'paint'));
+  assert.equal(valueName('mask', 3), `${controlName('mask')} 3`);
+  assert.equal(valueName('minWallMm', 1.25), '1.25');
+  assert.equal(valueName('contrast', undefined), 'auto');
+  assert.equal(valueName('buildUp', [0, 0, -1]), '−Z up');
+  assert.equal(valueName('buildUp', [0, -0.6, 0.8]), 'Chosen face down');
 });
 
 test('choices have names in the chosen language', async () => {

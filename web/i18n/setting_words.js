@@ -19,16 +19,14 @@ const kUnitNames = { m: 'metres', cm: 'centimetres', mm: 'millimetres', in: 'inc
 const settingOf = (/** @type {string} */ key) =>
   /** @type {Record<string, import('../generated/settings.js').Setting>} */ (kSettings)[key];
 
-export const isKnownSetting = (/** @type {string} */ key) =>
-  key in kSettings || key in kOtherControls || key === 'sizeMm';
+export const isKnownSetting = (/** @type {string} */ key) => key in kSettings || key in kOtherControls;
 
 /**
- * Returns the label of the control without its unit: "Minimum wall". "sizeMm" is the number beside the choices of `size`.
+ * Returns the label of the control without its unit: "Minimum wall".
  * @param {Names} names
  * @param {string} key  of a setting of the core
  */
 export function labelIn({ settings: { settings }, page }, key) {
-  if (key === 'sizeMm') return settings.size.parts?.number ?? key;
   if (key in kOtherControls) return page.settings[kOtherControls[key]].replace(/ \([^)]*\)$/, '');
   return settings[key]?.label ?? key;
 }
@@ -41,9 +39,16 @@ export function labelIn({ settings: { settings }, page }, key) {
 export function nameIn(names, key) {
   if (key in kOtherControls) return names.page.settings[kOtherControls[key]];
   const setting = settingOf(key);
-  const unit = key === 'sizeMm' ? 'mm' : setting?.kind === 'number' ? setting.unit : undefined;
-  return unit ? `${labelIn(names, key)} (${names.settings.units[unit]})` : labelIn(names, key);
+  const unit = setting?.kind === 'number' ? setting.unit : undefined;
+  return withUnit(names, labelIn(names, key), unit);
 }
+
+/** Returns the label of the number beside the choices of a setting: "Width (mm)". @param {Names} names @param {string} key */
+export const numberNameIn = (names, key) =>
+  withUnit(names, names.settings.settings[key].parts?.number ?? key, settingOf(key).unit);
+
+/** @param {Names} names @param {string} label @param {string} [unit] */
+const withUnit = (names, label, unit) => (unit ? `${label} (${names.settings.units[unit]})` : label);
 
 /** @param {Names} names @param {string} key @param {string} value */
 export function choiceIn({ settings: { settings }, page }, key, value) {

@@ -25,12 +25,12 @@ const kReasons = /** @type {const} */ ({
 });
 
 /** Returns the change that says most about an attempt. @param {Work} work @param {Work} asked @returns {keyof typeof kWords} */
-function changeOf({ text: content, values }, asked) {
-  if (values.mark !== asked.values.mark) return 'mark';
-  if (content !== asked.text) return 'text';
-  if (values.size !== asked.values.size || values['size-mm'] !== asked.values['size-mm']) return 'size';
-  if (values.ecc !== asked.values.ecc) return 'ecc';
-  return values.preset === asked.values.preset ? 'carveFor' : 'preset';
+function changeOf({ text: content, settings }, { text: askedContent, settings: asked }) {
+  if (settings.mark !== asked.mark) return 'mark';
+  if (content !== askedContent) return 'text';
+  if (settings.size !== asked.size || settings.maxSizeMm !== asked.maxSizeMm) return 'size';
+  if (settings.ecc !== asked.ecc) return 'ecc';
+  return settings.preset === asked.preset ? 'carveFor' : 'preset';
 }
 
 /** Says what an attempt changes, and why it is made. @param {Work} work @param {Work} asked @param {Reason} reason @returns {Words} */
@@ -47,6 +47,6 @@ export function attemptWords(work, asked, reason) {
  */
 export function engravedWords(work, asked, forPrint = false) {
   const change = changeOf(work, asked);
-  if (work.values.content === 'text' && change !== 'mark') return text('page.engravedTextLarger');
+  if (work.settings.content === 'text' && change !== 'mark') return text('page.engravedTextLarger');
   return text(forPrint && change === 'preset' ? 'page.engravedForPrint' : kWords[change][1]);
 }

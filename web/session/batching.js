@@ -7,6 +7,7 @@ import { sentenceOf } from '../i18n/messages.js';
 import { asSentence } from '../i18n/sentences.js';
 import { kSettings } from '../generated/settings.js';
 import { isEmptyInput } from '../ui/batch_panel.js';
+import { requestedSettings } from '../settings/work_settings.js';
 import { Signal } from './signal.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -26,18 +27,16 @@ const kMostListBytes = 64 * 1024 * 1024;
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'show' | 'takeList' | 'lock'>} panel
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('../ui/messages.js').Messages, 'say' | 'showError' | 'clearError'>} messages
- * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'settings'>} fields
  * @property {() => boolean} isLocked                  true: a batch of this list is open
  */
 
 export class Batching {
   /** @param {BatchingOptions} options */
-  constructor({ client, panel, store, messages, fields, isLocked }) {
+  constructor({ client, panel, store, messages, isLocked }) {
     this.client_ = client;
     this.panel_ = panel;
     this.messages_ = messages;
     this.store_ = store;
-    this.fields_ = fields;
     this.isLocked_ = isLocked;
     /** Announces the new plan; undefined: one code. @type {Signal<[Planned | undefined]>} */ this.changed =
       new Signal();
@@ -84,7 +83,7 @@ export class Batching {
 
   /** @param {string} content */
   settings_(content) {
-    return this.fields_.settings(this.store_.work.values, content);
+    return requestedSettings(this.store_.work.settings, content);
   }
 
   /** Keys of the settings that the list decides for the first part, not a control. */

@@ -35,7 +35,7 @@ beforeEach(() => {
   answer = kPlan;
   requests = [];
   planned = [];
-  store = storeOf({ text: 'mine', values: { preset: 'balanced' }, batch: kInput });
+  store = storeOf({ text: 'mine', settings: { preset: 'balanced' }, batch: kInput });
   locked = false;
   messages = new FakeMessages();
   batching = new Batching({
@@ -58,7 +58,6 @@ beforeEach(() => {
     panel,
     store,
     messages: /** @type {any} */ (messages),
-    fields: { settings: ({ preset }, text) => /** @type {any} */ ({ text, preset, pattern: 'none' }) },
     isLocked: () => locked,
   });
   batching.changed.on((now) => void planned.push(now));
@@ -68,7 +67,7 @@ test('Without a list there is one code', async () => {
   store.update({ batch: undefined });
   await batching.ready();
   assert.deepEqual([requests, planned, batching.incomplete], [[], [], false]);
-  assert.deepEqual(batching.settings(), { text: 'mine', preset: 'balanced', pattern: 'none' });
+  assert.deepEqual(batching.settings(), { text: 'mine', preset: 'balanced' });
 });
 
 test('The first part of a list is handled like a single code, with its values from the list', async () => {
@@ -84,7 +83,7 @@ test('A list is planned again only if it or the settings change', async () => {
   await batching.ready();
   await batching.ready();
   assert.equal(requests.length, 1);
-  store.update({ values: { preset: 'robust' } });
+  store.update({ settings: { preset: 'robust' } });
   await batching.ready();
   store.update({ batch: { ...kInput, from: 'count', text: '{n}' } });
   await batching.ready();

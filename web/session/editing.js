@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Applies the user's edits to the work, and places the code again after each complete edit.
 import { text } from '../i18n/catalogue.js';
-import { controlName, shownValue } from '../ui/verdict_lines.js';
+import { controlName, valueName } from '../i18n/setting_names.js';
+import { proposedChange, restoredSettings, settingsAfter } from '../settings/work_settings.js';
 import { plannedWords } from './batching.js';
-import { valuesByHandles } from './work.js';
+import { changeByHandles, withChanges } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
+/** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
 
 /**
  * @typedef {object} EditingOptions
  * @property {import('./work_store.js').WorkStore} store
- * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {WorkSettings} defaults  of the settings that have a control
  * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'listen'>} form
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'listen' | 'refresh' | 'showParts' | 'showPlaced'>} code
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'listen'>} batchPanel
@@ -25,9 +27,22 @@ import { valuesByHandles } from './work.js';
 
 export class Editing {
   /** @param {EditingOptions} options */
-  constructor({ store, fields, form, code, batchPanel, placePanel, model, batching, spots, placing, messages, guard }) {
+  constructor({
+    store,
+    defaults,
+    form,
+    code,
+    batchPanel,
+    placePanel,
+    model,
+    batching,
+    spots,
+    placing,
+    messages,
+    guard,
+  }) {
     this.store_ = store;
-    this.fields_ = fields;
+    this.defaults_ = defaults;
     this.code_ = code;
     this.model_ = model;
     this.batching_ = batching;
@@ -35,12 +50,12 @@ export class Editing {
     this.placing_ = placing;
     this.messages_ = messages;
     form.listen({
-      onInput: (id, value) => store.update(({ values }) => ({ values: { ...values, [id]: value } })),
-      onChange: (id, value) => guard(() => this.editSetting(id, value)),
+      onInput: (change) => store.update(({ settings }) => ({ settings: { ...settings, ...change } })),
+      onChange: (change) => guard(() => this.editSettings(change)),
     });
     code.listen({
       onInput: (content) => store.update({ text: content }),
-      onMakes: (makes) => store.update(({ values }) => ({ values: fields.edited(values, 'content', makes) })),
+      onMakes: (content) => store.update(({ settings }) => ({ settings: { ...settings, content } })),
       onChange: () => guard(() => this.apply('text')),
     });
     batchPanel.listen({
@@ -68,22 +83,16 @@ export class Editing {
     if (!this.placing_.placement) await this.batching_.explainMissingCode();
   }
 
-  /**
-   * Edits a setting's control.
-   * @param {string} id
-   * @param {string | boolean} value
-   */
-  async editSetting(id, value) {
-    this.store_.update(({ values }) => ({ values: this.fields_.edited(values, id, value) }));
-    await this.apply(id);
+  /** Changes settings, and those that follow them. @param {WorkSettings} change  the first one is the edited one */
+  async editSettings(change) {
+    this.store_.update(({ settings }) => ({ settings: settingsAfter(settings, change) }));
+    await this.apply(Object.keys(change)[0]);
   }
 
   /** Applies the size and the rotation set by the code's handles. @param {{ rotateDeg?: number, symbolMm?: number }} change */
   async adjust(change) {
     const { rotationDeg = 0 } = this.placing_.placement ?? {};
-    const changed = valuesByHandles({ ...keptTurn(rotationDeg), ...change }, this.store_.work.values);
-    this.store_.update(({ values }) => ({ values: { ...values, ...changed } }));
-    await this.apply(Object.keys(changed)[0]);
+    await this.editSettings(changeByHandles({ ...keptTurn(rotationDeg), ...change }, this.store_.work.settings));
   }
 
   /** Applies another list, or the change back to a single code. @param {Work['batch']} batch */
@@ -102,40 +111,36 @@ export class Editing {
   /** Applies a remedy. @param {Pick<import('../engine/types.js').Remedy, 'changes'>} remedy @param {string} label */
   async remedy({ changes }, label) {
     if (!changes) return this.spots_.suggest();
-    this.store_.update(({ values }) => ({
-      values: changes.reduce((before, change) => this.fields_.after(before, change), values),
-    }));
+    this.store_.update((work) => withChanges(work, changes));
     await this.apply();
     if (!this.placing_.placement) return undefined; // the page shows why
-    const [{ id, value }] = changes.map((change) => this.fields_.controlFor(change));
+    const [[key, value]] = Object.entries(proposedChange(changes[0]));
     return this.messages_.say(() =>
-      text('check.done', { label, control: controlName(id), value: shownValue(id, value) }),
+      text('check.done', { label, control: controlName(key), value: valueName(key, value) }),
     );
   }
 
   /**
-   * Takes over text, values and list of another work, but does not apply them. The list stays while its parts are carved.
-   * @param {Pick<Work, 'text' | 'values' | 'batch'>} other
+   * Takes over text, settings and list of another work, but does not apply them. The list stays while its parts are carved.
+   * @param {Pick<Work, 'text' | 'settings' | 'batch'>} other
    */
-  restore({ text: content, values, batch }) {
+  restore({ text: content, settings, batch }) {
     this.store_.update((work) => ({
       text: content,
-      values: this.fields_.restored(work.values, values),
+      settings: restoredSettings(settings, this.defaults_),
       batch: this.batching_.isLocked ? work.batch : batch,
     }));
   }
 
   /** Makes a carved model the model. Its file has the pose on the printer. @param {import('./model_session.js').Source} carved */
   async goOnWith(carved) {
-    this.store_.update(({ values }) => ({
-      values: this.fields_.after(values, { setting: 'buildUp', value: 'as-modelled' }),
-    }));
+    this.store_.update(({ settings }) => ({ settings: { ...settings, buildUp: 'as-modelled' } }));
     await this.model_.load(carved);
   }
 
   /** Continues with a stored work. @param {import('../storage/last_work.js').Work} stored */
-  async continueWith({ text: content, values, sampleId, bytes, batch, address: _, ...place }) {
-    this.restore({ text: content ?? this.store_.work.text, values, batch });
+  async continueWith({ text: content, settings, sampleId, bytes, batch, address: _, ...place }) {
+    this.restore({ text: content ?? this.store_.work.text, settings, batch });
     const { centreMm, ...file } = place;
     if (sampleId) await this.model_.openSample(sampleId, place);
     else if (bytes) await this.model_.load({ ...file, bytes, credit: '' }, centreMm);

@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { Batching } from './batching.js';
-import { SettingFields } from '../ui/setting_fields.js';
 import { Editing } from './editing.js';
 import { ModelSession } from './model_session.js';
 import { Placing } from './placing.js';
@@ -10,28 +9,18 @@ import { Signal } from './signal.js';
 import { SpotFinding } from './spot_finding.js';
 import { FakeMessages, fake, settled, storeOf } from './testing.js';
 
+/** @type {import('../settings/work_settings.js').WorkSettings} */
 const kDefaults = {
   preset: 'balanced',
   mark: 'shadow',
   process: 'none',
-  nozzle: '0.4',
-  layer: '0.2',
+  nozzleMm: 0.4,
+  layerMm: 0.2,
   size: 'best',
-  'size-mm': '40',
-  rotate: '0',
-  'build-up': 'as-modelled',
+  maxSizeMm: 40,
+  rotateDeg: 0,
+  buildUp: 'as-modelled',
 };
-const kFields = /** @type {import('../ui/setting_fields.js').Field[]} */ ([
-  { id: 'preset', key: 'preset' },
-  { id: 'mark', key: 'mark' },
-  { id: 'process', key: 'process' },
-  { id: 'nozzle', key: 'nozzleMm' },
-  { id: 'layer', key: 'layerMm' },
-  { id: 'size', key: 'size' },
-  { id: 'size-mm', key: 'maxSizeMm' },
-  { id: 'rotate', key: 'rotateDeg' },
-  { id: 'build-up', key: 'buildUp' },
-]);
 const kBatch = /** @type {any} */ ({ from: 'count', count: 3 });
 
 /** A panel whose user a test plays with `user`. */
@@ -64,7 +53,7 @@ class FakePanel {
 /** @type {Editing} */ let editing;
 
 beforeEach(() => {
-  store = storeOf({ text: 'a', values: kDefaults });
+  store = storeOf({ text: 'a', settings: kDefaults });
   applied = [];
   store.applied.on((field) => void applied.push(field));
   [form, code, batchPanel] = [new FakePanel(), new FakePanel(), new FakePanel()];
@@ -75,7 +64,7 @@ beforeEach(() => {
   messages = new FakeMessages();
   editing = new Editing({
     store,
-    fields: new SettingFields(kFields, kDefaults),
+    defaults: kDefaults,
     form,
     code,
     batchPanel,
@@ -102,7 +91,7 @@ test('A change that helps at the place is made', async () => {
   messages.say = () => void (said += 1);
   remedy({ setting: 'mark', value: 'paint' }, 'Paint it instead');
   await settled();
-  assert.equal(store.work.values.mark, 'paint');
+  assert.equal(store.work.settings.mark, 'paint');
   assert.equal(said, 1);
 });
 
@@ -112,25 +101,25 @@ test('Once a change is applied, a best spot is proposed again', async () => {
 });
 
 test('A complete edit of a setting changes its dependent settings', async () => {
-  form.user.onInput('process', 'resin-0.05');
-  assert.deepEqual([store.work.values.process, store.work.values.nozzle], ['resin-0.05', '0.4']);
-  await form.user.onChange('process', 'resin-0.05');
-  assert.deepEqual([store.work.values.nozzle, store.work.values.layer], ['0.05', '0.05']);
+  form.user.onInput({ process: 'resin-0.05' });
+  assert.deepEqual([store.work.settings.process, store.work.settings.nozzleMm], ['resin-0.05', 0.4]);
+  await form.user.onChange({ process: 'resin-0.05' });
+  assert.deepEqual([store.work.settings.nozzleMm, store.work.settings.layerMm], [0.05, 0.05]);
   assert.deepEqual(applied, ['process']);
 });
 
 test('The handles set the size and drop the suggested spots', async () => {
   await editing.adjust({ symbolMm: 21.5 });
-  assert.deepEqual([store.work.values.size, store.work.values['size-mm']], ['fixed', '21.5']);
+  assert.deepEqual([store.work.settings.size, store.work.settings.maxSizeMm], [21.5, 21.5]);
   assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'again'], ['place']]);
 });
 
 test('A code that was turned to fit keeps its turn when it is resized', async () => {
   placing.placement = { symbolMm: 30, rotationDeg: 36.43 };
   await editing.adjust({ symbolMm: 21.5 });
-  assert.deepEqual([store.work.values.size, store.work.values.rotate], ['fixed', '36.4']);
+  assert.deepEqual([store.work.settings.size, store.work.settings.rotateDeg], [21.5, 36.4]);
   await editing.adjust({ rotateDeg: 0 });
-  assert.equal(store.work.values.rotate, '0');
+  assert.equal(store.work.settings.rotateDeg, 0);
 });
 
 test('A list changes the work before it is planned', async () => {
@@ -146,28 +135,28 @@ test('A remedy changes its settings and reports it; a remedy without a setting s
   let said = 0;
   messages.say = () => void (said += 1);
   await editing.remedy(deeper, 'Carve deeper');
-  assert.deepEqual([store.work.values.preset, said], ['robust', 1]);
+  assert.deepEqual([store.work.settings.preset, said], ['robust', 1]);
   const both = [
     { setting: 'nozzleMm', value: '0.15' },
     { setting: 'layerMm', value: '0.1' },
   ];
   await editing.remedy({ changes: both }, 'Print finer');
-  const { nozzle, layer } = store.work.values;
-  assert.deepEqual([nozzle, layer, said, applied.length], ['0.15', '0.1', 2, 2], 'both in one step');
+  const { nozzleMm, layerMm } = store.work.settings;
+  assert.deepEqual([nozzleMm, layerMm, said, applied.length], [0.15, 0.1, 2, 2], 'both in one step');
   placing.placement = undefined;
   await editing.remedy({ ...deeper, changes: [{ setting: 'preset', value: 'shallow' }] }, 'Carve shallower');
-  assert.deepEqual([store.work.values.preset, said], ['shallow', 2]);
+  assert.deepEqual([store.work.settings.preset, said], ['shallow', 2]);
   await editing.remedy({ ...deeper, changes: undefined }, 'Find a spot');
   assert.equal(spots.calls.at(-1), 'suggest');
   assert.deepEqual([applied.length, said], [3, 2]);
 });
 
 test('Restoring a work does not apply it, and keeps a list whose parts are carved', () => {
-  editing.restore({ text: 'b', values: { preset: 'robust' }, batch: kBatch });
-  assert.deepEqual(store.work.values, { ...kDefaults, preset: 'robust' });
+  editing.restore({ text: 'b', settings: { preset: 'robust' }, batch: kBatch });
+  assert.deepEqual(store.work.settings, { ...kDefaults, preset: 'robust' });
   assert.deepEqual([store.work.text, store.work.batch, applied], ['b', kBatch, []]);
   batching.answers.isLocked = true;
-  editing.restore({ text: 'c', values: {}, batch: undefined });
+  editing.restore({ text: 'c', settings: {}, batch: undefined });
   assert.deepEqual([store.work.text, store.work.batch], ['c', kBatch]);
 });
 
@@ -176,10 +165,10 @@ test('A stored work restores its sample or file, and keeps the current text if i
   model.answers.openSample = async (/** @type {any[]} */ ...options) => void opened.push(options);
   model.answers.load = async (/** @type {any[]} */ ...options) => void opened.push(options);
   const place = { fileName: 'a.stl', scaleToMm: 1, upAxis: /** @type {const} */ ('z') };
-  await editing.continueWith({ ...place, sampleId: 'saddle', values: {}, centreMm: [1, 2, 3] });
+  await editing.continueWith({ ...place, sampleId: 'saddle', settings: {}, centreMm: [1, 2, 3] });
   assert.equal(store.work.text, 'a');
   const bytes = new Uint8Array([1]);
-  await editing.continueWith({ ...place, bytes, text: 'b', values: {}, centreMm: [4, 5, 6] });
+  await editing.continueWith({ ...place, bytes, text: 'b', settings: {}, centreMm: [4, 5, 6] });
   assert.equal(store.work.text, 'b');
   assert.deepEqual(opened, [
     ['saddle', { ...place, centreMm: [1, 2, 3] }],
@@ -206,7 +195,7 @@ test('An edit removes an error only if there is a model, and says why there is n
 });
 
 test('A carved model that becomes the model stands as it is printed', async () => {
-  store.update(({ values }) => ({ values: { ...values, 'build-up': 'code-up' } }));
+  store.update(({ settings }) => ({ settings: { ...settings, buildUp: 'code-up' } }));
   /** @type {unknown} */ let loaded;
   model.answers.load = async (/** @type {unknown} */ source) => {
     loaded = source;
@@ -214,5 +203,5 @@ test('A carved model that becomes the model stands as it is printed', async () =
   const carved = /** @type {any} */ ({ fileName: 'carved.3mf' });
   await editing.goOnWith(carved);
   assert.equal(loaded, carved);
-  assert.equal(store.work.values['build-up'], 'as-modelled');
+  assert.equal(store.work.settings.buildUp, 'as-modelled');
 });

@@ -8,6 +8,7 @@ import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js'
 import { shareLink } from '../export/share_link.js';
 import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 import { holdsSecret } from '../payloads/secrets.js';
+import { keysOf, requestedSettings, restoredSettings } from '../settings/work_settings.js';
 
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
 /** @typedef {import('../export/settings_file.js').SettingsFile} SettingsFile */
@@ -20,7 +21,7 @@ import { holdsSecret } from '../payloads/secrets.js';
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
- * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {import('../settings/work_settings.js').WorkSettings} defaults  of the settings that have a control
  * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
  * @property {import('../ui/export_panel.js').ExportPanel} panel
  * @property {Pick<import('./editing.js').Editing, 'apply'>} editing
@@ -31,13 +32,13 @@ import { holdsSecret } from '../payloads/secrets.js';
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, store, placing, messages, fields, batching, panel, editing, carving, jobs, guard }) {
+  constructor({ client, model, store, placing, messages, defaults, batching, panel, editing, carving, jobs, guard }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
     this.placing_ = placing;
     this.messages_ = messages;
-    this.fields_ = fields;
+    this.defaults_ = defaults;
     this.batching_ = batching;
     this.editing_ = editing;
     this.carving_ = carving;
@@ -50,7 +51,7 @@ export class Exporting {
     });
     placing.placed.on(() => {
       panel.setSecret(holdsSecret(store.work.text));
-      panel.setSymbol(store.work.values.content !== 'text');
+      panel.setSymbol(store.work.settings.content !== 'text');
     });
   }
 
@@ -83,7 +84,7 @@ export class Exporting {
   async shareLink() {
     const link = new URL(location.pathname, location.href);
     const model = this.modelChoice_();
-    const defaults = this.fields_.settings(this.fields_.defaults, '');
+    const defaults = requestedSettings(this.defaults_, '');
     link.search = String(addressFor({ settings: this.settingsToSave_, defaults, model }));
     const way = await shareLink(link.href, { navigator, history });
     if (way === 'cancelled') return;
@@ -93,13 +94,13 @@ export class Exporting {
 
   /** Settings of the work, with the text of the single code. */
   get settingsToSave_() {
-    const { values, text: content } = this.store_.work;
-    return this.fields_.settings(values, content);
+    const { settings, text: content } = this.store_.work;
+    return requestedSettings(settings, content);
   }
 
   /** @param {import('../engine/types.js').Settings} settings */
   write_(settings) {
-    this.store_.update({ text: settings.text, values: this.fields_.valuesFor(settings) });
+    this.store_.update({ text: settings.text, settings: restoredSettings(settings, this.defaults_) });
   }
 
   /**
@@ -110,7 +111,7 @@ export class Exporting {
    */
   useAddress(address) {
     try {
-      const asked = settingsFromAddress(address, this.fields_.keys);
+      const asked = settingsFromAddress(address, keysOf(this.defaults_));
       const asksForSettings = Object.keys(asked).length > 0;
       if (asksForSettings) this.write_({ ...this.settingsToSave_, ...asked });
       return { asksForSettings };
@@ -124,7 +125,7 @@ export class Exporting {
    * @param {File} file
    */
   async useSettings(file) {
-    const { settings, model } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
+    const { settings, model } = readSettingsFile(await file.text(), file.name, keysOf(this.defaults_));
     this.carving_.abort();
     await this.jobs_.untilIdle();
     this.messages_.clearError();

@@ -7,7 +7,7 @@ import { looksLikeList } from './batching.js';
  * @typedef {object} OpeningOptions
  * @property {Pick<import('../ui/model_panel.js').ModelPanel, 'listen'>} panel
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'initialText' | 'leaveBuilder'>} code
- * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {import('../settings/work_settings.js').WorkSettings} defaults
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./batching.js').Batching} batching
@@ -21,10 +21,10 @@ import { looksLikeList } from './batching.js';
 
 export class Opening {
   /** @param {OpeningOptions} options */
-  constructor({ panel, code, fields, store, model, batching, editing, exporting, undo, jobs, tools, guard }) {
+  constructor({ panel, code, defaults, store, model, batching, editing, exporting, undo, jobs, tools, guard }) {
     this.code_ = code;
     this.store_ = store;
-    this.fields_ = fields;
+    this.defaults_ = defaults;
     this.model_ = model;
     this.batching_ = batching;
     this.editing_ = editing;
@@ -77,7 +77,7 @@ export class Opening {
     this.undo_.keep();
     await this.undo_.asOne(async () => {
       this.code_.leaveBuilder();
-      this.editing_.restore({ text: this.code_.initialText, values: this.fields_.defaults, batch: undefined });
+      this.editing_.restore({ text: this.code_.initialText, settings: this.defaults_, batch: undefined });
       await this.model_.openSample();
     });
   }

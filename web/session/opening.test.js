@@ -24,7 +24,7 @@ beforeEach(() => {
   parts = {
     panel: fake(ModelPanel),
     code: fake(CodePanel, {}, { initialText: 'first' }),
-    fields: { defaults: { preset: 'balanced' } },
+    defaults: { preset: 'balanced' },
     store: storeOf({ text: 'of the sample' }),
     model: fake(ModelSession, { source: {}, openFile: opens('model'), openSample: opens('sample') }),
     batching: fake(Batching, { openList: opens('list') }),
@@ -80,7 +80,7 @@ test('A text that came with a sample does not follow to the user’s model, any 
 
 test('Starting over restores the first text and the defaults as one change', async () => {
   await opening.startOver();
-  assert.deepEqual(restored, { text: 'first', values: { preset: 'balanced' }, batch: undefined });
+  assert.deepEqual(restored, { text: 'first', settings: { preset: 'balanced' }, batch: undefined });
   assert.deepEqual(opened, ['sample']);
   assert.deepEqual(parts.undo.calls, ['keep', 'asOne']);
   assert.deepEqual(parts.code.calls, ['leaveBuilder']);

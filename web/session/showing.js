@@ -12,14 +12,14 @@ import { showCarving } from '../ui/carve_panel.js';
 
 /** @param {import('./work_store.js').WorkStore} store @param {Panels} panels */
 export function showWork(store, { form, code, place, batch }) {
-  showCarving(store.work.values);
+  showCarving(store.work.settings);
   store.changed.on((work, before) => {
     if (work.text !== before.text) code.show(work.text);
-    if (work.values !== before.values) {
-      form.show(work.values);
-      showCarving(work.values);
-      const makes = work.values.content;
-      if (makes !== before.values.content) code.showMakes(makes === 'text' ? 'text' : 'code');
+    if (work.settings !== before.settings) {
+      form.show(work.settings);
+      showCarving(work.settings);
+      const makes = work.settings.content;
+      if (makes !== before.settings.content) code.showMakes(makes === 'text' ? 'text' : 'code');
     }
     if (work.batch !== before.batch) batch.showInput(work.batch);
     if (work.centreMm && work.centreMm !== before.centreMm) place.showCentre(work.centreMm);

@@ -28,7 +28,7 @@ before(() =>
 );
 after(() => Object.assign(globalThis, { document: realDocument, HTMLElement: realElement }));
 beforeEach(() => {
-  store = storeOf({ values: { content: 'code', mark: 'shadow', preset: 'balanced', nozzle: '0.4' } });
+  store = storeOf({ settings: { content: 'code', mark: 'shadow', preset: 'balanced', nozzleMm: 0.4 } });
   calls = [];
   const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void calls.push([panel, part]);
   showWork(store, {
@@ -44,19 +44,19 @@ test('A panel is updated only if its part of the work changes', () => {
   store.update({ centreIsGuess: true });
   store.update(centredAt([1, 2, 3]));
   store.update({ batch: /** @type {any} */ ({ from: 'count' }) });
-  store.update({ values: { content: 'code', preset: 'robust', nozzle: '0.25' } });
+  store.update({ settings: { content: 'code', preset: 'robust', nozzleMm: 0.25 } });
   assert.deepEqual(calls, [
     ['code', 'b'],
     ['place', [1, 2, 3]],
     ['batch', { from: 'count' }],
-    ['form', { content: 'code', preset: 'robust', nozzle: '0.25' }],
+    ['form', { content: 'code', preset: 'robust', nozzleMm: 0.25 }],
   ]);
 });
 
 test('The panel of the code shows whether a code or a text alone is made', () => {
-  store.update({ values: { content: 'text' } });
-  store.update({ values: { content: 'text', mark: 'paint' } });
-  store.update({ values: { content: 'code' } });
+  store.update({ settings: { content: 'text' } });
+  store.update({ settings: { content: 'text', mark: 'paint' } });
+  store.update({ settings: { content: 'code' } });
   assert.deepEqual(
     calls.filter(([panel]) => panel === 'makes'),
     [
@@ -74,23 +74,23 @@ test('Without a centre the fields keep their values', () => {
 
 test('One line sums up the carving from the start', () => {
   assert.match(summary.textContent, /^Balanced.*0\.4/);
-  store.update({ values: { mark: 'shadow', preset: 'robust', nozzle: '' } });
+  store.update({ settings: { mark: 'shadow', preset: 'robust', nozzleMm: NaN } });
   assert.match(summary.textContent, /^Robust.*\?/);
-  store.update({ values: { mark: 'paint', preset: 'robust', nozzle: '0.4' } });
+  store.update({ settings: { mark: 'paint', preset: 'robust', nozzleMm: 0.4 } });
   assert.match(summary.textContent, /^Second colour, painted.*0\.4/);
-  store.update({ values: { content: 'text', mark: 'shadow', preset: 'robust', nozzle: '0.4' } });
+  store.update({ settings: { content: 'text', mark: 'shadow', preset: 'robust', nozzleMm: 0.4 } });
   assert.match(summary.textContent, /^Shadow.*0\.4/);
 });
 
 test('Settings without an effect on the mark or the content are hidden', () => {
   const hidden = () => parts.map((part) => part.hidden);
   assert.deepEqual(hidden(), [false, true, true, false, true]);
-  store.update({ values: { content: 'code', mark: 'inlay' } });
+  store.update({ settings: { content: 'code', mark: 'inlay' } });
   assert.deepEqual(hidden(), [true, false, false, false, true]);
-  store.update({ values: { content: 'code', mark: 'paint' } });
+  store.update({ settings: { content: 'code', mark: 'paint' } });
   assert.deepEqual(hidden(), [true, true, false, false, true]);
-  store.update({ values: { content: 'text', mark: 'shadow' } });
+  store.update({ settings: { content: 'text', mark: 'shadow' } });
   assert.deepEqual(hidden(), [false, true, true, true, false]);
-  store.update({ values: { content: 'text', mark: 'paint' } });
+  store.update({ settings: { content: 'text', mark: 'paint' } });
   assert.deepEqual(hidden(), [true, true, false, true, true]);
 });

@@ -47,7 +47,7 @@ export class Undo {
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) => {
       this.editedMeanwhile_ ||= this.restoring_;
       // Recorded at once; the edit takes effect only after a pause.
-      this.record(target instanceof HTMLElement ? target.id : undefined);
+      this.record(target instanceof HTMLElement ? (target.dataset.setting ?? target.id) : undefined);
     });
   }
 

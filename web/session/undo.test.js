@@ -47,7 +47,7 @@ beforeEach(() => {
   store = storeOf({
     source: /** @type {any} */ ({ bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' }),
     text: 'a',
-    values: { preset: 'balanced' },
+    settings: { preset: 'balanced' },
   });
   store.update(centredAt([1, 0, 0]));
   model = fake(ModelSession, {
@@ -82,7 +82,7 @@ beforeEach(() => {
       },
     }),
     store,
-    editing: { restore: ({ text, values }) => store.update({ text, values }) },
+    editing: { restore: ({ text, settings }) => store.update({ text, settings }) },
     continuing: fake(Continuing),
     guard: (action) => action().then(() => {}),
   });
@@ -163,12 +163,12 @@ test('Combined changes are undone together', async () => {
   await undo.asOne(async () => {
     store.update({ text: 'b' });
     undo.record('text');
-    store.update({ values: { preset: 'robust' } });
+    store.update({ settings: { preset: 'robust' } });
     undo.record('preset');
   });
   undo.undo();
   await settled();
-  assert.deepEqual([store.work.text, store.work.values], ['a', { preset: 'balanced' }]);
+  assert.deepEqual([store.work.text, store.work.settings], ['a', { preset: 'balanced' }]);
 });
 
 test('A state replaced during another change can be restored', async () => {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Connects the view with the work: shows the carved model, and passes on the user's input in the view.
 
-const kBuildUp = 'build-up'; // id of the control of the orientation on the printer
 const kVectorDigits = 5;
 
 /**
@@ -46,7 +45,7 @@ export class Viewing {
     const lay = async (/** @type {number} */ x, /** @type {number} */ y) => {
       const { hit, buildUp } = await client.layFace([x, y]);
       picker.note(hit);
-      if (hit) await editing.editSetting(kBuildUp, controlValue(buildUp));
+      if (hit) await editing.editSettings({ buildUp: rounded(buildUp) });
     };
     view.listen({
       onAct: (action) => tools.act(action),
@@ -132,6 +131,6 @@ export class Viewing {
   }
 }
 
-/** Returns a direction as the value of its control: "0,0,1". @param {import('../engine/types.js').LaidFace['buildUp']} buildUp */
-const controlValue = (buildUp = '') =>
-  typeof buildUp === 'string' ? buildUp : buildUp.map((part) => Number(part.toFixed(kVectorDigits))).join();
+/** @param {import('../engine/types.js').LaidFace['buildUp']} buildUp @returns {import('../engine/types.js').Settings['buildUp']} */
+const rounded = (buildUp) =>
+  Array.isArray(buildUp) ? /** @type {any} */ (buildUp.map((part) => Number(part.toFixed(kVectorDigits)))) : buildUp;

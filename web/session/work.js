@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The work: all inputs of the carving. Also values computed from a work, and changes that make the next one.
+import { proposedChange, sameSettings, settingsAfter } from '../settings/work_settings.js';
 
 /** @typedef {import('./model_session.js').Source} Source */
+/** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
 /** @typedef {[number, number, number]} Point */
-/** @typedef {{ source: Source | undefined, text: string, values: import('../storage/last_work.js').Values,
+/** @typedef {{ source: Source | undefined, text: string, settings: WorkSettings,
  *   centreMm: Point | undefined, centreIsGuess: boolean, batch?: import('../storage/last_work.js').BatchInput }} Work
  *   `batch`: absent for a single code; the same object until it changes */
 
 /** The work before anything is chosen. @type {Work} */
-export const kNoWork = { source: undefined, text: '', values: {}, centreMm: undefined, centreIsGuess: false };
+export const kNoWork = { source: undefined, text: '', settings: {}, centreMm: undefined, centreIsGuess: false };
 
 /**
  * Tells whether two sources are the same file in the same unit.
@@ -27,7 +29,7 @@ export const sameWork = (a, b) =>
   a.text === b.text &&
   a.batch === b.batch &&
   sameCentre(a.centreMm, b.centreMm) &&
-  Object.entries(a.values).every(([id, value]) => b.values[id] === value);
+  sameSettings(a.settings, b.settings);
 
 /** Returns the centre chosen by the user, which is stored with the model. @param {Work} work */
 export const chosenCentre = ({ centreMm, centreIsGuess }) => (centreIsGuess ? undefined : centreMm);
@@ -49,23 +51,37 @@ export const centredAt = (centreMm, isGuess = false) => ({
  * @returns {import('../storage/last_work.js').Work | undefined}  undefined while there is no model
  */
 export function storedWork(work) {
-  const { source, text, values, batch } = work;
+  const { source, text, settings, batch } = work;
   if (!source) return undefined;
   const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
   const place = { fileName, scaleToMm, upAxis, centreMm: chosenCentre(work) };
-  return { ...(sampleId ? { sampleId } : { bytes }), ...place, text, values, ...(batch && { batch }) };
+  return { ...(sampleId ? { sampleId } : { bytes }), ...place, text, settings, ...(batch && { batch }) };
 }
 
 /**
- * Returns the values of the controls that the code's handles change.
+ * Returns the change of the settings by the code's handles.
  * @param {{ rotateDeg?: number, symbolMm?: number }} change
- * @param {import('../storage/last_work.js').Values} now
- * @returns {import('../storage/last_work.js').Values}
+ * @param {WorkSettings} now
+ * @returns {WorkSettings}
  */
-export function valuesByHandles({ rotateDeg, symbolMm }, now) {
-  /** @type {import('../storage/last_work.js').Values} */ const values = {};
-  if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
-  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented'; // 'best' would rotate it back
-  if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
-  return values;
+export function changeByHandles({ rotateDeg, symbolMm }, now) {
+  if (symbolMm !== undefined)
+    return { size: symbolMm, maxSizeMm: symbolMm, ...(rotateDeg !== undefined && { rotateDeg }) };
+  if (rotateDeg === undefined) return {};
+  return { rotateDeg, ...(now.size === 'best' && { size: 'oriented' }) }; // 'best' would rotate it back
+}
+
+/**
+ * Returns text and settings with the changes that the engine proposes.
+ * @param {Pick<Work, 'text' | 'settings'>} work
+ * @param {readonly import('../engine/types.js').SettingChange[]} changes
+ */
+export function withChanges({ text, settings }, changes) {
+  const isOfText = (/** @type {import('../engine/types.js').SettingChange} */ { setting }) => setting === 'text';
+  return {
+    text: changes.find(isOfText)?.value ?? text,
+    settings: changes
+      .filter((change) => !isOfText(change))
+      .reduce((before, change) => settingsAfter(before, proposedChange(change)), settings),
+  };
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { centredAt, chosenCentre, sameWork, storedWork, valuesByHandles } from './work.js';
+import { centredAt, changeByHandles, chosenCentre, sameWork, storedWork, withChanges } from './work.js';
 
 /** @type {import('./work.js').Work} */
 const kWork = {
   source: { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 10, upAxis: 'y', credit: 'x', unitStated: false },
   text: 'a',
-  values: { preset: 'balanced' },
+  settings: { preset: 'balanced' },
   centreMm: [1, 2, 3],
   centreIsGuess: false,
 };
@@ -15,11 +15,11 @@ const kBatch = /** @type {any} */ ({ from: 'count', list: new Uint8Array(), coun
 
 test('Works with the same inputs of a carving are the same', () => {
   const source = /** @type {any} */ (kWork.source);
-  assert.equal(sameWork(kWork, { ...kWork, values: { ...kWork.values }, centreMm: [1, 2, 3] }), true);
+  assert.equal(sameWork(kWork, { ...kWork, settings: { ...kWork.settings }, centreMm: [1, 2, 3] }), true);
   assert.equal(sameWork(kWork, { ...kWork, source: { ...source, fileName: 'b.stl' } }), true);
   for (const change of /** @type {Partial<import('./work.js').Work>[]} */ ([
     { text: 'b' },
-    { values: { preset: 'robust' } },
+    { settings: { preset: 'robust' } },
     { centreMm: [1, 2, 4] },
     { batch: kBatch },
     { source: { ...source, upAxis: 'z' } },
@@ -43,7 +43,7 @@ test('A file is stored with its bytes, a sample by its id, and a proposed centre
     bytes: kWork.source?.bytes,
     centreMm: [1, 2, 3],
     text: 'a',
-    values: kWork.values,
+    settings: kWork.settings,
   });
   const source = /** @type {any} */ ({ ...kWork.source, sampleId: 'saddle' });
   assert.deepEqual(storedWork({ ...kWork, source, centreIsGuess: true, batch: kBatch }), {
@@ -51,14 +51,27 @@ test('A file is stored with its bytes, a sample by its id, and a proposed centre
     sampleId: 'saddle',
     centreMm: undefined,
     text: 'a',
-    values: kWork.values,
+    settings: kWork.settings,
     batch: kBatch,
   });
   assert.equal(storedWork({ ...kWork, source: undefined }), undefined);
 });
 
 test('The handles set rotation and size', () => {
-  assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'free' }), { rotate: '15' });
-  assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'best' }), { rotate: '15', size: 'oriented' });
-  assert.deepEqual(valuesByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 'fixed', 'size-mm': '21.5' });
+  assert.deepEqual(changeByHandles({ rotateDeg: 15 }, { size: 'free' }), { rotateDeg: 15 });
+  assert.deepEqual(changeByHandles({ rotateDeg: 15 }, { size: 'best' }), { rotateDeg: 15, size: 'oriented' });
+  assert.deepEqual(changeByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 21.5, maxSizeMm: 21.5 });
+  assert.deepEqual(changeByHandles({ rotateDeg: 3, symbolMm: 9 }, {}), { size: 9, maxSizeMm: 9, rotateDeg: 3 });
+});
+
+test('The changes that the engine proposes are of the text or of settings', () => {
+  const changes = [
+    { setting: 'text', value: 'A' },
+    { setting: 'maxSizeMm', value: '45.5' },
+    { setting: 'process', value: 'powder' },
+  ];
+  const { text, settings } = withChanges(kWork, changes);
+  assert.equal(text, 'A');
+  assert.deepEqual(settings, { preset: 'balanced', maxSizeMm: 45.5, process: 'powder', nozzleMm: 0.1, layerMm: 0.1 });
+  assert.deepEqual(withChanges(kWork, []), { text: 'a', settings: kWork.settings });
 });

@@ -44,6 +44,6 @@ export class WorkStore {
 
 /** @param {Work} work */
 function frozen(work) {
-  Object.freeze(work.values);
+  Object.freeze(work.settings);
   return Object.freeze(work);
 }

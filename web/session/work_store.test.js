@@ -10,7 +10,7 @@ beforeEach(() => {
   store = new WorkStore({
     source: undefined,
     text: 'a',
-    values: { preset: 'balanced' },
+    settings: { preset: 'balanced' },
     centreMm: undefined,
     centreIsGuess: false,
     batch: undefined,
@@ -24,7 +24,7 @@ test('A change makes the next work and leaves the previous one', () => {
   store.update({ text: 'b' });
   assert.equal(before.text, 'a');
   assert.equal(store.work.text, 'b');
-  assert.equal(store.work.values, before.values);
+  assert.equal(store.work.settings, before.settings);
   assert.deepEqual(changes, [['b', 'a']]);
 });
 
@@ -35,7 +35,7 @@ test('A change can be computed from the work', () => {
 
 test('An update without a difference tells nobody', () => {
   const before = store.work;
-  store.update({ text: 'a', values: before.values });
+  store.update({ text: 'a', settings: before.settings });
   assert.equal(store.work, before);
   assert.deepEqual(changes, []);
 });
@@ -43,9 +43,9 @@ test('An update without a difference tells nobody', () => {
 test('A work is immutable', () => {
   const work = /** @type {any} */ (store.work);
   assert.throws(() => (work.text = 'b'), TypeError);
-  assert.throws(() => (work.values.preset = 'robust'), TypeError);
-  store.update({ values: { preset: 'robust' } });
-  assert.throws(() => /** @type {any} */ (store.work.values.preset = 'shallow'), TypeError);
+  assert.throws(() => (work.settings.preset = 'robust'), TypeError);
+  store.update({ settings: { preset: 'robust' } });
+  assert.throws(() => /** @type {any} */ (store.work.settings.preset = 'shallow'), TypeError);
 });
 
 test('A listener must not change the work; later changes still work', () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Converts the values of settings from and into text, as in addresses and in the changes of a remedy
 // (core/settings/setting_text.h).
-import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
+import { lampsFrom, lampsText } from '../engine/lamps.js';
 import { kSettings } from '../generated/settings.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
@@ -21,7 +21,10 @@ export function settingFrom(key, text) {
 }
 
 /** Writes a value as `settingFrom` reads it; '' for none. @param {unknown} value  of a setting */
-export const settingText = (value) => (areLamps(value) ? lampsText(value) : String(value ?? ''));
+export const settingText = (value) => (isList(value) ? lampsText(value) : String(value ?? ''));
+
+/** Tells whether a value is a list of lamps, even of unfinished ones. @param {unknown} value @returns {value is import('../engine/lamps.js').Lamp[]} */
+const isList = (value) => Array.isArray(value) && value.every((part) => typeof part === 'object');
 
 /** @param {string} text */
 const isNumber = (text) => text.trim() !== '' && Number.isFinite(Number(text));

@@ -24,7 +24,7 @@ test('Without browser storage nothing is kept, silently', async () => {
   assert.equal(await database.get('a'), undefined);
   const last = new LastWork(database, holdsSecret);
   last.openedWith(undefined);
-  last.note({ fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: 'z', text: 'a', values: {} });
+  last.note({ fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: 'z', text: 'a', settings: {} });
   await last.flush();
   assert.equal(await last.recall(), undefined);
 });
@@ -40,7 +40,7 @@ test('The password of a network is not stored', async () => {
     scaleToMm: 1,
     upAxis: 'z',
     text: 'WIFI:T:WPA;S:home;P:very secret;;',
-    values: {},
+    settings: {},
   });
   await last.flush();
   assert.ok(written.length > 0);

@@ -3,7 +3,6 @@
 // list of texts, the settings and the centre. A sample is stored by name, a file only up to kMaxBytes.
 
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
-/** @typedef {Record<string, string | boolean>} Values  values of the controls, by id */
 /** @typedef {[number, number, number]} Point */
 
 /**
@@ -23,7 +22,7 @@
  * @property {UpAxis} upAxis
  * @property {string} [text]       left out if it holds a password
  * @property {string} [address]    query of the page's address, which may ask for a sample, a text or settings
- * @property {Values} values       of the settings
+ * @property {import('../settings/work_settings.js').WorkSettings} settings
  * @property {Point} [centreMm]
  * @property {BatchInput} [batch]  absent for a single code; left out if it holds a password
  */

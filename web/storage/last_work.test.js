@@ -35,7 +35,7 @@ const opened = {
   scaleToMm: 1,
   upAxis: /** @type {const} */ ('z'),
   text: 'a',
-  values: { preset: 'balanced' },
+  settings: { preset: /** @type {const} */ ('balanced') },
 };
 const own = () => ({
   fileName: 'cup.stl',
@@ -43,7 +43,7 @@ const own = () => ({
   scaleToMm: 25.4,
   upAxis: /** @type {const} */ ('y'),
   text: 'b',
-  values: { preset: 'robust', 'quiet-zone': true },
+  settings: { preset: /** @type {const} */ ('robust'), quietZone: true },
   centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
 });
 
@@ -110,10 +110,10 @@ test('another file of the same name and size replaces the first', async () => {
 
 test('a text with a password is never written, the rest is', async () => {
   const { store, last } = visit({ isSecret: (text) => text.startsWith('WIFI:') });
-  await keep(last, { ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
+  await keep(last, { ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', settings: { preset: 'robust' } });
   assert.doesNotMatch(JSON.stringify([...store.values]), /secret/);
   const { text: _, ...rest } = opened;
-  assert.deepEqual(await last.recall(), { ...rest, values: { preset: 'robust' } });
+  assert.deepEqual(await last.recall(), { ...rest, settings: { preset: 'robust' } });
 });
 
 test('a full storage keeps nothing instead of half, and the earlier work is not offered', async () => {

@@ -9,9 +9,8 @@ import { formatPlain } from '../i18n/format.js';
 import { colourCost } from './colour_cost.js';
 import { describeStep } from './steps.js';
 
-/** @param {import('../storage/last_work.js').Values} values  of the settings' controls */
-export function showCarving({ content, mark, preset, nozzle }) {
-  const nozzleMm = nozzle === '' ? NaN : Number(nozzle);
+/** @param {import('../settings/work_settings.js').WorkSettings} settings */
+export function showCarving({ content, mark, preset, nozzleMm = NaN }) {
   describeStep('carve', () =>
     text('page.carveState', {
       way:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The editor of the lamps that a code is carved for: their number and, for each, direction, elevation and strength. The
-// setting's own control, a hidden text field, holds the resulting value.
-import { lampsFrom } from '../engine/lamps.js';
+// setting's own control, a hidden field, announces the changes.
 import { byId, make } from '../dom/dom.js';
 import { kSettings } from '../generated/settings.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
@@ -29,20 +28,28 @@ export class LampsField {
     );
     this.lamps_ = kFirst.map((first, at) => this.fieldsOf_(first, at));
     byId('lamps', HTMLElement).append(...this.lamps_.map(({ box }) => box));
-    this.count_.addEventListener('change', () => this.write_());
+    this.count_.addEventListener('change', () => this.announce_());
     onLanguage(() => this.name_());
     this.name_();
-    this.read();
+    this.show([]);
   }
 
-  /** Shows the value of the setting's control. */
-  read() {
-    const lamps = lampsFrom(this.value_.value);
-    if (!lamps) return; // the value is still being typed
+  /** The lamps in the fields; NaN where a number is missing. @returns {Lamp[] | undefined}  undefined: none */
+  get lamps() {
+    const used = this.lamps_.slice(0, Number(this.count_.value));
+    if (used.length === 0) return undefined;
+    return used.map(
+      ({ inputs }) =>
+        /** @type {Lamp} */ (Object.fromEntries(kParts.map((part) => [part, inputs[part].valueAsNumber]))),
+    );
+  }
+
+  /** @param {readonly Lamp[]} lamps */
+  show(lamps) {
     this.count_.value = String(Math.min(lamps.length, kMostLamps));
     this.lamps_.forEach(({ inputs }, at) =>
       kParts.forEach((part) => {
-        inputs[part].value = String((lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]);
+        inputs[part].valueAsNumber = (lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]; // NaN empties it
       }),
     );
     this.showUsed_();
@@ -65,7 +72,7 @@ export class LampsField {
         required: true,
       });
       labels[part] = Object.assign(make('label'), { htmlFor: id });
-      inputs[part].addEventListener('change', () => this.write_());
+      inputs[part].addEventListener('change', () => this.announce_());
       return make('div', { className: 'field' }, labels[part], inputs[part]);
     });
     const legend = make('legend');
@@ -87,10 +94,7 @@ export class LampsField {
     });
   }
 
-  /** Writes the fields to the setting's control and fires its change event, as if the user had typed there. */
-  write_() {
-    const used = this.lamps_.slice(0, Number(this.count_.value));
-    this.value_.value = used.map(({ inputs }) => kParts.map((part) => inputs[part].value || '?').join(',')).join(' ');
+  announce_() {
     this.showUsed_();
     this.value_.dispatchEvent(new Event('change', { bubbles: true }));
   }

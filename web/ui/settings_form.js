@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The controls with `data-setting`, the key of their setting: their labels, bounds and choices. Shows the values and
+// The controls with `data-setting`, the key of their setting: their labels, bounds and choices. Shows the settings and
 // reports the user's edits.
 import { kSettings } from '../generated/settings.js';
-import { onLanguage, text } from '../i18n/catalogue.js';
-import { choiceLabel, controlName, settingHint } from '../i18n/setting_names.js';
+import { onLanguage } from '../i18n/catalogue.js';
+import { choiceLabel, controlName, numberName, settingHint, valueName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
+import { settingFrom, settingText } from '../settings/setting_text.js';
+import { defaultsOf, kOneLight } from '../settings/work_settings.js';
 import { LampsField } from './lamps_field.js';
-import { SettingFields, isWhole, kFixed, kNotANumber, kOneLight, sizeKey, vectorFrom } from './setting_fields.js';
+import { fieldChange, fieldText, fieldValue, isSizeFixed, kFixed } from './setting_fields.js';
 import { TypingPause } from './typing_pause.js';
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
-/** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
-/** @typedef {import('../storage/last_work.js').Values} Values */
+/** @typedef {import('./setting_fields.js').FieldKey} FieldKey */
+/** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
 
 const kMostListed = 16; // most numbers listed as choices
 
 /**
  * @typedef {object} SettingsListener
- * @property {(id: string, value: string | boolean) => void} onInput   a control is being edited
- * @property {(id: string, value: string | boolean) => void} onChange  an edit is finished
+ * @property {(change: WorkSettings) => void} onInput   a control is being edited; its setting comes first
+ * @property {(change: WorkSettings) => void} onChange  an edit is finished
  */
 
 export class SettingsForm {
@@ -30,12 +32,8 @@ export class SettingsForm {
       prepare(control);
       this.watch_(control);
     }
-    /** @type {Values} */
-    this.values_ = Object.fromEntries(this.controls_.map((control) => [control.id, heldBy(control)]));
-    this.fields = new SettingFields(
-      this.controls_.map((control) => ({ id: control.id, key: keyOf(control) })),
-      this.values_,
-    );
+    /** The defaults of the settings that have a control. */
+    this.defaults = this.settings_ = defaultsOf(this.controls_.map(keyOf));
     onLanguage(() => this.nameAll_());
     this.nameAll_();
   }
@@ -45,28 +43,43 @@ export class SettingsForm {
     this.listener_ = listener;
   }
 
-  /** Shows the values of all controls. Leaves a control alone that holds its value already. @param {Values} values */
-  show(values) {
-    const { light } = this.values_;
-    this.values_ = values;
+  /** Shows the settings. Leaves a control alone that holds its value already. @param {WorkSettings} settings */
+  show(settings) {
+    this.settings_ = settings;
     for (const control of this.controls_) {
-      const value = values[control.id];
-      if (value === heldBy(control)) continue;
-      if (control instanceof HTMLSelectElement) offerVector(control, String(value));
-      if (isCheck(control)) control.checked = value === true;
-      else control.value = value === kNotANumber ? '' : String(value);
+      const shown = fieldText(keyOf(control), settings);
+      if (shown !== settingText(this.valueIn_(control))) this.fill_(control, shown);
     }
-    if (values.light !== light) this.lamps_.read();
     this.follow_();
+  }
+
+  /** The value that a control holds. @param {Control} control */
+  valueIn_(control) {
+    const key = keyOf(control);
+    return key === 'light' ? this.lamps_.lamps : fieldValue(key, textIn(control));
+  }
+
+  /** @param {Control} control @param {string} shown */
+  fill_(control, shown) {
+    if (control instanceof HTMLSelectElement) offerVector(control, shown);
+    if (keyOf(control) === 'light') this.lamps_.show(this.settings_.light ?? []);
+    else if (isCheck(control)) control.checked = shown === 'true';
+    else control.value = shown === 'NaN' ? '' : shown;
+  }
+
+  /** The change that a control asks for. @param {Control} control @returns {WorkSettings} */
+  changeBy_(control) {
+    const key = keyOf(control);
+    return key === 'light' ? { light: this.lamps_.lamps } : fieldChange(key, textIn(control), this.settings_);
   }
 
   /** Reports the edits of a control. A text is edited once typing pauses. @param {Control} control */
   watch_(control) {
     const isText = kSettings[keyOf(control)].kind === 'text';
-    const apply = () => this.listener_?.onChange(control.id, heldBy(control));
+    const apply = () => this.listener_?.onChange(this.changeBy_(control));
     const pause = new TypingPause(apply);
     control.addEventListener('input', () => {
-      this.listener_?.onInput(control.id, heldBy(control));
+      this.listener_?.onInput(this.changeBy_(control));
       if (isText) pause.typed();
     });
     control.addEventListener('change', () => void (isText ? pause.settle() : apply()));
@@ -79,27 +92,29 @@ export class SettingsForm {
 
   /** Updates the label and the hint that depend on other controls. */
   follow_() {
-    const { size, objective, light } = this.values_;
-    byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey(size));
-    byId('light-hint', HTMLElement).hidden = objective !== kOneLight || light !== '';
+    const { objective, light } = this.settings_;
+    byId('size-mm-label', HTMLElement).textContent = isSizeFixed(this.settings_)
+      ? numberName('size')
+      : controlName('maxSizeMm');
+    byId('light-hint', HTMLElement).hidden = objective !== kOneLight || settingText(light) !== '';
   }
 }
 
 /** @param {Control} control @returns {control is HTMLInputElement & { type: 'checkbox' }} */
 const isCheck = (control) => control instanceof HTMLInputElement && control.type === 'checkbox';
 
-/** @param {Control} control */
-function heldBy(control) {
-  if (isCheck(control)) return control.checked;
-  return control.validity.badInput ? kNotANumber : control.value;
+/** Returns a control's value as the text of a setting. @param {Control} control */
+function textIn(control) {
+  if (isCheck(control)) return String(control.checked);
+  return control.validity.badInput ? 'NaN' : control.value;
 }
 
 /** @param {Control} control */
-const keyOf = (control) => /** @type {SettingKey} */ (control.dataset.setting);
+const keyOf = (control) => /** @type {FieldKey} */ (control.dataset.setting);
 
 /**
  * Returns the choices that stand for a setting's numbers: every number of a short range, otherwise one word for all.
- * @param {SettingKey} key
+ * @param {FieldKey} key
  * @returns {string[]}
  */
 function numbersOf(key) {
@@ -141,19 +156,11 @@ function prepare(control) {
  * @param {string} value  any other value adds none
  */
 function offerVector(select, value) {
-  if (kSettings[keyOf(select)].kind !== 'choice-or-vector') return;
-  for (const option of [...select.options]) if (vectorFrom(option.value)) option.remove();
-  if (!vectorFrom(value)) return;
+  const isVector = (/** @type {string} */ text) => Array.isArray(settingFrom(keyOf(select), text));
+  for (const option of [...select.options]) if (isVector(option.value)) option.remove();
+  if (!isVector(value)) return;
   select.append(Object.assign(make('option'), { value }));
   name(select);
-}
-
-/** @param {SettingKey} key @param {number[]} vector */
-function vectorLabel(key, vector) {
-  if (key !== 'buildUp') return choiceLabel(key, 'vector');
-  const axis = vector.findIndex((part) => part !== 0);
-  if (vector.filter((part) => part !== 0).length !== 1) return text('settings.faceDown');
-  return text('settings.axisUp', { axis: `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` });
 }
 
 /** Writes a control's label, its hint and the names of its choices. @param {Control} control */
@@ -165,14 +172,7 @@ function name(control) {
   const hint = said && hintBelow(control); // some controls have a hint of the page's own
   if (hint) hint.textContent = said;
   if (!(control instanceof HTMLSelectElement)) return;
-  for (const option of control.options) {
-    const vector = vectorFrom(option.value);
-    if (vector) {
-      option.textContent = vectorLabel(key, vector);
-      continue;
-    }
-    option.textContent = isWhole(option.value)
-      ? `${controlName(key)} ${option.value}`
-      : choiceLabel(key, option.value === kFixed ? 'number' : option.value);
-  }
+  for (const option of control.options)
+    option.textContent =
+      option.value === kFixed ? choiceLabel(key, 'number') : valueName(key, settingFrom(key, option.value));
 }

@@ -224,7 +224,7 @@ export class SymbolPanel {
     if (!this.shown_ || !this.room_) return [];
     const {
       facts,
-      settings: { nozzleMm, maxSizeMm },
+      settings: { nozzleMm = NaN, maxSizeMm = Infinity, size },
     } = this.shown_;
     const { symbolMm, largestMm } = this.room_;
     if (facts.leastModuleMm === null) return [];
@@ -237,7 +237,8 @@ export class SymbolPanel {
       least: `${formatPlain(facts.leastModuleMm)}\u00a0mm`,
     });
     const needed = formatMm(small.neededMm);
-    const full = symbolMm < maxSizeMm && small.neededMm > largestMm; // otherwise the chosen size is too small
+    const isChosen = typeof size === 'number' || symbolMm >= maxSizeMm; // the chosen size is too small, not the place
+    const full = !isChosen && small.neededMm > largestMm;
     const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
     const shorter =
       small.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: small.printable })}`;

@@ -6,7 +6,6 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { asSentence } from '../i18n/sentences.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { make } from '../dom/dom.js';
-import { formatPlain } from '../i18n/format.js';
 import { failurePicture } from './failure_picture.js';
 import { remedyButtons } from './messages.js';
 
@@ -218,15 +217,3 @@ function readsHeading(expected, { summary }) {
   const [before, after = ''] = sentenceOf({ ...summary, values: { text: { term: kHere } } }).split(kHere);
   return [before, words, after];
 }
-
-/** Returns the text that a control would show for a value. @param {string} id @param {string} value */
-export function shownValue(id, value) {
-  const control = document.getElementById(id);
-  if (control instanceof HTMLSelectElement)
-    return [...control.options].find((option) => option.value === value)?.text ?? value;
-  if (value === '') return text('settings.auto');
-  return formatPlain(Number(value));
-}
-
-/** @param {string} id */
-export const controlName = (id) => document.querySelector(`label[for="${id}"]`)?.textContent ?? id;
