@@ -8,7 +8,7 @@ import { attemptWords, engravedWords } from './attempt_words.js';
 import { carvedSource, saveModel, saveReport } from './save_carving.js';
 import { Signal } from './signal.js';
 import { tryViews } from './view_trials.js';
-import { sameWork } from './work.js';
+import { sameWork, withChanges } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, work: Work }} Carved
@@ -25,7 +25,6 @@ import { sameWork } from './work.js';
  * @property {import('../ui/result_panel.js').ResultPanel} panel
  * @property {import('./printing.js').Printing} printing
  * @property {import('./work_store.js').WorkStore} store
- * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'after'>} fields
  * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided' | 'explainMissingCode'>} batching
  * @property {(remedy: import('../engine/types.js').Remedy, label: string) => Promise<unknown>} onRemedy
  * @property {(source: import('./model_session.js').Source) => Promise<unknown>} onAnother  the carved model, for another code
@@ -37,7 +36,7 @@ import { sameWork } from './work.js';
 export class Carving {
   /** @param {CarvingOptions} options */
   constructor(options) {
-    const { client, jobs, model, placing, messages, panel, printing, store, fields, batching, guard } = options;
+    const { client, jobs, model, placing, messages, panel, printing, store, batching, guard } = options;
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -46,7 +45,6 @@ export class Carving {
     this.panel_ = panel;
     this.printing_ = printing;
     this.store_ = store;
-    this.fields_ = fields;
     this.batching_ = batching;
     this.guard_ = guard;
     /** Announces the start of a carving. @type {Signal<[]>} */ this.started = new Signal();
@@ -228,7 +226,7 @@ export class Carving {
     this.works_.clear();
     prepareReader();
     this.printing_.expect();
-    const unsound = asked.values.content === 'text' ? 'fine' : 'unread';
+    const unsound = asked.settings.content === 'text' ? 'fine' : 'unread';
     const job = this.jobOf_(signal, asked, () => (this.works_.size > 0 ? unsound : 'failed'));
     const step = await this.untilRead_(
       this.client_.engrave({
@@ -323,12 +321,7 @@ export class Carving {
    */
   after_(changes) {
     if (changes.length === 0) return this.asked_;
-    const isOfText = (/** @type {import('../engine/types.js').SettingChange} */ { setting }) => setting === 'text';
-    const content = changes.find(isOfText)?.value ?? this.asked_.text;
-    const values = changes
-      .filter((change) => !isOfText(change))
-      .reduce((before, change) => this.fields_.after(before, change), this.asked_.values);
-    return { ...this.asked_, text: content, values };
+    return { ...this.asked_, ...withChanges(this.asked_, changes) };
   }
 
   /** @param {Work} work @param {Work} asked @param {string} [overrides] */
@@ -359,7 +352,7 @@ export class Carving {
    */
   async adopt_(work, before) {
     if (work === before || !sameWork(before, this.store_.work)) return;
-    this.store_.update({ text: work.text, values: work.values });
+    this.store_.update({ text: work.text, settings: work.settings });
     await this.client_.configure(this.batching_.settings());
   }
 

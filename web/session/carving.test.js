@@ -31,9 +31,9 @@ class FakeReader {
 /** @type {(string | undefined)[]} */ let attempts; // announced next to the result
 /** @type {FakeMessages} */ let messages;
 /** @type {import('./work_store.js').WorkStore} */ let store;
-const values = () => store.work.values;
+const settings = () => store.work.settings;
 /** @param {Record<string, string>} now */
-const setValues = (now) => store.update({ values: now });
+const setSettings = (now) => store.update({ settings: now });
 /** @type {[boolean, boolean][]} */ let shows;
 /** @type {Jobs} */ let jobs;
 /** @type {any} */ let printing;
@@ -71,7 +71,7 @@ const engravings = () => client.calls.filter((/** @type {string} */ call) => cal
 before(() => Object.assign(globalThis, { Worker: FakeReader }));
 after(() => Object.assign(globalThis, { Worker: realWorker }));
 beforeEach(() => {
-  store = storeOf({ text: kText, values: { preset: 'robust' } });
+  store = storeOf({ text: kText, settings: { preset: 'robust' } });
   shows = [];
   steps = [kFirst, read(kFirst)];
   best = null;
@@ -108,7 +108,6 @@ beforeEach(() => {
     messages: /** @type {any} */ (messages),
     model: /** @type {any} */ ({ engravable: true }),
     store,
-    fields: { after: (now, { setting, value }) => ({ ...now, [setting]: value }) },
     batching: {
       settings: () => /** @type {any} */ ({}),
       decided: [],
@@ -208,28 +207,28 @@ test('A failed carving leaves nothing, and the next one can start', async () => 
 });
 
 test('A code that cannot be carved as requested is carved with changes', async () => {
-  setValues({ size: 'free' });
+  setSettings({ size: 'free' });
   const second = texts(1, 'size', 'best');
   steps = [
     (/** @type {any} */ { onProgress }) => {
       onProgress({ stage: message('finding-depth'), fraction: 0, changes: second.changes });
-      assert.equal(values().size, 'free', 'the controls show what was asked for until an attempt is kept');
+      assert.equal(settings().size, 'free', 'the controls show what was asked for until an attempt is kept');
       return second;
     },
     read(second),
   ];
   await carving.engrave();
-  assert.equal(values().size, 'best');
-  assert.equal(latest()?.work.values.size, 'best');
+  assert.equal(settings().size, 'best');
+  assert.equal(latest()?.work.settings.size, 'best');
   assert.match(messages.said.join(), /since it cannot be engraved as chosen/);
   assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
 });
 
 test('A text that cannot be carved as a shadow is made in a second colour', async () => {
-  setValues({ content: 'text', mark: 'auto' });
+  setSettings({ content: 'text', mark: 'auto' });
   steps = [read(texts(1, 'mark', 'paint'), null)];
   await carving.engrave();
-  assert.equal(values().mark, 'paint');
+  assert.equal(settings().mark, 'paint');
   assert.match(messages.said.at(-1) ?? '', /^Made in a second colour/);
 });
 
@@ -238,7 +237,7 @@ test('Every change marks the carving as outdated at once, and undoing it removes
   const before = store.work;
   /** @type {Partial<import('./work.js').Work>[]} */ const changes = [
     { text: 'HELLO!' },
-    { values: { preset: 'shallow' } },
+    { settings: { preset: 'shallow' } },
     { centreMm: [1, 2, 3] },
     { source: /** @type {any} */ ({ bytes: new Uint8Array(1), scaleToMm: 1, upAxis: 'z' }) },
     { batch: /** @type {any} */ ({ from: 'count' }) },
@@ -260,47 +259,47 @@ test('A carving is lost with its module', async () => {
 });
 
 test('A code that does not decode is carved with the next deeper preset', async () => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   const second = texts(2, 'preset', 'robust');
   steps = [kFirst, second, read(second)];
   await carving.engrave();
-  assert.equal(values().preset, 'robust');
+  assert.equal(settings().preset, 'robust');
   assert.equal(latest()?.number, 2);
 });
 
 test('A link that must be in capitals is so in the text, and the message says it', async () => {
   store.update({ text: 'https://example.org/a' });
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   const second = texts(2, 'text', 'HTTPS://EXAMPLE.ORG/a');
   steps = [kFirst, second, read(second)];
   await carving.engrave();
   assert.equal(store.work.text, 'HTTPS://EXAMPLE.ORG/a');
-  assert.deepEqual(values(), { preset: 'balanced' });
+  assert.deepEqual(settings(), { preset: 'balanced' });
   assert.match(String(messages.said.at(-1)), /in capitals/);
 });
 
 test('A code that does not decode when carved for the print is carved for the design, with a message', async () => {
-  setValues({ preset: 'balanced', carveFor: 'print' });
+  setSettings({ preset: 'balanced', carveFor: 'print' });
   const second = texts(2, 'carveFor', 'design');
   steps = [kFirst, second, read(second)];
   await carving.engrave();
-  assert.deepEqual(values(), { preset: 'balanced', carveFor: 'design' });
+  assert.deepEqual(settings(), { preset: 'balanced', carveFor: 'design' });
   assert.equal(latest()?.number, 2);
   assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
 test('A code that decodes with no preset stays as requested, and is printed instead of the last attempt', async () => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   steps = [kFirst, texts(2, 'preset', 'robust'), read(kFirst)];
   await carving.engrave();
-  assert.equal(values().preset, 'balanced');
+  assert.equal(settings().preset, 'balanced');
   assert.equal(latest()?.number, 1);
   const calls = printing.calls.filter((/** @type {string} */ call) => /^(stop|begin)/.test(call));
   assert.deepEqual(calls.slice(-2), ['stop', 'begin 1']);
 });
 
 test('Cancelling a deeper carving keeps the requested one with its readings', async () => {
-  setValues({ preset: 'shallow' });
+  setSettings({ preset: 'shallow' });
   const begun = new Pending();
   steps = [kFirst, untilCancelled(() => begun.resolve())];
   best = delivery(1);
@@ -309,24 +308,24 @@ test('Cancelling a deeper carving keeps the requested one with its readings', as
   jobs.cancel();
   await run;
   await settled();
-  assert.equal(values().preset, 'shallow');
+  assert.equal(settings().preset, 'shallow');
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
   assert.equal(latest()?.number, 1);
-  assert.equal(latest()?.work.values.preset, 'shallow');
+  assert.equal(latest()?.work.settings.preset, 'shallow');
   assert.deepEqual(shows.at(-1), [true, true]);
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   steps = [kFirst, read(kFirst)];
   await carving.engrave();
-  assert.equal(latest()?.work.values.preset, 'balanced');
+  assert.equal(latest()?.work.settings.preset, 'balanced');
 });
 
 test('A change by the user ends the attempts, and what is there is kept as outdated', async () => {
-  setValues({ preset: 'balanced' });
-  client.answers.show = async (/** @type {any} */ { carved }) => carved && setValues({ preset: 'shallow' }); // while it is decoded
+  setSettings({ preset: 'balanced' });
+  client.answers.show = async (/** @type {any} */ { carved }) => carved && setSettings({ preset: 'shallow' }); // while it is decoded
   steps = [kFirst];
   best = delivery(1);
   await carving.engrave();
-  assert.deepEqual([values().preset, latest()?.number], ['shallow', 1]);
+  assert.deepEqual([settings().preset, latest()?.number], ['shallow', 1]);
   assert.ok(client.calls.includes('endEngrave'));
   assert.equal(
     panel.calls.filter((/** @type {string} */ call) => /^setOutdated/.test(call)).at(-1),
@@ -362,13 +361,13 @@ const kOnce = [kFirst, read(kFirst)];
 
 test('A code whose print barely decodes is carved with the next deeper preset whose print decodes', async (t) => {
   t.mock.method(performance, 'now', () => 1000 * placing.calls.length + 100 * printing.calls.length);
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   printsAre({ passed: false }, { passed: true });
   steps = [...kOnce, kDeeper, read(kDeeper), read(kDeeper, null)];
   await carving.engrave();
   await settled();
-  assert.equal(values().preset, 'robust');
-  assert.deepEqual([latest()?.number, latest()?.work.values.preset, latest()?.printed?.state], [2, 'robust', 'made']);
+  assert.equal(settings().preset, 'robust');
+  assert.deepEqual([latest()?.number, latest()?.work.settings.preset, latest()?.printed?.state], [2, 'robust', 'made']);
   assert.equal(/** @type {any} */ (latest())?.report.number, 2);
   assert.deepEqual(shows.at(-1), [true, true]);
   assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads', undefined]);
@@ -377,34 +376,34 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
 });
 
 test('A code that does not read as printed is made larger, from the settings as requested', async () => {
-  setValues({ preset: 'balanced', size: 'free' });
+  setSettings({ preset: 'balanced', size: 'free' });
   printsAre({ passed: false }, { passed: false }, { passed: true });
   const larger = texts(3, 'size', 'best');
   steps = [...kOnce, kDeeper, read(kDeeper, 'print', 1), larger, read(larger, 'print', 1), read(larger, null)];
   await carving.engrave();
   await settled();
-  assert.deepEqual(values(), { preset: 'balanced', size: 'best' });
+  assert.deepEqual(settings(), { preset: 'balanced', size: 'best' });
   assert.equal(latest()?.number, 3);
   assert.match(messages.said.at(-1) ?? '', /^Engraved larger/);
 });
 
 test('If no deeper preset helps the print, the code stays as requested', async () => {
   for (const isRead of [true, false]) {
-    setValues({ preset: 'balanced' });
+    setSettings({ preset: 'balanced' });
     printsAre({ passed: false }, { passed: false });
     steps = [...kOnce, kDeeper, ...(isRead ? [read(kDeeper, 'print', 1)] : []), read(kFirst, null)];
     await carving.engrave();
     await settled();
     assert.match(messages.said.at(-1) ?? '', /^Engraved\. Nothing that QRelief may change/);
-    assert.equal(values().preset, 'balanced');
-    assert.equal(latest()?.work.values.preset, 'balanced');
+    assert.equal(settings().preset, 'balanced');
+    assert.equal(latest()?.work.settings.preset, 'balanced');
     assert.equal(latest()?.printed?.state, 'made');
     assert.deepEqual(shows.at(-1), [true, true]);
   }
 });
 
 test('Cancelling a deeper carving for the print restores the first result', async () => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   printsAre({ passed: false }, {});
   const begun = new Pending();
   steps = [...kOnce, untilCancelled(() => begun.resolve())];
@@ -413,7 +412,7 @@ test('Cancelling a deeper carving for the print restores the first result', asyn
   jobs.cancel();
   await jobs.untilIdle();
   await settled();
-  assert.deepEqual([values().preset, latest()?.work.values.preset, latest()?.number], ['balanced', 'balanced', 1]);
+  assert.deepEqual([settings().preset, latest()?.work.settings.preset, latest()?.number], ['balanced', 'balanced', 1]);
   assert.equal(messages.said.at(-1), 'Cancelled. The code keeps the depth you chose.');
   assert.deepEqual(shows.at(-1), [true, true]);
 });
@@ -432,14 +431,14 @@ function heldBack() {
 }
 
 test('While a deeper carving is made, the first result and its settings stay, and its file can be saved', async (t) => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   store.update({ source: /** @type {any} */ ({ fileName: 'cup.stl' }) });
   printsAre({ passed: false }, { passed: true });
   const { deeper, begun } = heldBack();
   await carving.engrave();
   const hidden = panel.calls.filter((/** @type {string} */ call) => call === 'hide').length;
   await begun;
-  assert.deepEqual([values().preset, latest()?.number], ['balanced', 1]);
+  assert.deepEqual([settings().preset, latest()?.number], ['balanced', 1]);
   assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads']);
   assert.equal(panel.calls.filter((/** @type {string} */ call) => call === 'hide').length, hidden);
   const link = { download: '', click: () => {} };
@@ -451,29 +450,29 @@ test('While a deeper carving is made, the first result and its settings stay, an
   assert.match(link.download, /^cup-/);
   deeper.resolve(kDeeper);
   await jobs.untilIdle();
-  assert.deepEqual([values().preset, latest()?.number], ['robust', 2]);
+  assert.deepEqual([settings().preset, latest()?.number], ['robust', 2]);
 });
 
 test('A change by the user ends the attempts for the print, and stays', async () => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   printsAre({ passed: false }, {});
   const { deeper, begun } = heldBack();
   await carving.engrave();
   await begun;
-  setValues({ preset: 'shallow' });
+  setSettings({ preset: 'shallow' });
   deeper.resolve(kDeeper);
   await jobs.untilIdle();
   await settled();
-  assert.deepEqual([values().preset, latest()?.number], ['shallow', 1]);
+  assert.deepEqual([settings().preset, latest()?.number], ['shallow', 1]);
   assert.match(messages.said.at(-1) ?? '', /^Made before your last change/);
 });
 
 test('A code is not carved again for its print after a change by the user', async () => {
-  setValues({ preset: 'balanced' });
+  setSettings({ preset: 'balanced' });
   /** @type {any} */ let tell;
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void (tell = listener);
   await carving.engrave();
-  setValues({ preset: 'shallow' });
+  setSettings({ preset: 'shallow' });
   tell({ state: 'made', print: {} }, { passed: false, more: true, report: { text: kText } });
   await settled();
   assert.equal(client.calls.filter((/** @type {string} */ call) => /^continueEngrave/.test(call)).length, 1);
