@@ -34,6 +34,7 @@ export class SettingsForm {
     }
     /** The defaults of the settings that have a control. */
     this.defaults = this.settings_ = defaultsOf(this.controls_.map(keyOf));
+    this.show(this.defaults);
     onLanguage(() => this.nameAll_());
     this.nameAll_();
   }
@@ -127,7 +128,7 @@ function numbersOf(key) {
 /** Returns the element of a control's hint. @param {Control} control */
 const hintBelow = (control) => document.getElementById(`${control.id}-hint`);
 
-/** Sets a control's choices, bounds and default, and makes room for its hint. @param {Control} control */
+/** Sets a control's choices and bounds, and makes room for its hint. @param {Control} control */
 function prepare(control) {
   if (settingHint(keyOf(control))) {
     const hint = make('p', { className: 'field-hint' });
@@ -135,18 +136,12 @@ function prepare(control) {
     control.after(hint);
     control.setAttribute('aria-describedby', hint.id);
   }
-  const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
+  const { choices = [], kind, min, max } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
     const values = kind === 'choice-or-number' ? [...choices, ...numbersOf(keyOf(control))] : choices;
-    control.append(
-      ...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })),
-    );
-  } else if (isCheck(control)) {
-    control.defaultChecked = Boolean(initial);
+    control.append(...values.map((value) => Object.assign(make('option'), { value })));
   } else if (kind === 'number') {
     Object.assign(control, { min: String(min), max: String(max) });
-    // A field that may be empty begins empty; the page's own defaults are in the markup.
-    if (control.required && !control.defaultValue) control.defaultValue = String(initial);
   }
 }
 
