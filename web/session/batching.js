@@ -153,7 +153,7 @@ export class Batching {
   set_(planned) {
     this.planned = planned;
     this.panel_.show(planned ?? { problems: [] });
-    this.changed.tell(planned);
+    this.changed.emit(planned);
   }
 
   /** Opens a list. @param {File} file */

@@ -75,7 +75,7 @@ export class Editing {
   async apply(field) {
     if (this.model_.engravable) this.messages_.clearError(); // else the page still shows why there is no model
     this.code_.refresh();
-    this.store_.applied.tell(field);
+    this.store_.applied.emit(field);
     await this.batching_.ready();
     await this.spots_.forget();
     await this.placing_.place();

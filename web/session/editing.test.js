@@ -177,8 +177,8 @@ test('A stored work restores its sample or file, and keeps the current text if i
 });
 
 test('The code panel shows the placement', () => {
-  placing.placed.tell({ symbolMm: 20 });
-  placing.placed.tell(undefined);
+  placing.placed.emit({ symbolMm: 20 });
+  placing.placed.emit(undefined);
   assert.deepEqual(code.shown, [{ symbolMm: 20 }, undefined]);
 });
 

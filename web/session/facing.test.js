@@ -24,27 +24,27 @@ beforeEach(() => {
 
 test('The camera turns to a new engraving', () => {
   tools.onMoved();
-  carving.started.tell();
-  carving.finished.tell();
+  carving.started.emit();
+  carving.finished.emit();
   assert.deepEqual(acts, [{ kind: 'face' }]);
 });
 
 test('The camera stays where the user moved it during the work', () => {
-  carving.started.tell();
+  carving.started.emit();
   tools.onMoved();
-  carving.finished.tell();
+  carving.finished.emit();
   assert.deepEqual(acts, []);
 });
 
 test('The camera stays where the code is already seen well, in the phone view, and without motion', () => {
-  carving.started.tell();
+  carving.started.emit();
   tools.seesCode = true;
-  carving.finished.tell();
+  carving.finished.emit();
   tools.seesCode = false;
   tools.reader.shown = true;
-  carving.finished.tell();
+  carving.finished.emit();
   tools.reader.shown = false;
   prefersStill = true;
-  carving.finished.tell();
+  carving.finished.emit();
   assert.deepEqual(acts, []);
 });

@@ -89,8 +89,8 @@ export class Placing {
     if (!hit || !centre) return;
     this.messages_.clearError();
     this.store_.update(centredAt(centre));
-    this.store_.applied.tell('centre');
-    this.moved.tell();
+    this.store_.applied.emit('centre');
+    this.moved.emit();
     await this.place();
     if (movedMm > 0 && this.placement && !this.again_)
       this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
@@ -101,7 +101,7 @@ export class Placing {
     const { hit, centre } = await this.client_.setCentre(choice);
     if (!hit || !centre) return;
     this.store_.update(centredAt(centre, true));
-    this.proposed.tell();
+    this.proposed.emit();
     await this.place();
   }
 
@@ -152,7 +152,7 @@ export class Placing {
   show_(placement) {
     this.placement = placement;
     this.panel_.showPlacement(placement);
-    this.placed.tell(placement);
+    this.placed.emit(placement);
   }
 
   /** @param {import('../engine/types.js').ModelInfo} info */

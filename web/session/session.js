@@ -33,7 +33,7 @@ export class Session {
     const { undo, carving, store } = this.options_;
     return undo.asOne(async () => {
       await carving.drop();
-      store.applied.tell(undefined);
+      store.applied.emit(undefined);
       await this.begin();
     });
   }

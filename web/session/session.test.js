@@ -94,7 +94,7 @@ test('Missing input is revealed instead of engraving', async () => {
 });
 
 test('With a list the button names the first part', () => {
-  parts.batching.changed.tell({});
-  parts.batching.changed.tell(undefined);
+  parts.batching.changed.emit({});
+  parts.batching.changed.emit(undefined);
   assert.deepEqual(parts.workPanel.calls.slice(1), ['nameEngrave batch.engraveFirst', 'nameEngrave page.engrave']);
 });

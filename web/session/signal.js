@@ -13,7 +13,7 @@ export class Signal {
   }
 
   /** @param {Values} values */
-  tell(...values) {
+  emit(...values) {
     for (const listener of this.listeners_) listener(...values);
   }
 }

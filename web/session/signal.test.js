@@ -6,10 +6,10 @@ import { Signal } from './signal.js';
 test('A signal tells its listeners in order, and none that registers later', () => {
   /** @type {Signal<[number, string]>} */ const signal = new Signal();
   /** @type {any[]} */ const calls = [];
-  signal.tell(0, 'a');
+  signal.emit(0, 'a');
   signal.on((...values) => void calls.push(['first', ...values]));
   signal.on((...values) => void calls.push(['second', ...values]));
-  signal.tell(1, 'b');
+  signal.emit(1, 'b');
   assert.deepEqual(calls, [
     ['first', 1, 'b'],
     ['second', 1, 'b'],

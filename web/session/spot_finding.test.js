@@ -82,7 +82,7 @@ test('A place that the user has chosen stays', async () => {
 test('A click during the search ends it', async () => {
   spots.begin();
   await settled();
-  placing.moved.tell();
+  placing.moved.emit();
   messages.say(() => 'Ready.');
   assert.equal(signal?.aborted, true);
   search.resolve(undefined);

@@ -122,7 +122,7 @@ test('A proposed spot is nothing to undo', async () => {
   store.update({ text: 'b' });
   undo.record('text');
   store.update(centredAt([5, 0, 0], true));
-  placing.proposed.tell();
+  placing.proposed.emit();
   store.update({ text: 'c' });
   undo.record('other');
   undo.undo();

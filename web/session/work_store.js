@@ -15,7 +15,7 @@ export class WorkStore {
      * @type {Signal<[string | undefined]>}
      */
     this.applied = new Signal();
-    this.isTelling_ = false;
+    this.isEmitting_ = false;
   }
 
   get work() {
@@ -27,17 +27,17 @@ export class WorkStore {
    * @param {Partial<Work> | ((work: Work) => Partial<Work>)} change
    */
   update(change) {
-    if (this.isTelling_) throw new Error('a listener of the work must not change it');
+    if (this.isEmitting_) throw new Error('a listener of the work must not change it');
     const before = this.work_;
     const changed = typeof change === 'function' ? change(before) : change;
     const keys = /** @type {(keyof Work)[]} */ (Object.keys(changed));
     if (keys.every((key) => changed[key] === before[key])) return;
     this.work_ = frozen({ ...before, ...changed });
-    this.isTelling_ = true;
+    this.isEmitting_ = true;
     try {
-      this.changed.tell(this.work_, before);
+      this.changed.emit(this.work_, before);
     } finally {
-      this.isTelling_ = false;
+      this.isEmitting_ = false;
     }
   }
 }

@@ -301,7 +301,7 @@ export class CodeEditor {
 
   /** @param {number} rotateDeg @param {number} symbolMm @param {Point} beside */
   adjust_(rotateDeg, symbolMm, beside) {
-    this.handles_.tell(rotateDeg, symbolMm);
+    this.handles_.setValues(rotateDeg, symbolMm);
     this.ask_(async () => {
       const { code } = await this.client_.adjustCode({ rotateDeg, symbolMm });
       this.limitMm_ = code && code.symbolMm < symbolMm ? code.symbolMm : Infinity;

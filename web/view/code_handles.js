@@ -63,11 +63,11 @@ export class CodeHandles {
     put(this.upright, [turn[0], turn[1] - 34]);
     const ends = { x1: stem[0], y1: stem[1], x2: turn[0], y2: turn[1] };
     for (const [name, value] of Object.entries(ends)) this.line_.setAttribute(name, value.toFixed(1));
-    this.tell(code.rotationDeg, code.symbolMm);
+    this.setValues(code.rotationDeg, code.symbolMm);
   }
 
   /** @param {number} rotationDeg @param {number} symbolMm */
-  tell(rotationDeg, symbolMm) {
+  setValues(rotationDeg, symbolMm) {
     const deg = Math.round(rotationDeg - 360 * Math.round(rotationDeg / 360)) + 0;
     const mm = Number(symbolMm.toFixed(1));
     this.handles.turn.setAttribute('aria-valuenow', String(deg));
