@@ -205,7 +205,7 @@ export class Carving {
   async show(isShown) {
     const exists = this.carved !== undefined;
     this.shown = isShown && exists;
-    this.changed.tell(exists, this.shown);
+    this.changed.emit(exists, this.shown);
     await this.client_.show({ carved: this.shown });
   }
 
@@ -220,7 +220,7 @@ export class Carving {
     const { carved: before } = this;
     this.before_ = before;
     await this.drop();
-    this.started.tell();
+    this.started.emit();
     const asked = this.store_.work;
     this.asked_ = asked;
     this.works_.clear();
@@ -362,7 +362,7 @@ export class Carving {
     if (this.carved) this.panel_.show(this.carved);
     this.compare();
     this.panel_.reveal();
-    this.finished.tell();
+    this.finished.emit();
   }
 
   /**
@@ -384,7 +384,7 @@ export class Carving {
       if (this.carved !== carved) return;
       this.panel_.update();
       if (!result) return;
-      this.printed.tell();
+      this.printed.emit();
       if (mayDeepen && result.more) void this.guard_(() => this.deepen_(carved));
     });
   }
@@ -416,7 +416,7 @@ export class Carving {
     const reason = first.report.verification.verdict.prints.level === 'bad' ? 'print-unread' : 'print-barely';
     const job = this.jobOf_(signal, first.work, () => reason);
     /** @type {Map<number, Carved>} */ const made = new Map(); // those with a print, by number
-    this.changed.tell(false, false);
+    this.changed.emit(false, false);
     await this.client_.show({ carved: false });
     this.printing_.expect();
     let step = await this.untilRead_(this.client_.continueEngrave(job), job);
@@ -436,7 +436,7 @@ export class Carving {
     if (carved && isDelivered) carved.elapsedMs = this.elapsedMs;
     if (carved && carved !== first && isDelivered) {
       await this.present_();
-      this.printed.tell();
+      this.printed.emit();
       this.messages_.say(() => engravedWords(carved.work, first.work, true));
       return;
     }
