@@ -99,8 +99,9 @@ function makeEngine({ view, inspector, toolbar }, guard, { onEvent, onReplaced }
 /**
  * Prepares the next carving in idle moments.
  * @param {{ client: EngineClient, jobs: Jobs, placing: Placing, carving: Carving }} parts
+ * @param {ReturnType<typeof makePanels>} panels
  */
-function prepareCarvings({ client, jobs, placing, carving }) {
+function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePanel }) {
   const preparing = new Preparing({
     client,
     prepareReader: () => {
@@ -108,6 +109,8 @@ function prepareCarvings({ client, jobs, placing, carving }) {
       void messageWords.come();
     },
     isBusy: () => jobs.busy || carving.isPrinting,
+    isLive: () => toolbar.liveShown,
+    onDepths: (depths) => placePanel.showDepths(depths),
     user: window,
     isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
   });
@@ -170,7 +173,7 @@ function connect(notices) {
   const { view, toolbar } = panels;
   const parts = { view, toolbar, theme, inspecting, batchCarving, exporting, continuing, opening, session };
   const starting = new Starting({ ...carved, ...parts });
-  prepareCarvings(carved);
+  prepareCarvings(carved, panels);
   byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opening.startOver()));
   return starting;
 }

@@ -28,6 +28,15 @@ export const kOfTheView = {
     await press('iso');
     await poll(async () => (await sidesOf(page)).length).toBe(3);
   },
+  'show-live': async ({ page, press }) => {
+    const depth = page.locator('#placement-depth');
+    await page.mouse.move(5, 5); // nothing is prepared before the first sign of use
+    await expect(depth).toBeVisible();
+    await press('show-live');
+    await expect(depth).toBeHidden();
+    await press('show-live');
+    await expect(depth).toBeVisible();
+  },
   'show-plate': async ({ page, press }) => {
     const height = page.getByText(/^[\d.]+\smm high$/);
     await press('views');

@@ -200,10 +200,14 @@ export class EngineClient extends Verbs {
     this.call_('cancel').catch(() => {}); // rejected only if the worker is replaced
   }
 
-  /** Starts work that the next carving needs, unless a job runs. @returns {Promise<void>} */
-  async prepareEngrave() {
+  /**
+   * Starts work that the next carving needs, unless a job runs.
+   * @param {boolean} search  see EngineHost.prepareEngrave
+   * @returns {Promise<import('./types.js').FoundDepths | null>}
+   */
+  async prepareEngrave(search) {
     // Without a worker, it would block the page.
-    if (this.backend_ instanceof WorkerBackend) await this.call_('prepareEngrave');
+    return this.backend_ instanceof WorkerBackend ? this.call_('prepareEngrave', search) : null;
   }
 
   /**

@@ -158,9 +158,14 @@ export class EngineHost {
     return this.runJob_({ name: 'spots' });
   }
 
-  /** Does work that the next carving needs, unless a job runs. */
-  async prepareEngrave() {
-    await this.jobs_.prepare();
+  /**
+   * Does work that the next carving needs, unless a job runs.
+   * @param {boolean} search  also the whole first search for depths, which then shows the code as it will be carved
+   * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
+   */
+  async prepareEngrave(search) {
+    const depths = await this.jobs_.prepare(search);
+    return depths && this.drawn_(depths);
   }
 
   /**

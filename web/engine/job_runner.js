@@ -92,9 +92,18 @@ export class JobRunner {
     this.job_ = undefined;
   }
 
-  /** Does work that the next carving needs, unless a job runs. */
-  async prepare() {
-    while (!this.job_ && !this.engine_.advanceJob('preparation', {}).done) await yieldToMessages();
+  /**
+   * Does work that the next carving needs, unless a job runs.
+   * @param {boolean} search  also the whole first search for depths, which then shows the code as it will be carved
+   * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
+   */
+  async prepare(search) {
+    while (!this.job_) {
+      const { done, depths } = this.engine_.advanceJob('preparation', { search });
+      if (done) return depths;
+      await yieldToMessages();
+    }
+    return null;
   }
 
   /**

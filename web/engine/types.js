@@ -147,6 +147,7 @@
  * @typedef {{ stage: Message, fraction: number, changes?: SettingChange[] }} EngraveProgress
  *   `changes`: of an engraving's attempt from the code as requested
  */
+/** The depths that a search has found, over the carved submodules. @typedef {{ meanMm: number, maxMm: number }} FoundDepths */
 /** @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} NamedFile */
 /**
  * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse

@@ -21,7 +21,7 @@
  * @property {JobProgress & import('./types.js').EngraveStep & { printable: boolean }} engrave
  * @property {JobProgress & import('./types.js').Spots} spots  the spots come with the last step
  * @property {HoverResult & { done: boolean }} settling
- * @property {{ done: boolean }} preparation
+ * @property {{ done: boolean, depths: import('./types.js').FoundDepths | null }} preparation
  * @property {import('./types.js').ViewTrialProgress} view-trials
  */
 /** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
@@ -124,7 +124,7 @@ export const kInnerVerbs = {
   startJob: { of: 'InspectedEngine' },
   /**
    * Does one bounded piece of work. `given`: see Engine::advanceJob().
-   * @type {Verb<<Name extends keyof JobAnswers>(job: Name, given: { read?: boolean }) => JobAnswers[Name]>}
+   * @type {Verb<<Name extends keyof JobAnswers>(job: Name, given: { read?: boolean, search?: boolean }) => JobAnswers[Name]>}
    */
   advanceJob: {},
   /** @type {Verb<(job: 'engrave' | 'spots') => void>} */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uses idle moments to start the next carving's first steps and to load its decoder.
-const kQuietMs = 600; // idle time before preparing: user input has to wait while the module prepares
+// Uses idle moments to start the next carving's first steps and to load its decoder. These steps include the first
+// search for depths, so that the placed code is shown as it will be carved.
+const kQuietMs = 300; // idle time before preparing: user input has to wait while the module prepares
+const kPatienceMs = 1000; // where a search takes longer, the next code is shown without
 // Events of a user. Nothing is prepared before the first one.
 const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];
 
@@ -10,13 +12,18 @@ export class Preparing {
    * @param {Pick<import('../engine/client.js').EngineClient, 'prepareEngrave'>} options.client
    * @param {() => void} options.prepareReader
    * @param {() => boolean} options.isBusy
+   * @param {() => boolean} options.isLive  whether to show placed codes as they will be carved
+   * @param {(depths: import('../engine/types.js').FoundDepths) => void} options.onDepths  of the code that is shown so
    * @param {Pick<EventTarget, 'addEventListener'>} options.user  target of the user's events
    * @param {(event: Event) => boolean} options.isOverModel  true: the module has to answer each move
    */
-  constructor({ client, prepareReader, isBusy, user, isOverModel }) {
+  constructor({ client, prepareReader, isBusy, isLive, onDepths, user, isOverModel }) {
     this.client_ = client;
     this.prepareReader_ = prepareReader;
     this.isBusy_ = isBusy;
+    this.isLive_ = isLive;
+    this.onDepths_ = onDepths;
+    this.isSlow_ = false; // the last search took too long
     this.isUsed_ = false;
     this.isDue_ = false; // a code is placed and nothing is prepared for it yet
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.timer_ = undefined;
@@ -38,15 +45,22 @@ export class Preparing {
   /** Prepares the next carving after a quiet moment, if it is due. */
   plan() {
     clearTimeout(this.timer_);
-    if (this.isUsed_ && this.isDue_) this.timer_ = setTimeout(() => this.prepare_(), kQuietMs);
+    if (this.isUsed_ && this.isDue_) this.timer_ = setTimeout(() => void this.prepare_(), kQuietMs);
   }
 
-  prepare_() {
+  async prepare_() {
     if (this.isBusy_()) return;
     this.isDue_ = false;
-    this.client_
-      .prepareEngrave()
-      .catch(() => {}) // carving meets the error again, or the client reports it
-      .finally(() => this.prepareReader_()); // afterwards: both at once would block the page
+    if (!this.isLive_()) this.isSlow_ = false; // switching it on tries again
+    const withSearch = this.isLive_() && !this.isSlow_;
+    const begun = performance.now();
+    try {
+      const depths = await this.client_.prepareEngrave(withSearch);
+      if (withSearch) this.isSlow_ = performance.now() - begun > kPatienceMs;
+      if (depths && !this.isDue_) this.onDepths_(depths); // else the code has moved on
+    } catch {
+      // carving meets the error again, or the client reports it
+    }
+    this.prepareReader_(); // afterwards: both at once would block the page
   }
 }

@@ -6,14 +6,24 @@ import { Preparing } from './preparing.js';
 const { setTimeout: realSetTimeout, clearTimeout: realClearTimeout } = globalThis;
 /** @type {string[]} */ let done = [];
 let busy = false;
+let live = false;
+let searchMs = 0; // that the preparation takes
 let overModel = true;
 /** @type {EventTarget} */ let user;
 
 const make = () =>
   new Preparing({
-    client: { prepareEngrave: async () => void done.push('carving') },
+    client: {
+      prepareEngrave: async (search) => {
+        done.push(search ? 'search' : 'carving');
+        now += searchMs;
+        return search ? { meanMm: 0.5, maxMm: 1 } : null;
+      },
+    },
     prepareReader: () => void done.push('reader'),
     isBusy: () => busy,
+    isLive: () => live,
+    onDepths: ({ meanMm }) => void done.push(`${meanMm} mm`),
     user,
     isOverModel: () => overModel,
   });
@@ -46,6 +56,8 @@ beforeEach(() => {
   );
   done = [];
   busy = false;
+  live = false;
+  searchMs = 0;
   overModel = true;
   user = new EventTarget();
 });
@@ -58,12 +70,12 @@ test('A placed code is prepared once the page has been used and is quiet', async
   await wait(5000);
   assert.deepEqual(done, [], 'nobody is there');
   use();
-  await wait(500);
+  await wait(250);
   assert.deepEqual(done, []);
   use();
-  await wait(500);
+  await wait(250);
   assert.deepEqual(done, [], 'it is being used');
-  await wait(200);
+  await wait(100);
   assert.deepEqual(done, ['carving', 'reader']);
   use();
   await wait(5000);
@@ -86,13 +98,46 @@ test('Each new place is prepared, but not during quick successions', async () =>
   use();
   for (let i = 0; i < 5; i += 1) {
     preparing.note(true);
-    await wait(500);
+    await wait(250);
   }
   assert.deepEqual(done, []);
-  await wait(200);
+  await wait(100);
   preparing.note(true);
-  await wait(700);
+  await wait(400);
   assert.deepEqual(done, ['carving', 'reader', 'carving', 'reader']);
+});
+
+test('The depths are searched ahead if codes are shown as carved, but not where that takes long', async (t) => {
+  t.mock.method(performance, 'now', () => now);
+  live = true;
+  const preparing = make();
+  use();
+  const prepareNext = async () => {
+    done = [];
+    preparing.note(true);
+    await wait(400);
+    return done;
+  };
+  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader']);
+  searchMs = 1500;
+  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader']);
+  assert.deepEqual(await prepareNext(), ['carving', 'reader'], 'it took too long');
+  live = false;
+  await prepareNext();
+  live = true;
+  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader'], 'the user has switched it on again');
+});
+
+test('Depths are not shown for a code that has moved on', async () => {
+  live = true;
+  const preparing = make();
+  use();
+  preparing.note(true);
+  const searched = wait(400);
+  preparing.note(true);
+  await searched;
+  assert.ok(done.includes('search'));
+  assert.ok(!done.includes('0.5 mm'));
 });
 
 test('Nothing is prepared without a place or during other work', async () => {
@@ -112,6 +157,8 @@ test('Errors are left for the carving to report', async () => {
     client: { prepareEngrave: () => Promise.reject(new Error('no memory')) },
     prepareReader: () => {},
     isBusy: () => false,
+    isLive: () => false,
+    onDepths: () => {},
     user,
     isOverModel: () => true,
   });

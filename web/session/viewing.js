@@ -31,7 +31,7 @@ export class Viewing {
     this.carving_ = carving;
     this.guard_ = guard;
     this.listen_(options);
-    this.listenToToolbar_(options.inspecting);
+    this.listenToToolbar_(options);
     carving.changed.on((exists, isShown) => this.noteCarved_(exists, isShown));
     carving.printed.on(() => this.notePrinted_());
   }
@@ -75,8 +75,8 @@ export class Viewing {
     });
   }
 
-  /** @param {import('./inspecting.js').Inspecting} inspecting */
-  listenToToolbar_(inspecting) {
+  /** @param {Pick<ViewingOptions, 'inspecting' | 'placing'>} options */
+  listenToToolbar_({ inspecting, placing }) {
     const { client_: client, tools_: tools, guard_: guard } = this;
     this.toolbar_.listen({
       onCarved: (carved) => guard(() => this.showCarved_(carved)),
@@ -87,6 +87,7 @@ export class Viewing {
       onSection: (isShown, offset) => guard(() => client.show({ section: isShown ? offset : null })),
       onFaceSection: () => tools.act({ kind: 'faceSection' }),
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
+      onLive: () => guard(() => placing.place()),
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
       onInspector: (isShown) => guard(() => inspecting.show(isShown)),
     });

@@ -60,12 +60,21 @@ export class PlacePanel {
     const aim = byId('placement-aim', HTMLElement);
     aim.hidden = !placement || placement.capitalMm !== null; // people read a text at any angle
     showSpotCost(placement?.colourLayers ?? 0);
+    this.showDepths(undefined);
     this.shown_ = placement?.concerns ?? [];
     this.showConcerns_();
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
     const { concerns, aimToleranceDeg, forgiving } = placement;
     write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
     return showStep('place', concerns.length > 0 ? 'warn' : 'done', () => sizeInWords(placement));
+  }
+
+  /** Says how deep the placed code will be. @param {import('../engine/types.js').FoundDepths | undefined} depths */
+  showDepths(depths) {
+    const line = byId('placement-depth', HTMLElement);
+    line.hidden = depths === undefined;
+    if (depths)
+      write(line, () => text('page.placeDepths', { mean: formatMm(depths.meanMm), deepest: formatMm(depths.maxMm) }));
   }
 
   /** Says why no spot is proposed, until the code has one. @param {Message} problem */

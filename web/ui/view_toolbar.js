@@ -17,10 +17,12 @@ import { recall, remember } from '../storage/remembered.js';
  * @property {() => void} onFaceSection  turn to face the section
  * @property {(shown: boolean) => void} onDepths
  * @property {(shown: boolean) => void} onPlate
+ * @property {() => void} onLive  `liveShown` has changed
  * @property {(shown: boolean) => void} onInspector
  */
 
-const kPlateName = 'buildPlate'; // of the remembered choice
+const kPlateName = 'buildPlate', // of the remembered choices
+  kLiveName = 'asCarved';
 
 export class ViewToolbar {
   constructor() {
@@ -33,6 +35,8 @@ export class ViewToolbar {
     this.reader_ = byId('reader-view', HTMLButtonElement);
     this.plate_ = byId('show-plate', HTMLButtonElement);
     this.plate_.setAttribute('aria-pressed', String(recall(kPlateName) !== 'off'));
+    this.live_ = byId('show-live', HTMLButtonElement);
+    this.live_.setAttribute('aria-pressed', String(recall(kLiveName) !== 'off'));
     this.inspector_ = byId('inspector', HTMLButtonElement);
     this.hint_ = byId('view-hint', HTMLElement);
     this.views_ = byId('views', HTMLButtonElement);
@@ -43,6 +47,10 @@ export class ViewToolbar {
     this.plate_.addEventListener('click', () => {
       remember(kPlateName, toggle(this.plate_) ? 'on' : 'off');
       this.listener_?.onPlate(this.plateShown);
+    });
+    this.live_.addEventListener('click', () => {
+      remember(kLiveName, toggle(this.live_) ? 'on' : 'off');
+      this.listener_?.onLive();
     });
     this.inspector_.addEventListener('click', () => this.listener_?.onInspector(toggle(this.inspector_)));
     this.reader_.addEventListener('click', () => this.listener_?.onReaderView());
@@ -155,6 +163,11 @@ export class ViewToolbar {
   /** The build plate is shown, unless the user hid it at this visit or the last one. */
   get plateShown() {
     return isPressed(this.plate_);
+  }
+
+  /** Placed codes are shown as they will be carved, unless the user chose otherwise at this visit or the last one. */
+  get liveShown() {
+    return isPressed(this.live_);
   }
 
   /** Resets the button after the inspector could not be opened. */
