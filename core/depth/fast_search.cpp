@@ -29,7 +29,9 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
       neighbours_(*target_.symbol),
       sky_(before ? before->sky_
                   : std::make_shared<const PocketSky>(*target_.mask, target_.symbolMm / target_.mask->size)),
-      freePasses_(before ? kFreePassesAfterAnother : kFreePasses) {
+      freePasses_(options_.hasLamps ? 0
+                  : before          ? kFreePassesAfterAnother
+                                    : kFreePasses) {
   depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
   const int modules = target_.symbol->size;
   for (const std::uint32_t i : sky_->carved()) {
@@ -67,7 +69,8 @@ void FastSearch::solve() {
   const PocketSky::Depths solved(*sky_, solvedMm_);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_->carved()[k]];
-    const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
+    const double most = options_.hasLamps ? depth + std::max(kLampStepMm, kLampGrowth * depth) : limitMm_[k];
+    const double next = quantisedDepth(std::clamp(solvedMm_[k], kDepthQuantumMm, most), limitMm_[k]);
     const bool isFree = iterations_ < freePasses_;
     if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);

@@ -17,6 +17,9 @@ struct FastSearchOptions {
   std::vector<double> contrastOfModule = {};
   double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
   double albedo = 0.7;    ///< albedo of the material, 0 … 1: first estimate of interreflection
+  /// Lamps add to the sky: depths then start small and only grow, little by little. The plane's prediction knows the
+  /// sky alone, and would jump to depths that the lamp's shadow does not need.
+  bool hasLamps = false;
   int maxIterations = 24;
   int sweepsPerPass = 3;  ///< of the solver on the plane; more come closer to its solution
 };
@@ -33,8 +36,8 @@ struct FastSearchOptions {
 /// then has to move, it measures the floors in sight of it again (PocketSky).
 class FastSearch final : public DepthSolver {
  public:
-  /// @param before  a search for the same target with another contrast, whose result is the start; null: start from the
-  ///                plane
+  /// @param before  a search without lamps for the same target with another contrast, whose result is the start; null:
+  ///                start from the plane
   FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
   void update(std::span<const double> luminance) override;

@@ -12,6 +12,8 @@ inline constexpr double kFirstDepthModules = 0.25;
 inline constexpr double kChangeFraction = 0.4;  ///< of a floor's last change of difference: extra darkness to aim at
 inline constexpr double kMaxChange = 0.3;       ///< limit on the change that counts
 inline constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
+/// Under lamps, a pass makes a floor deeper by at most this, or by this fraction of its depth.
+inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.2;
 /// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
 inline constexpr double kAimFraction = 0.003;
 inline constexpr double kMaxAimFraction = 0.2;

@@ -70,7 +70,7 @@ Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target,
                         static_cast<float>(firstDifference(options.albedo)));
   light.selectCells(search->place_.cells);
   search->restart(options);
-  search->freePasses_ = kFreePasses;
+  search->freePasses_ = options.hasLamps ? 0 : kFreePasses;
   return search;
 }
 
@@ -99,12 +99,17 @@ bool ShaderSearch::measuresAll(int pass, int freePasses) {
 void ShaderSearch::runPass(int record, bool isLast) {
   const bool isFirst = iterations_ == 0, all = isLast || measuresAll(iterations_, freePasses_);
   LuminancePass& light = *place_.light;
-  passes_.move(light.luminance(), {.sweeps = kSweepsPerPass,
-                                   .aim = static_cast<float>(kAimFraction),
-                                   .aimForTooBright = static_cast<float>(aimForTooBright(iterations_, freePasses_)),
-                                   .changeFraction = static_cast<float>(isFirst ? 0 : kChangeFraction),
-                                   .maxChange = static_cast<float>(kMaxChange),
-                                   .isFree = iterations_ < freePasses_});
+  FloorMove move{.sweeps = kSweepsPerPass,
+                 .aim = static_cast<float>(kAimFraction),
+                 .aimForTooBright = static_cast<float>(aimForTooBright(iterations_, freePasses_)),
+                 .changeFraction = static_cast<float>(isFirst ? 0 : kChangeFraction),
+                 .maxChange = static_cast<float>(kMaxChange),
+                 .isFree = iterations_ < freePasses_};
+  if (options_.hasLamps) {
+    move.mostGrowthMm = static_cast<float>(kLampStepMm);
+    move.mostGrowthFraction = static_cast<float>(kLampGrowth);
+  }
+  passes_.move(light.luminance(), move);
   light.runOnFloors(passes_.floors(), !all);
   passes_.compare(light.luminance(), all, isFirst);
   passes_.record(light.luminance(), record);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDepthStepMm = 0.1;  // the published step; thicker layers need no coarser step
 constexpr int kPassesBeforePrint = 4;
+constexpr int kPassesUnderLamps = 40;  // depths grow little by little
 
 }  // namespace
 
@@ -25,6 +26,8 @@ FastSearchOptions fastSearchOptions(const EngraveRequest& request) {
   options.contrast = request.depth.contrastAsked();
   options.slackMm = std::min(request.print.printer.layerMm, kDepthStepMm) / 2;
   options.albedo = static_cast<double>(request.depth.albedo);
+  options.hasLamps = !request.lamps().empty();
+  if (options.hasLamps) options.maxIterations = kPassesUnderLamps;
   if (request.isForPrint()) options.maxIterations = kPassesBeforePrint;
   return options;
 }

@@ -79,6 +79,30 @@ TEST_F(DevicesTest, CarveTheSameCodeOnASaddleInTheOptimalDirection) {
                  engraving);
 }
 
+TEST_F(DevicesTest, CarveTheSameCodeUnderLamps) {
+  const Mesh plate = shapes::box({40, 40, 20}), sphere = shapes::bumpySphere(40, 1.5, 5, 5);
+  const std::vector<DirectionalLight> two = {{.azimuthDeg = 0, .elevationDeg = 33, .strength = 1},
+                                             {.azimuthDeg = 120, .elevationDeg = 33, .strength = 1}};
+  const std::vector<DirectionalLight> low = {{.azimuthDeg = 30, .elevationDeg = 20, .strength = 4}};
+  for (const auto& lights : {two, low}) {
+    EngraveRequest engraving = request({0, 0, 10});
+    engraving.depth.lights = lights;
+    const EngraveResult byGpu = engraveBy(Device::Gpu, Device::Gpu, plate, engraving);
+    const EngraveResult byProcessor = engraveBy(Device::Processor, Device::Processor, plate, engraving);
+    expectSameCode(byGpu, byProcessor, 0.05);
+    EXPECT_NEAR(summarise(byGpu.depths).maxMm, summarise(byProcessor.depths).maxMm, 0.05);
+
+    engraving.depth.solver = ContrastSolver::PaperSteps;
+    const EngraveResult inSteps = engraveBy(Device::Processor, Device::Processor, plate, engraving);
+    EXPECT_LE(summarise(byProcessor.depths).meanMm, summarise(inSteps.depths).meanMm);
+    EXPECT_LE(summarise(byProcessor.depths).maxMm, summarise(inSteps.depths).maxMm);
+  }
+  EngraveRequest curved = request({0, 0, 40});
+  curved.depth.lights = {{.azimuthDeg = 45, .elevationDeg = 45, .strength = 1}};
+  expectSameCode(engraveBy(Device::Gpu, Device::Gpu, sphere, curved),
+                 engraveBy(Device::Processor, Device::Processor, sphere, curved), 0.1);
+}
+
 TEST(WithoutGl, AModelHasNoGpuAndIsEngravedWhereASpotWasFound) {
   const auto model = EngravableModel::create(*prepareModel(shapes::soupOf(shapes::bumpySphere(30, 1.5, 5, 5)), {}),
                                              nullptr, Device::Gpu);

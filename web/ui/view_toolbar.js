@@ -142,6 +142,7 @@ export class ViewToolbar {
     allow(this.before_, isShown ? undefined : exists ? 'page.whyNotShown' : 'page.whyNotEngraved');
     allow(this.depths_, !exists ? 'page.whyNotEngraved' : isRelief ? undefined : 'page.whyNoDepths');
     if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
+    this.live_.hidden = isShown; // it is carved
   }
 
   /**
