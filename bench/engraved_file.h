@@ -30,17 +30,16 @@ inline std::optional<Mesh> loadEngraved(const std::string& path) {
 }
 
 /// Returns the mean luminance of every module, row-major from the symbol's top left.
-/// @param picture  kBakedPixels a module, with a picture's margin; row 0 at the bottom
-inline std::vector<double> moduleMeans(const std::vector<float>& picture, int modules) {
-  const int texels = kBakedPixels * (modules + 2 * kPictureMarginModules);
+/// @param picture  kBakedPixels a module, with a picture's margin
+inline std::vector<double> moduleMeans(const BottomUp<float>& picture, int modules) {
   std::vector<double> means;
   for (int row = 0; row < modules; ++row)
     for (int column = 0; column < modules; ++column) {
       double sum = 0;
       for (int k = 0; k < kBakedPixels * kBakedPixels; ++k) {
-        const int y = texels - 1 - kBakedPixels * (kPictureMarginModules + row) - k / kBakedPixels;
+        const int y = picture.rows() - 1 - kBakedPixels * (kPictureMarginModules + row) - k / kBakedPixels;
         const int x = kBakedPixels * (kPictureMarginModules + column) + k % kBakedPixels;
-        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
+        sum += static_cast<double>(picture.at(y, x));
       }
       means.push_back(sum / (kBakedPixels * kBakedPixels));
     }

@@ -41,17 +41,17 @@ Result<bool> reads(const EngravableModel& model, const Symbol& symbol, const Pla
   const auto surface = model.renderer->render(camera, window);
   QRELIEF_TRY(surface);
   const std::vector<float> distances = rayDistances(*surface, camera, window);
-  std::vector<float> luminance;
+  BottomUp<float> luminance(texels, texels);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column) {
       const double distance = static_cast<double>(distances[static_cast<std::size_t>(row * texels + column)]);
       const Vec3 point = camera.eye() + camera.rayDirection(window.planePoint(column, row)) * distance;
-      luminance.push_back(distance <= 0 ? kBackground : isDark(symbol, placement, point) ? kInk : kPaper);
+      luminance.at(row, column) = distance <= 0 ? kBackground : isDark(symbol, placement, point) ? kInk : kPaper;
     }
   ReaderView view;
   const ReaderViewOptions phone;
   view.picture = photograph(
-      luminance, texels, {.blurPx = phone.blurPx * texels / 700, .noise = phone.noise, .strayLight = phone.strayLight});
+      luminance, {.blurPx = phone.blurPx * texels / 700, .noise = phone.noise, .strayLight = phone.strayLight});
   view.pixelsPerModule = kPixelsPerModule;
   return readWithZxing(view) == text;
 }

@@ -104,9 +104,8 @@ std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model)
       missing[cell.carved] = 0;
       continue;
     }
-    const auto i = static_cast<std::size_t>(cell.row * edge + cell.column);
-    cell.received = engraved.received[i];
-    cell.luminance = engraved.luminance[i];
+    cell.received = engraved.received.at(cell.row, cell.column);
+    cell.luminance = engraved.luminance.at(cell.row, cell.column);
     cell.model = model;
     cells.push_back(cell);
   }

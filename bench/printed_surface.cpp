@@ -47,9 +47,9 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   light.bakeRows(texels);
   light.smooth();
   seen.lightMs = millisecondsSince(start);
-  const auto luminance = light.light();
-  std::vector<float> picture;
-  for (const SurfaceLight& texel : luminance) picture.push_back(texel.sky < 0 ? 0.35f : static_cast<float>(texel.sky));
+  BottomUp<float> picture(texels, texels, 0.35f);
+  for (std::size_t i = 0; i < picture.size(); ++i)
+    if (light.light()[i].sky >= 0) picture[i] = static_cast<float>(light.light()[i].sky);
   seen.modules = moduleMeans(picture, modules);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column) {
@@ -59,7 +59,7 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
     }
   start = Clock::now();
   std::vector<std::string> texts;
-  for (const GreyImage& image : frontalPictures(picture, texels, kTexelsAModule))
+  for (const GreyImage& image : frontalPictures(picture, kTexelsAModule))
     for (const Decoder& read : zxingDecoders()) {
       const auto decoded = read(image);
       texts.push_back(decoded && !decoded->mirrored ? decoded->text : "");

@@ -104,10 +104,10 @@ Result<Row> runRedrawing(const Spot& spot) {
     QRELIEF_TRY(lightPass);
     lightPass->run();
     const std::vector<float> means = lightPass->readLuminance();
-    std::vector<double> luminance;
+    Grid<double> luminance(spot.edge(), spot.edge());
     for (int row = 0; row < spot.edge(); ++row)
       for (int column = 0; column < spot.edge(); ++column)
-        luminance.push_back(means[static_cast<std::size_t>((cells - 1 - row - border) * cells + column + border)]);
+        luminance.at(row, column) = means[(cells - 1 - row - border) * cells + column + border];
     search.update(luminance);
   }
   return Row{"redraw", search.iterations(), summarise(search.depths()).meanMm, millisecondsSince(start)};

@@ -37,7 +37,7 @@ class Counted final : public DepthSolver {
         measured_(measured),
         solver_(std::move(target), options) {}
 
-  void update(std::span<const double> luminance) override {
+  void update(const Grid<double>& luminance) override {
     measured_ += solver_.due().empty() ? carved_ : solver_.due().size();
     solver_.update(luminance);
   }

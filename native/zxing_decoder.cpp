@@ -41,7 +41,7 @@ std::string readWithZxing(const ReaderView& seen) {
 
 std::vector<std::string> readFrontal(const ReaderView& seen) {
   const std::vector<Decoder> decoders = zxingDecoders();
-  const std::vector<GreyImage> pictures = frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+  const std::vector<GreyImage> pictures = frontalPictures(seen.luminance, seen.pixelsPerModule);
   std::vector<std::string> texts(pictures.size() * decoders.size());
   parallelFor(texts.size(), [&](std::size_t i) {
     const auto read = decoders[i % decoders.size()](pictures[i / decoders.size()]);

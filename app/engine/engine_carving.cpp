@@ -49,7 +49,7 @@ std::vector<GreyImage> Engine::pictures(const std::string& of) {
   if (of == "reader") return {seen.picture};
   assert(of == "reading");
   if (seen.luminance.empty()) return {};  // a text alone
-  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+  return frontalPictures(seen.luminance, seen.pixelsPerModule);
 }
 
 std::string Engine::setReadings(const std::string& texts, const std::string& reader) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/ink_seen.h"
 
-#include <cmath>
-
 #include "pipeline/engrave.h"
 
 namespace qrelief {
 
-void addInkSeen(std::vector<float>& luminance, const ProjectionFrame& camera, double extentMm,
+void addInkSeen(BottomUp<float>& luminance, const ProjectionFrame& camera, double extentMm,
                 const SurfaceRaster& surface, const EngraveResult& result) {
-  const MapWindow window{extentMm, static_cast<int>(std::lround(std::sqrt(static_cast<double>(luminance.size()))))};
+  const MapWindow window{extentMm, luminance.rows()};
   const std::vector<float> drawn = surface.draw(camera, window);
   const ProjectionFrame& code = result.placement.frame;
   const InkMap ink(markedSymbol(result), result.placement.symbolMm, result.request.marking.ink);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/job_map.h"
 
-#include <cmath>
-#include <span>
-
 #include "depth/search_record.h"
 #include "pipeline/engrave.h"
 #include "qr/module_pattern.h"
@@ -12,25 +9,16 @@
 namespace qrelief {
 namespace {
 
-/// Makes a map from rows that begin at the top.
-JobMap fromTop(std::span<const float> values, int edge) {
-  JobMap map{edge, edge, 1, {}};
-  for (int row = edge - 1; row >= 0; --row) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(row) * edge;
-    map.values.insert(map.values.end(), begin, begin + edge);
-  }
-  return map;
-}
+JobMap mapOf(const Grid<float>& grid) { return {grid.columns(), grid.rows(), 1, bottomUp(grid).values()}; }
 
 /// @param name  "search-luminance" or "search-depths"
 std::optional<JobMap> searchMap(const SearchRecord& search, int modules, std::string_view name) {
   if (search.passes.empty()) return std::nullopt;
-  if (name == "search-luminance")
-    return fromTop(search.luminance, static_cast<int>(std::lround(std::sqrt(search.luminance.size()))));
+  if (name == "search-luminance") return mapOf(search.luminance);
   const int edge = kSubmodulesPerModule * modules;
-  std::vector<float> depths(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 0.0f);
+  Grid<float> depths(edge, edge);
   for (std::size_t k = 0; k < search.carved.size(); ++k) depths[search.carved[k]] = search.passes.back().depthMm[k];
-  return fromTop(depths, edge);
+  return mapOf(depths);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ std::vector<GreyImage> PrintedCode::pictures(const std::string& of) const {
   if (seen.luminance.empty()) return {};
   if (of == "front") return {seen.clean};
   assert(of == "reading");
-  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+  return frontalPictures(seen.luminance, seen.pixelsPerModule);
 }
 
 }  // namespace qrelief

@@ -47,9 +47,8 @@ ValueMap surfaceMap(const SurfaceMaps& maps, const BackDistanceMap* back, double
   return map;
 }
 
-ValueMap lightMap(std::span<const Received> received, MapChannel channel) {
-  const int edge = static_cast<int>(std::lround(std::sqrt(static_cast<double>(received.size()))));
-  ValueMap map{edge, edge, {}, {}};
+ValueMap lightMap(const Grid<Received>& received, MapChannel channel) {
+  ValueMap map{received.columns(), received.rows(), {}, {}};
   for (const Received& light : received)
     map.values.push_back(channel == MapChannel::Sky         ? light.sky
                          : channel == MapChannel::PastWalls ? light.pastWalls

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
+#include "base/grid.h"
 #include "inspector/value_map.h"
 #include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
@@ -63,7 +63,7 @@ inline bool isOfLight(MapChannel channel) { return channel >= MapChannel::Sky; }
 ValueMap surfaceMap(const SurfaceMaps& maps, const BackDistanceMap* back, double edgeMm, MapChannel channel);
 
 /// Extracts a channel of the received light.
-/// @param received  of symbol and quiet zone, row-major from the upper left
-ValueMap lightMap(std::span<const Received> received, MapChannel channel);
+/// @param received  of symbol and quiet zone
+ValueMap lightMap(const Grid<Received>& received, MapChannel channel);
 
 }  // namespace qrelief

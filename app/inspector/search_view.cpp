@@ -13,7 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kQuiet = kN * kQuietZoneModules;
+constexpr int kQuiet = kQuietZoneSubmodules;
 
 }  // namespace
 
@@ -26,8 +26,7 @@ const char* moduleRoleName(ModuleRole role) {
 SearchView::SearchView(const Symbol& symbol, SearchRecord record, double contrast)
     : symbol_(symbol), record_(std::move(record)), contrast_(contrast), edge_(kN * symbol.size + 2 * kQuiet) {
   assert(!record_.passes.empty());
-  const std::vector<double> luminance(record_.luminance.begin(), record_.luminance.end());
-  const std::vector<double> modules = SubmoduleLuminances(luminance, symbol_.size).moduleMeans();
+  const Grid<double> modules = moduleMeans(Grid<double>(record_.luminance));
   const LightNeighbours neighbours(symbol_);
   around_.assign(symbol_.dark.size(), ValueMap::kNothing);
   for (std::size_t module = 0; module < symbol_.dark.size(); ++module)
@@ -42,8 +41,7 @@ SearchView::SearchView(const Symbol& symbol, SearchRecord record, double contras
     for (int column = 0; column < edge_; ++column) {
       const int r = row - kQuiet, c = column - kQuiet;
       const bool inside = r >= 0 && c >= 0 && r < size && c < size;
-      if (!inside || !symbol_.isDark(r / kN, c / kN))
-        lightLuminance_.push_back(record_.luminance[static_cast<std::size_t>(row * edge_ + column)]);
+      if (!inside || !symbol_.isDark(r / kN, c / kN)) lightLuminance_.push_back(record_.luminance.at(row, column));
     }
   }
   summarise();
@@ -92,7 +90,7 @@ ValueMap SearchView::excess(int pass) const {
 }
 
 ValueMap SearchView::luminance(int pass) const {
-  ValueMap map{edge_, edge_, record_.luminance, {}};
+  ValueMap map{edge_, edge_, record_.luminance.values(), {}};
   for (std::size_t k = 0; k < record_.carved.size(); ++k)
     map.values[inMap(record_.carved[k])] = passAt(pass).luminance[k];
   return map;
@@ -103,7 +101,7 @@ std::optional<SubmoduleFacts> SearchView::facts(int pass, SubmodulePlace place) 
   if (row < 0 || column < 0 || row >= edge_ || column >= edge_) return {};
   SubmoduleFacts facts;
   facts.place = place;
-  facts.luminance = record_.luminance[static_cast<std::size_t>(row * edge_ + column)];
+  facts.luminance = record_.luminance.at(row, column);
   facts.inSymbol = place.row >= 0 && place.column >= 0 && place.row < size && place.column < size;
   if (!facts.inSymbol) return facts;
   const int moduleRow = place.row / kN, moduleColumn = place.column / kN;

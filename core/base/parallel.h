@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-
 #ifndef __EMSCRIPTEN__
 #include <algorithm>
 #include <atomic>
@@ -19,24 +17,24 @@ namespace qrelief {
 /// The calls may run at the same time and in any order. Each must write only to a place of its own, so that the result
 /// does not depend on the number of cores. Of several exceptions the one with the lowest index is thrown; calls with
 /// higher indices may then be left out. Cost: starting a thread takes some 20 µs; a call should take longer.
-template <class Work>
-void parallelFor(std::size_t count, const Work& work) {
+template <class Index, class Work>
+void parallelFor(Index count, const Work& work) {
 #ifdef __EMSCRIPTEN__
-  for (std::size_t i = 0; i < count; ++i) work(i);
+  for (Index i = 0; i < count; ++i) work(i);
 #else
-  std::atomic<std::size_t> next{0};
+  std::atomic<Index> next{0};
   std::vector<std::exception_ptr> thrown(count);
   const auto takeTurns = [&] {
-    for (std::size_t i = next++; i < count; i = next++) try {
+    for (Index i = next++; i < count; i = next++) try {
         work(i);
       } catch (...) {
         thrown[i] = std::current_exception();
       }
   };
-  const std::size_t helpers = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  const Index helpers = std::min<Index>(count, std::max(1u, std::thread::hardware_concurrency()));
   std::vector<std::thread> threads;
   try {
-    for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(takeTurns);
+    for (Index i = 1; i < helpers; ++i) threads.emplace_back(takeTurns);
   } catch (const std::system_error&) {
     // No more threads are available; those already running do the work.
   }

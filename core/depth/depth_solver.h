@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/grid.h"
 #include "depth/depth_field.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
@@ -29,8 +30,8 @@ class DepthSolver {
 
   /// Runs one pass.
   /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
-  ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
-  virtual void update(std::span<const double> luminance) = 0;
+  ///                   edge = 5·(modules + 8)
+  virtual void update(const Grid<double>& luminance) = 0;
 
   /// Returns the carved submodules whose luminance the next `update` reads, as indices in the mask; the luminance of
   /// the others may be outdated. Empty: all carved submodules.

@@ -118,10 +118,9 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
   }
 }
 
-void FastSearch::update(std::span<const double> luminance) {
+void FastSearch::update(const Grid<double>& luminance) {
   const int m = target_.symbol->size;
-  const SubmoduleLuminances seen(luminance, m);
-  const std::vector<double> modules = seen.moduleMeans();
+  const Grid<double> modules = moduleMeans(luminance);
   const std::vector<double> depths = carvedDepths();
   const PocketSky::Depths onPlane(*sky_, depths);
   std::size_t module = std::numeric_limits<std::size_t>::max();
@@ -134,7 +133,7 @@ void FastSearch::update(std::span<const double> luminance) {
     const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
     if (of != module) around = neighbours_.darkestMean(of, modules);
     module = of;
-    const double fraction = seen.of(row, column) / around;
+    const double fraction = luminanceOf(luminance, row, column) / around;
     seenFraction_[k] = fraction;
     const double difference = darkness(fraction) - darkness(onPlane.fraction(k, depths[k]));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);

@@ -40,7 +40,7 @@ class FastSearch final : public DepthSolver {
   ///                start from the plane
   FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
-  void update(std::span<const double> luminance) override;
+  void update(const Grid<double>& luminance) override;
 
   std::span<const std::uint32_t> due() const override { return dueInMask_; }
 

@@ -36,7 +36,7 @@ LightNeighbours::LightNeighbours(const Symbol& symbol) {
   }
 }
 
-double LightNeighbours::darkestMean(std::size_t module, std::span<const double> luminance) const {
+double LightNeighbours::darkestMean(std::size_t module, const Grid<double>& luminance) const {
   std::vector<double> around;
   for (const std::uint32_t light : around_[module]) around.push_back(luminance[light]);
   const std::size_t count = std::min(kDarkest, around.size());

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "base/grid.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -18,8 +18,8 @@ class LightNeighbours {
 
   /// Returns the mean luminance of the four darkest light modules around a dark one.
   /// @param module     row-major in the symbol
-  /// @param luminance  of every module of symbol and quiet zone, row-major from the quiet zone's top left
-  double darkestMean(std::size_t module, std::span<const double> luminance) const;
+  /// @param luminance  of every module of symbol and quiet zone
+  double darkestMean(std::size_t module, const Grid<double>& luminance) const;
 
  private:
   std::vector<std::vector<std::uint32_t>> around_;  // per dark module: light modules, indexed as `luminance`

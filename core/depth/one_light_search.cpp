@@ -108,9 +108,8 @@ void OneLightSearch::solve() {
   }
 }
 
-void OneLightSearch::update(std::span<const double> luminance) {
-  const SubmoduleLuminances seen(luminance, target_.symbol->size);
-  const std::vector<double> modules = seen.moduleMeans();
+void OneLightSearch::update(const Grid<double>& luminance) {
+  const Grid<double> modules = moduleMeans(luminance);
   const double open = openIrradiance(std::span(&options_.lamp, 1));
   bool moves = passes_ == 0;
   for (Floor& floor : floors_) {
@@ -121,7 +120,7 @@ void OneLightSearch::update(std::span<const double> luminance) {
     }
     const int row = static_cast<int>(floor.submodule) / depths_.size;
     const int column = static_cast<int>(floor.submodule) % depths_.size;
-    if (seen.of(row, column) <= (1 - options_.contrast) * around) {
+    if (luminanceOf(luminance, row, column) <= (1 - options_.contrast) * around) {
       floor.state = State::Done;
       continue;
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "depth/depth_solver.h"
@@ -59,7 +58,7 @@ class OneLightSearch final : public DepthSolver {
  public:
   OneLightSearch(CarvingTarget target, const OneLightOptions& options);
 
-  void update(std::span<const double> luminance) override;
+  void update(const Grid<double>& luminance) override;
 
   bool finished() const override { return finished_; }
   int iterations() const override { return passes_; }

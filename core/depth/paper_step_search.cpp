@@ -35,10 +35,9 @@ PaperStepSearch::PaperStepSearch(CarvingTarget target, const DepthSearchOptions&
   }
 }
 
-void PaperStepSearch::update(std::span<const double> luminance) {
+void PaperStepSearch::update(const Grid<double>& luminance) {
   const int m = target_.symbol->size;
-  const SubmoduleLuminances seen(luminance, m);
-  const std::vector<double> moduleLuminance = seen.moduleMeans();
+  const Grid<double> moduleLuminance = moduleMeans(luminance);
 
   bool deepened = false;
   worstExcess_ = 0;
@@ -51,7 +50,7 @@ void PaperStepSearch::update(std::span<const double> luminance) {
       const int column = module % m * kN + k % kN;
       const auto i = static_cast<std::size_t>(row * depths_.size + column);
       if (states_[i] == DepthState::Light) continue;
-      const double now = seen.of(row, column);
+      const double now = luminanceOf(luminance, row, column);
       unchanged_[i] =
           iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
       previous_[i] = now;

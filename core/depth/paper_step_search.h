@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "depth/depth_solver.h"
@@ -31,7 +30,7 @@ class PaperStepSearch final : public DepthSolver {
  public:
   PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options);
 
-  void update(std::span<const double> luminance) override;
+  void update(const Grid<double>& luminance) override;
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }

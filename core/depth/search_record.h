@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/grid.h"
+
 namespace qrelief {
 
 /// Record of a depth search, pass by pass, for display. Only carved submodules change between passes; the lists of a
@@ -17,8 +19,7 @@ struct SearchRecord {
   std::vector<std::uint32_t> carved;  ///< submodules, row-major from the symbol's top left, ascending
   std::vector<float> limitMm;         ///< greatest depth of each
   std::vector<Pass> passes;
-  /// Luminance of every submodule of symbol and quiet zone in the last pass; row-major from the quiet zone's top left.
-  std::vector<float> luminance;
+  Grid<float> luminance;  ///< of every submodule of symbol and quiet zone in the last pass
 };
 
 }  // namespace qrelief

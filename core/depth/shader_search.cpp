@@ -42,7 +42,7 @@ ShaderSearch::ShaderSearch(CarvingTarget target, Place place) : target_(std::mov
   const SubmoduleMask& mask = *target_.mask;
   depths_ = {mask.size, target_.symbolMm, std::vector<double>(mask.carved.size(), 0)};
   const LightNeighbours neighbours(*target_.symbol);
-  const std::vector<double> modules = SubmoduleLuminances(place_.luminance, target_.symbol->size).moduleMeans();
+  const Grid<double> modules = moduleMeans(place_.luminance);
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
     if (!mask.carved[i]) continue;
     carved_.push_back(i);
@@ -134,13 +134,11 @@ std::vector<SearchRecord::Pass> ShaderSearch::advance() {
 }
 
 void ShaderSearch::take(const SearchRecord::Pass& last) {
-  constexpr int kQuiet = kN * kQuietZoneModules;
-  const int edge = depths_.size + 2 * kQuiet;
   limited_ = tooBright_ = 0;
   for (std::size_t k = 0; k < carved_.size(); ++k) {
     const int row = static_cast<int>(carved_[k]) / depths_.size, column = static_cast<int>(carved_[k]) % depths_.size;
     depths_.depthMm[carved_[k]] = inFiles(last.depthMm[k]);
-    place_.luminance[static_cast<std::size_t>((row + kQuiet) * edge + column + kQuiet)] =
+    place_.luminance.at(row + kQuietZoneSubmodules, column + kQuietZoneSubmodules) =
         static_cast<double>(last.luminance[k]);
     if (last.luminance[k] <= targets_[k].greatestFraction * targets_[k].around) continue;
     ++(last.depthMm[k] < targets_[k].limitMm - static_cast<float>(kDepthQuantumMm) / 2 ? tooBright_ : limited_);

@@ -28,7 +28,7 @@ class ShaderSearch {
     /// Computes the light; kept by reference. From now on the search sets its selected cells and its reach.
     LuminancePass* light = nullptr;
     std::vector<std::uint32_t> cells;  ///< of the carved submodules, in the order of the mask
-    std::vector<double> luminance;     ///< before carving, of symbol and quiet zone; see DepthSolver::update
+    Grid<double> luminance;            ///< before carving, of symbol and quiet zone; see DepthSolver::update
   };
 
   /// @param options  sweepsPerPass does not apply
@@ -53,7 +53,7 @@ class ShaderSearch {
   double doneFraction() const { return doneFraction_; }
   const DepthField& depths() const { return depths_; }
   /// Returns the luminances at depths(), of symbol and quiet zone; see DepthSolver::update.
-  const std::vector<double>& luminance() const { return place_.luminance; }
+  const Grid<double>& luminance() const { return place_.luminance; }
   /// See DepthSolver.
   std::size_t limitedCount() const { return limited_ + unfinishedCount(); }
   std::size_t unfinishedCount() const { return finished_ ? tooBright_ : 0; }

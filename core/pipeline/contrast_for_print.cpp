@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostTimes = 2, kMostContrast = 0.8;
 
 /// Returns the contrast of every dark module; 0 for light ones.
-std::vector<double> contrastsOf(const Symbol& symbol, const std::vector<double>& submodules) {
+std::vector<double> contrastsOf(const Symbol& symbol, const Grid<double>& submodules) {
   const ModuleReflectances seen = measureModules(symbol, submodules);
   const LightNeighbours neighbours(symbol);
   std::vector<double> contrasts(symbol.dark.size(), 0);
@@ -29,8 +29,8 @@ std::vector<double> contrastsOf(const Symbol& symbol, const std::vector<double>&
 
 }  // namespace
 
-std::vector<double> contrastForPrint(const Symbol& symbol, const std::vector<double>& designed,
-                                     const std::vector<double>& printed, double contrast) {
+std::vector<double> contrastForPrint(const Symbol& symbol, const Grid<double>& designed, const Grid<double>& printed,
+                                     double contrast) {
   const std::vector<double> target = contrastsOf(symbol, designed), has = contrastsOf(symbol, printed);
   const auto kindOf = [&](std::size_t module) {
     const int row = static_cast<int>(module) / symbol.size, column = static_cast<int>(module) % symbol.size;

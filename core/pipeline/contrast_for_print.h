@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/grid.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -20,9 +21,9 @@ inline constexpr double kPrintedShare = 2.0 / 3;
 /// separately for finders and other modules, as their patterns differ.
 ///
 /// @param designed, printed  light of the submodules of symbol and quiet zone, carved with the target `contrast`
-///                           everywhere; row-major from the quiet zone's top left, 1 = unoccluded
+///                           everywhere, 1 = unoccluded
 /// @returns row-major from the symbol's top left, for FastSearchOptions::contrastOfModule
-std::vector<double> contrastForPrint(const Symbol& symbol, const std::vector<double>& designed,
-                                     const std::vector<double>& printed, double contrast);
+std::vector<double> contrastForPrint(const Symbol& symbol, const Grid<double>& designed, const Grid<double>& printed,
+                                     double contrast);
 
 }  // namespace qrelief

@@ -62,13 +62,12 @@ std::uint32_t DepthSearchRun::cellOf(std::uint32_t submodule) const {
 }
 
 template <class Value, class Cells>
-std::vector<Value> DepthSearchRun::ofQuietZone(const Cells& cells) const {
+Grid<Value> DepthSearchRun::ofQuietZone(const Cells& cells) const {
   const int edge = CellLayout::kN * (place_.layout.modules + 2 * kQuietZoneModules);
-  std::vector<Value> picked;
-  picked.reserve(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
+  Grid<Value> picked(edge, edge);
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column)
-      picked.push_back(static_cast<Value>(cells[place_.layout.ofQuietZone(row, column)]));
+      picked.at(row, column) = static_cast<Value>(cells[place_.layout.ofQuietZone(row, column)]);
   return picked;
 }
 
@@ -103,16 +102,15 @@ void DepthSearchRun::step(SearchRecord* record) {
   const DepthField tried = record ? solver_->depths() : DepthField{};
   solver_->update(luminance_);
   if (!record) return;
-  const SubmoduleLuminances seen(luminance_, target_.symbol->size);
   SearchRecord::Pass pass;
   pass.ms = millisecondsSince(start);
   for (const std::uint32_t i : carved_) {
     const int row = static_cast<int>(i) / tried.size, column = static_cast<int>(i) % tried.size;
     pass.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
-    pass.luminance.push_back(static_cast<float>(seen.of(row, column)));
+    pass.luminance.push_back(static_cast<float>(luminanceOf(luminance_, row, column)));
   }
   record->passes.push_back(std::move(pass));
-  record->luminance.assign(luminance_.begin(), luminance_.end());
+  record->luminance = Grid<float>(luminance_);
 }
 
 void DepthSearchRun::stepOnGpu(SearchRecord* record) {
@@ -126,9 +124,9 @@ void DepthSearchRun::stepOnGpu(SearchRecord* record) {
     pass.ms = ms;
     record->passes.push_back(std::move(pass));
   }
-  record->luminance.assign(luminance_.begin(), luminance_.end());
+  record->luminance = Grid<float>(luminance_);
 }
 
-std::vector<Received> DepthSearchRun::received() const { return ofQuietZone<Received>(place_.light->received()); }
+Grid<Received> DepthSearchRun::received() const { return ofQuietZone<Received>(place_.light->received()); }
 
 }  // namespace qrelief

@@ -50,9 +50,9 @@ class DepthSearchRun {
   std::size_t limitedCount() const { return onGpu_ ? onGpu_->limitedCount() : solver_->limitedCount(); }
   std::size_t unfinishedCount() const { return onGpu_ ? onGpu_->unfinishedCount() : solver_->unfinishedCount(); }
   /// Returns the luminances of the last pass, of symbol and quiet zone; see DepthSolver::update.
-  const std::vector<double>& luminance() const { return luminance_; }
+  const Grid<double>& luminance() const { return luminance_; }
   /// Returns the light that makes this luminance, in the same order.
-  std::vector<Received> received() const;
+  Grid<Received> received() const;
 
  private:
   DepthSearchRun(const EngraveRequest& request, CarvingTarget target, Place place);
@@ -62,9 +62,9 @@ class DepthSearchRun {
   std::vector<float> measured();
   double reachMm(double deepestMm) const;
   std::uint32_t cellOf(std::uint32_t submodule) const;
-  /// Picks the cells of symbol and quiet zone, row by row from the top left.
+  /// Picks the cells of symbol and quiet zone.
   template <class Value, class Cells>
-  std::vector<Value> ofQuietZone(const Cells& cells) const;
+  Grid<Value> ofQuietZone(const Cells& cells) const;
 
   const EngraveRequest& request_;
   CarvingTarget target_;
@@ -72,7 +72,7 @@ class DepthSearchRun {
   std::vector<std::uint32_t> carved_;    // indices in the mask
   std::unique_ptr<DepthSolver> solver_;  // null: the GPU searches
   std::unique_ptr<ShaderSearch> onGpu_;
-  std::vector<double> luminance_;
+  Grid<double> luminance_;
 };
 
 }  // namespace qrelief

@@ -104,7 +104,7 @@ Result<StageStep> EngraveJob::State::view() {
   options.albedo = request.surfaceAlbedo();
   options.lights = request.lamps();
   // A body with its inlay has the surface of the model.
-  std::vector<float> luminance =
+  BottomUp<float> luminance =
       meshLuminance(request.marking.mark == Mark::Inlay ? model->prepared.mesh : result.mesh, placement.frame,
                     {.pixels = options.texels,
                      .pixelMm = placement.moduleMm / pixels,

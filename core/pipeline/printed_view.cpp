@@ -72,7 +72,7 @@ struct PrintedViewJob::State {
   const Mesh& shape();
   Result<StageStep> print();
   Result<StageStep> light();
-  void addInk(std::vector<float>& luminance, const PictureGrid& grid) const;
+  void addInk(BottomUp<float>& luminance, const PictureGrid& grid) const;
 };
 
 /// Weights are in relation to each other, on the page's samples.
@@ -111,7 +111,7 @@ Result<StageStep> PrintedViewJob::State::print() {
 }
 
 /// Multiplies a picture by the reflectances of the printed materials.
-void PrintedViewJob::State::addInk(std::vector<float>& luminance, const PictureGrid& grid) const {
+void PrintedViewJob::State::addInk(BottomUp<float>& luminance, const PictureGrid& grid) const {
   if (request.mark == Mark::Shadow) return;
   InkMap(printedInk({.process = request.process,
                      .symbol = marked,
@@ -141,9 +141,9 @@ Result<StageStep> PrintedViewJob::State::light() {
     seen.luminance = litPicture(printed, luminance, grid, kBackground);
     addInk(seen.luminance, grid);
     seen.pixelsPerModule = kBakedPixels;
-    seen.clean = photograph(seen.luminance, grid.pixels);
+    seen.clean = photograph(seen.luminance);
   }
-  std::vector<float> open = litPicture(printed, luminance, grid, 1);
+  BottomUp<float> open = litPicture(printed, luminance, grid, 1);
   addInk(open, grid);
   result.submodules = submoduleMeans(open, request.symbol.size);
   const bool isInverted = request.mark != Mark::Shadow && request.ink.isInverted();

@@ -35,10 +35,9 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 struct PrintedView {
   ReaderView seen;  ///< from the front, under the sky or the one light, traced on the printed surface; no `picture`;
                     ///< empty for a rough print
-  double facingDeg = 0;  ///< from the printer's vertical to the code's normal: 0 = faces up, 90 = upright
-  /// Mean light of the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
-  std::vector<double> submodules;
-  std::vector<std::uint8_t> misread;  ///< see misreadModules(): modules lost in print
+  double facingDeg = 0;        ///< from the printer's vertical to the code's normal: 0 = faces up, 90 = upright
+  Grid<double> submodules;     ///< mean light in symbol and quiet zone, 1 = unoccluded
+  Grid<std::uint8_t> misread;  ///< see misreadModules(): modules lost in print
 };
 
 /// Simulates the printed surface of a carved model (printing/printed_surface.h) and views it, a bounded piece of work

@@ -18,22 +18,19 @@ constexpr double kPercentile = 0.98;
 double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules, int ring) {
   assert(modules > 0 && ring >= 0);
   const int edge = modules + 2 * (ring + kNeighbours), pixels = kPixels * edge;
-  const std::vector<float> picture =
+  const BottomUp<float> picture =
       meshLuminance(mesh, frame, {.pixels = pixels, .pixelMm = symbolMm / modules / kPixels, .nearMm = symbolMm});
-  std::vector<float> means(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 0.0f);
-  const auto module = [&](int column, int row) { return static_cast<std::size_t>(row * edge + column); };
+  BottomUp<float> means(edge, edge);
   for (int y = 0; y < pixels; ++y)
-    for (int x = 0; x < pixels; ++x)
-      means[module(x / kPixels, y / kPixels)] +=
-          picture[static_cast<std::size_t>(y * pixels + x)] / (kPixels * kPixels);
+    for (int x = 0; x < pixels; ++x) means.at(y / kPixels, x / kPixels) += picture.at(y, x) / (kPixels * kPixels);
   std::vector<float> darker;
   for (int row = kNeighbours; row < edge - kNeighbours; ++row)
     for (int column = kNeighbours; column < edge - kNeighbours; ++column) {
       float brightest = 0;
       for (int r = row - kNeighbours; r <= row + kNeighbours; ++r)
         for (int c = column - kNeighbours; c <= column + kNeighbours; ++c)
-          brightest = std::max(brightest, means[module(c, r)]);
-      darker.push_back(1 - means[module(column, row)] / brightest);
+          brightest = std::max(brightest, means.at(r, c));
+      darker.push_back(1 - means.at(row, column) / brightest);
     }
   const auto at = darker.begin() + static_cast<std::ptrdiff_t>(kPercentile * static_cast<double>(darker.size() - 1));
   std::nth_element(darker.begin(), at, darker.end());

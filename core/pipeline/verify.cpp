@@ -265,13 +265,13 @@ void VerifyJob::State::lightMesh() {
                                .pixelMm = light->options().texelMm,
                                .nearMm = kPictureMarginModules * moduleMm(),
                                .albedo = request.albedo};
-  const std::vector<float> sky = meshLuminance(mesh, request.frame, options);
-  std::vector<SurfaceLight> texels;
-  for (const float luminance : sky) texels.push_back({static_cast<double>(luminance), 0});
+  const BottomUp<float> sky = meshLuminance(mesh, request.frame, options);
+  BottomUp<SurfaceLight> texels(sky.rows(), sky.columns());
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].sky = static_cast<double>(sky[i]);
   if (light->options().lamp.strength > 0) {
     options.lamps = {request.oneLight.value_or(kRoomLamp)};
     options.lampRadiusDeg = light->options().lamp.radiusDeg;
-    const std::vector<float> all = meshLuminance(mesh, request.frame, options);
+    const BottomUp<float> all = meshLuminance(mesh, request.frame, options);
     for (std::size_t i = 0; i < texels.size(); ++i)
       texels[i].lamp = static_cast<double>(all[i]) * light->openLight() - texels[i].sky;
   }
@@ -279,9 +279,9 @@ void VerifyJob::State::lightMesh() {
 }
 
 SymbolGrades VerifyJob::State::gradeInk() const {
-  std::vector<float> luminance;
-  for (const SurfaceLight& texel : light->light())
-    luminance.push_back(texel.sky < 0 ? 1 : static_cast<float>(texel.sky));
+  BottomUp<float> luminance(light->options().texels, light->options().texels, 1);
+  for (std::size_t i = 0; i < luminance.size(); ++i)
+    if (light->light()[i].sky >= 0) luminance[i] = static_cast<float>(light->light()[i].sky);
   InkMap(marked, request.symbolMm, request.ink).apply(luminance, light->options().texelMm);
   return gradeSymbol(
       measureModules(request.symbol, withoutInversion(submoduleMeans(luminance, request.symbol.size), request.ink)),

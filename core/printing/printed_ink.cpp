@@ -21,12 +21,11 @@ constexpr int kRingPixels = 1500;  // along the edge of the picture of the outli
 
 /// A square grid whose rows are horizontal in the printer, centred on the code.
 struct Nodes {
-  int edge = 0;
   double stepMm = 0;
-  std::vector<std::uint8_t> dark;
+  BottomUp<std::uint8_t> dark;
 
-  Vec2 at(int column, int row) const { return stepMm * (Vec2(column, row) + 0.5 - edge / 2.0); }
-  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * edge + column); }
+  int edge() const { return dark.rows(); }
+  Vec2 at(int column, int row) const { return stepMm * (Vec2(column, row) + 0.5 - edge() / 2.0); }
 };
 
 /// How the QR plane lies in the printer.
@@ -89,17 +88,13 @@ Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope, double pi
   const double shownMm = request.around.empty() ? request.symbolMm : std::max(request.symbolMm, pictureMm);
   const double edgeMm = std::numbers::sqrt2 * shownMm + 4 * lineMm;
   const Around around(request.around, edgeMm);
-  Nodes nodes;
-  nodes.edge = static_cast<int>(std::ceil(std::min(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
-  nodes.stepMm = edgeMm / nodes.edge;
-  nodes.dark.resize(static_cast<std::size_t>(nodes.edge) * static_cast<std::size_t>(nodes.edge));
-  parallelFor(static_cast<std::size_t>(nodes.edge), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
-    for (int column = 0; column < nodes.edge; ++column) {
+  const int edge = static_cast<int>(std::ceil(std::min(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
+  Nodes nodes{edgeMm / edge, {edge, edge}};
+  parallelFor(edge, [&](int row) {
+    for (int column = 0; column < edge; ++column) {
       const Vec2 at = nodes.at(column, row);
       const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.visiblePlace(at.y, request.process.layerMm);
-      nodes.dark[nodes.index(column, row)] =
-          isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane);
+      nodes.dark.at(row, column) = isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane);
     }
   });
   return nodes;
@@ -107,44 +102,42 @@ Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope, double pi
 
 /// Returns the nodes around which an ellipse holds nothing but `value` [erosion].
 /// @param halfWidths  of the ellipse in each row from its middle, in nodes
-std::vector<std::uint8_t> eroded(const Nodes& nodes, const std::vector<std::uint8_t>& map, std::uint8_t value,
-                                 const std::vector<int>& halfWidths) {
-  const int edge = nodes.edge, reach = static_cast<int>(halfWidths.size()) - 1;
+BottomUp<std::uint8_t> eroded(const BottomUp<std::uint8_t>& map, std::uint8_t value,
+                              const std::vector<int>& halfWidths) {
+  const int edge = map.rows(), reach = static_cast<int>(halfWidths.size()) - 1;
   // Distance along the row to the nearest other value; beyond the edge lies the body.
-  std::vector<int> clear(map.size());
+  BottomUp<int> clear(edge, edge);
   const int beyond = value == 0 ? edge : 0;
-  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
+  parallelFor(edge, [&](int row) {
     int last = beyond;
     for (int column = 0; column < edge; ++column) {
-      last = map[nodes.index(column, row)] == value ? last + 1 : 0;
-      clear[nodes.index(column, row)] = last;
+      last = map.at(row, column) == value ? last + 1 : 0;
+      clear.at(row, column) = last;
     }
     last = beyond;
     for (int column = edge - 1; column >= 0; --column) {
-      last = map[nodes.index(column, row)] == value ? last + 1 : 0;
-      clear[nodes.index(column, row)] = std::min(clear[nodes.index(column, row)], last);
+      last = map.at(row, column) == value ? last + 1 : 0;
+      clear.at(row, column) = std::min(clear.at(row, column), last);
     }
   });
-  std::vector<std::uint8_t> result(map.size());
-  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
+  BottomUp<std::uint8_t> result(edge, edge);
+  parallelFor(edge, [&](int row) {
     for (int column = 0; column < edge; ++column) {
       bool isWhole = true;
       for (int k = -reach; k <= reach && isWhole; ++k) {
         if (row + k < 0 || row + k >= edge) continue;
-        isWhole = clear[nodes.index(column, row + k)] > halfWidths[static_cast<std::size_t>(std::abs(k))];
+        isWhole = clear.at(row + k, column) > halfWidths[std::abs(k)];
       }
-      result[nodes.index(column, row)] = isWhole;
+      result.at(row, column) = isWhole;
     }
   });
   return result;
 }
 
 /// Returns the nodes of one value that a line of an ellipse's outline covers without leaving them [opening].
-std::vector<std::uint8_t> opened(const Nodes& nodes, std::uint8_t value, const std::vector<int>& halfWidths) {
-  const std::vector<std::uint8_t> middles = eroded(nodes, nodes.dark, value, halfWidths);
-  std::vector<std::uint8_t> covered = eroded(nodes, middles, 0, halfWidths);  // dilation of the complement's
+BottomUp<std::uint8_t> opened(const Nodes& nodes, std::uint8_t value, const std::vector<int>& halfWidths) {
+  const BottomUp<std::uint8_t> middles = eroded(nodes.dark, value, halfWidths);
+  BottomUp<std::uint8_t> covered = eroded(middles, 0, halfWidths);  // dilation of the complement's
   for (std::uint8_t& node : covered) node = !node;
   return covered;
 }
@@ -161,22 +154,21 @@ std::vector<int> lineOutline(const Nodes& nodes, double radiusMm, double cosine)
 }
 
 /// Blurs along the rows and transposes; two calls blur both ways.
-std::vector<float> blurredAcross(const std::vector<float>& map, int edge, double sigma) {
+BottomUp<float> blurredAcross(const BottomUp<float>& map, double sigma) {
+  const int edge = map.rows();
   const int reach = static_cast<int>(std::ceil(kBlurReach * sigma));
   std::vector<float> weights;
   double sum = 0;
   for (int k = -reach; k <= reach; ++k) sum += std::exp(-k * k / (2 * sigma * sigma));
   for (int k = -reach; k <= reach; ++k)
     weights.push_back(static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)) / sum));
-  std::vector<float> blurred(map.size());
-  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
+  BottomUp<float> blurred(edge, edge);
+  parallelFor(edge, [&](int row) {
     for (int column = 0; column < edge; ++column) {
       float value = 0;
       for (int k = -reach; k <= reach; ++k)
-        value += weights[static_cast<std::size_t>(k + reach)] *
-                 map[static_cast<std::size_t>(row * edge + std::clamp(column + k, 0, edge - 1))];
-      blurred[static_cast<std::size_t>(column * edge + row)] = value;
+        value += weights[k + reach] * map.at(row, std::clamp(column + k, 0, edge - 1));
+      blurred.at(column, row) = value;
     }
   });
   return blurred;
@@ -184,32 +176,31 @@ std::vector<float> blurredAcross(const std::vector<float>& map, int edge, double
 
 }  // namespace
 
-std::vector<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid) {
+BottomUp<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid) {
   const Slope slope(request);
   const Nodes nodes = slicedCode(request, slope, grid.pixelMm * grid.pixels);
   const std::vector<int> line = lineOutline(nodes, request.process.cornerRadiusMm, slope.cosine);
-  const std::vector<std::uint8_t> dark = opened(nodes, 1, line), light = opened(nodes, 0, line);
-  std::vector<float> shares(nodes.dark.size());
+  const BottomUp<std::uint8_t> dark = opened(nodes, 1, line), light = opened(nodes, 0, line);
+  BottomUp<float> shares(nodes.edge(), nodes.edge());
   for (std::size_t k = 0; k < shares.size(); ++k)
     shares[k] = nodes.dark[k] ? static_cast<float>(dark[k]) : static_cast<float>(!light[k]);
   const double sigma = kBleedLines * 2 * request.process.cornerRadiusMm / nodes.stepMm;
-  shares = blurredAcross(blurredAcross(shares, nodes.edge, sigma), nodes.edge, sigma);
+  shares = blurredAcross(blurredAcross(shares, sigma), sigma);
 
-  std::vector<float> picture(static_cast<std::size_t>(grid.pixels) * static_cast<std::size_t>(grid.pixels));
-  parallelFor(static_cast<std::size_t>(grid.pixels), [&](std::size_t y) {
+  BottomUp<float> picture(grid.pixels, grid.pixels);
+  parallelFor(grid.pixels, [&](int row) {
     for (int column = 0; column < grid.pixels; ++column) {
       float sum = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
         const int right = k % kSamples, above = k / kSamples;
-        const Vec2 pixel(column + (right + 0.5) / kSamples, static_cast<double>(y) + (above + 0.5) / kSamples);
+        const Vec2 pixel(column + (right + 0.5) / kSamples, row + (above + 0.5) / kSamples);
         const Vec2 onPlane = grid.pixelMm * (pixel - grid.pixels / 2.0);
         const Vec2 node =
-            Vec2(glm::dot(onPlane, slope.across), glm::dot(onPlane, slope.uphill)) / nodes.stepMm + nodes.edge / 2.0;
-        if (!(node.x >= 0 && node.y >= 0 && node.x < nodes.edge && node.y < nodes.edge)) continue;
-        sum += shares[nodes.index(static_cast<int>(node.x), static_cast<int>(node.y))];
+            Vec2(glm::dot(onPlane, slope.across), glm::dot(onPlane, slope.uphill)) / nodes.stepMm + nodes.edge() / 2.0;
+        if (!(node.x >= 0 && node.y >= 0 && node.x < nodes.edge() && node.y < nodes.edge())) continue;
+        sum += shares.at(static_cast<int>(node.y), static_cast<int>(node.x));
       }
-      picture[y * static_cast<std::size_t>(grid.pixels) + static_cast<std::size_t>(column)] =
-          sum / (kSamples * kSamples);
+      picture.at(row, column) = sum / (kSamples * kSamples);
     }
   });
   return picture;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/grid.h"
 #include "label/text_outline.h"
 #include "math/frame.h"
 #include "printing/print_process.h"
@@ -39,8 +40,8 @@ struct InkGrid {
 ///   assumption; we know of no measurement.
 ///
 /// Cost: O(pixels² · line/pixel), some 20 ms for a code of 29 modules.
-/// @returns 0 … 1, row 0 at the bottom
-std::vector<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid);
+/// @returns 0 … 1
+BottomUp<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid);
 
 /// Standard deviation of the border between two materials, in line widths.
 inline constexpr double kBleedLines = 0.15;

@@ -12,6 +12,9 @@ namespace qrelief {
 /// Submodules along a module's edge [Papp 2022, §5].
 inline constexpr int kSubmodulesPerModule = 5;
 
+/// The same for the quiet zone on each side.
+inline constexpr int kQuietZoneSubmodules = kSubmodulesPerModule * kQuietZoneModules;
+
 /// The carved submodules of a dark module [Papp 2022, §6, figure 7].
 ///
 ///     None     Square   ThinPlus Diamond  ThickPlus

@@ -35,11 +35,12 @@ bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {
 }  // namespace
 
 BakedLight::BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options)
-    : surface_(&surface), frame_(frame), options_(options) {
+    : surface_(&surface),
+      frame_(frame),
+      options_(options),
+      texels_(options.texels, options.texels),
+      light_(options.texels, options.texels, {-1, -1}) {
   assert(options.texels > 2 * options.border && options.border >= 0 && options.paths > 0 && options.texelMm > 0);
-  const std::size_t count = static_cast<std::size_t>(options.texels) * static_cast<std::size_t>(options.texels);
-  texels_.resize(count);
-  light_.resize(count, {-1, -1});
 }
 
 SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int column) const {
@@ -60,60 +61,52 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int 
   return {sum.sky / options_.paths, sum.lamp / options_.paths};
 }
 
-void BakedLight::bakeTexel(std::size_t texel) {
-  const auto edge = static_cast<std::size_t>(options_.texels);
+void BakedLight::bakeTexel(int row, int column) {
   const double middle = options_.texels / 2.0;
-  const std::size_t row = texel / edge, column = texel % edge;
-  const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * options_.texelMm,
-                (static_cast<double>(row) + 0.5 - middle) * options_.texelMm};
+  const Vec2 at{(column + 0.5 - middle) * options_.texelMm, (row + 0.5 - middle) * options_.texelMm};
   const Vec3 ray = frame_.rayDirection(at);
   const auto hit = surface_->firstHit(frame_.eye(), ray);
   if (!hit) return;
   const Vec3 normal = surface_->normalAt(*hit);
-  texels_[texel] = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
-  if (options_.isTraced) light_[texel] = traced(*hit, ray, static_cast<int>(row), static_cast<int>(column));
+  texels_.at(row, column) = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
+  if (options_.isTraced) light_.at(row, column) = traced(*hit, ray, row, column);
 }
 
 bool BakedLight::bakeRows(int rows) {
-  const int end = std::min(options_.texels, baked_ + rows);
-  const auto edge = static_cast<std::size_t>(options_.texels);
-  parallelFor(static_cast<std::size_t>(end - baked_), [&](std::size_t i) {
-    const std::size_t row = static_cast<std::size_t>(baked_) + i;
-    const auto border = static_cast<std::size_t>(options_.border);
-    if (row < border || row >= edge - border) return;
-    for (std::size_t column = border; column < edge - border; ++column) bakeTexel(row * edge + column);
+  const int end = std::min(options_.texels, baked_ + rows), last = options_.texels - options_.border;
+  parallelFor(end - baked_, [&](int i) {
+    const int row = baked_ + i;
+    if (row < options_.border || row >= last) return;
+    for (int column = options_.border; column < last; ++column) bakeTexel(row, column);
   });
   baked_ = end;
   return baked_ == options_.texels;
 }
 
-void BakedLight::setLight(std::vector<SurfaceLight> light) {
+void BakedLight::setLight(BottomUp<SurfaceLight> light) {
   assert(baked_ == options_.texels && light.size() == light_.size());
   for (std::size_t texel = 0; texel < light.size(); ++texel)
     light_[texel] = texels_[texel].normal == Vec3(0) ? SurfaceLight{-1, -1} : light[texel];
 }
 
 void BakedLight::smooth() {
-  const int edge = options_.texels;
-  const std::vector<SurfaceLight> before = light_;
-  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
-    for (int column = 0; column < edge; ++column) {
-      const auto texel = static_cast<std::size_t>(row * edge + column);
-      if (texels_[texel].normal == Vec3(0)) continue;
+  const BottomUp<SurfaceLight> before = light_;
+  parallelFor(options_.texels, [&](int row) {
+    for (int column = 0; column < options_.texels; ++column) {
+      const Texel& a = texels_.at(row, column);
+      if (a.normal == Vec3(0)) continue;
       SurfaceLight sum;
       int count = 0;
       for (int k = 0; k < 9; ++k) {
         const int r = row + k / 3 - 1, c = column + k % 3 - 1;
-        if (r < 0 || c < 0 || r >= edge || c >= edge) continue;
-        const auto other = static_cast<std::size_t>(r * edge + c);
-        const Texel &a = texels_[texel], &b = texels_[other];
+        if (!texels_.contains(r, c)) continue;
+        const Texel& b = texels_.at(r, c);
         if (!sameFloor(a.position, a.normal, b.position, b.normal, options_.texelMm)) continue;
-        sum.sky += before[other].sky;
-        sum.lamp += before[other].lamp;
+        sum.sky += before.at(r, c).sky;
+        sum.lamp += before.at(r, c).lamp;
         ++count;
       }
-      if (count > 0) light_[texel] = {sum.sky / count, sum.lamp / count};
+      if (count > 0) light_.at(row, column) = {sum.sky / count, sum.lamp / count};
     }
   });
 }
@@ -123,8 +116,7 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int
     const Vec2 place = frame_.project(at.position) / options_.texelMm + Vec2(options_.texels / 2.0);
     const double x = std::floor(place.x), y = std::floor(place.y);
     if (x >= 0 && y >= 0 && x < options_.texels && y < options_.texels) {
-      const auto texel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.texels) + static_cast<std::size_t>(x);
+      const std::size_t texel = texels_.index(static_cast<int>(y), static_cast<int>(x));
       const Texel& baked = texels_[texel];
       const bool near = glm::length(baked.position - at.position) < kNearTexels * options_.texelMm;
       const Vec3 normal = surface_->normalAt(at);
@@ -136,22 +128,19 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int
 
 LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm, const InkMap* ink) const {
   assert(baked_ == options_.texels);
-  const std::size_t count = static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels);
   const float addedBackground = kBackground * static_cast<float>(openLight() - 1);
-  LinearPicture picture{texels, std::vector<float>(count, kBackground), std::vector<float>(count, addedBackground)};
-  parallelFor(static_cast<std::size_t>(texels), [&](std::size_t row) {
-    for (std::size_t column = 0; column < static_cast<std::size_t>(texels); ++column) {
+  LinearPicture picture{{texels, texels, kBackground}, {texels, texels, addedBackground}};
+  parallelFor(texels, [&](int row) {
+    for (int column = 0; column < texels; ++column) {
       const double middle = texels / 2.0;
-      const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * texelMm,
-                    (static_cast<double>(row) + 0.5 - middle) * texelMm};
+      const Vec2 at{(column + 0.5 - middle) * texelMm, (row + 0.5 - middle) * texelMm};
       const Vec3 ray = camera.rayDirection(at);
       const auto hit = surface_->firstHit(camera.eye(), ray);
       if (!hit) continue;
-      const std::size_t pixel = row * static_cast<std::size_t>(texels) + column;
-      const SurfaceLight light = lightAt(*hit, ray, static_cast<int>(row), static_cast<int>(column));
+      const SurfaceLight light = lightAt(*hit, ray, row, column);
       const float factor = ink ? ink->factor(frame_.project(hit->position)) : 1.0f;
-      picture.sky[pixel] = factor * static_cast<float>(light.sky);
-      picture.added[pixel] = factor * static_cast<float>(light.lamp);
+      picture.sky.at(row, column) = factor * static_cast<float>(light.sky);
+      picture.added.at(row, column) = factor * static_cast<float>(light.lamp);
     }
   });
   return picture;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <vector>
-
+#include "base/grid.h"
 #include "math/frame.h"
 #include "verification/ink.h"
 #include "verification/light_path.h"
@@ -32,12 +30,11 @@ struct BakeOptions {
 /// Luminance of the background, as a fraction of an unoccluded surface's luminance.
 inline constexpr float kBackground = 0.35f;
 
-/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. Pixels off the model have
-/// kBackground of the open light.
+/// Square linear picture, 1 = an unoccluded surface under the sky alone. Pixels off the model have kBackground of the
+/// open light.
 struct LinearPicture {
-  int width = 0;             ///< = height
-  std::vector<float> sky;    ///< light of the sky
-  std::vector<float> added;  ///< light added by the lamp
+  BottomUp<float> sky;    ///< light of the sky
+  BottomUp<float> added;  ///< light added by the lamp
 };
 
 /// The light on a carved surface, path-traced once on the mesh itself and valid from every side. A matte surface looks
@@ -56,7 +53,7 @@ class BakedLight {
   bool bakeRows(int rows);
 
   /// Sets the light of every texel if BakeOptions::isTraced is off. Call it after the last row.
-  void setLight(std::vector<SurfaceLight> light);
+  void setLight(BottomUp<SurfaceLight> light);
 
   /// Averages each texel with its neighbours on the same floor, which leaves a third of the noise. Call it once, after
   /// the last row.
@@ -68,8 +65,8 @@ class BakedLight {
   /// @param ink     of a code in colour; null: the surface has one material
   LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm, const InkMap* ink = nullptr) const;
 
-  /// Returns the light of the baked square, row-major from the lower left; negative where rays miss the model.
-  const std::vector<SurfaceLight>& light() const { return light_; }
+  /// Returns the light of the baked square; negative where rays miss the model.
+  const BottomUp<SurfaceLight>& light() const { return light_; }
   const BakeOptions& options() const { return options_; }
   /// Returns the light of an unoccluded surface in the QR plane under sky and lamp.
   double openLight() const;
@@ -80,15 +77,15 @@ class BakedLight {
     Vec3 normal{0};  ///< 0: the ray misses the model
   };
 
-  void bakeTexel(std::size_t texel);
+  void bakeTexel(int row, int column);
   SurfaceLight traced(const SurfacePoint& at, Vec3 seen, int row, int column) const;
   SurfaceLight lightAt(const SurfacePoint& at, Vec3 seen, int row, int column) const;
 
   const RaySurface* surface_;
   ProjectionFrame frame_;
   BakeOptions options_;
-  std::vector<Texel> texels_;
-  std::vector<SurfaceLight> light_;
+  BottomUp<Texel> texels_;
+  BottomUp<SurfaceLight> light_;
   int baked_ = 0;
 };
 

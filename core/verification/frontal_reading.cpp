@@ -15,7 +15,7 @@ constexpr double kNoise = 0.02;
 
 }  // namespace
 
-std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int width, double pixelsPerModule) {
+std::vector<GreyImage> frontalPictures(const BottomUp<float>& luminance, double pixelsPerModule) {
   std::array<std::vector<GreyImage>, kFrontalViews.size()> variants;
   parallelFor(kFrontalViews.size(), [&](std::size_t k) {
     const FrontalView& view = kFrontalViews[k];
@@ -23,7 +23,7 @@ std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int 
     const double coarser = std::max(1.0, pixelsPerModule / std::min(pixels, view.pixelsPerModule));
     const double drawnPixels = pixelsPerModule / coarser;
     const GreyImage picture = photograph(
-        resampled(luminance, width, coarser, view.phase), resampledWidth(width, coarser),
+        resampled(luminance, coarser, view.phase),
         {.blurPx = view.blurModules * drawnPixels, .noise = kNoise, .strayLight = kStrayLight, .seed = k + 1});
     variants[k] = readingVariants(picture, drawnPixels);
   });

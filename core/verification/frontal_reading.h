@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/grid.h"
 #include "math/vec.h"
 #include "verification/decoder.h"
 
@@ -40,8 +41,8 @@ struct ReadingCount {
 
 /// Returns the pictures to decode: every view of kFrontalViews in every variant of verification/reading_variants.h. A
 /// view finer than the luminance uses the luminance as it is.
-/// @param luminance        linear, width² values, row 0 at the bottom
+/// @param luminance        linear, square
 /// @param pixelsPerModule  resolution of the luminance, > 0
-std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int width, double pixelsPerModule);
+std::vector<GreyImage> frontalPictures(const BottomUp<float>& luminance, double pixelsPerModule);
 
 }  // namespace qrelief

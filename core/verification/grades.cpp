@@ -79,17 +79,14 @@ bool isFinderOrSeparatorOf(const Symbol& symbol, int corner, int row, int column
 }
 
 /// Returns the least grade of finder patterns, timing and alignment [ISO/IEC 18004, annex on symbol quality].
-Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& wrong) {
-  const auto isWrong = [&](int row, int column) {
-    return wrong[static_cast<std::size_t>(row * symbol.size + column)] != 0;
-  };
+Grade fixedPatternDamage(const Symbol& symbol, const Grid<std::uint8_t>& wrong) {
   std::array<int, 3> finder{};
   int timing = 0, timingWrong = 0, alignmentModules = 0, all = 0;
   std::vector<std::pair<int, int>> alignmentWrong;
   for (int row = 0; row < symbol.size; ++row) {
     for (int column = 0; column < symbol.size; ++column) {
       const ModuleRole role = symbol.role(row, column);
-      const bool bad = isWrong(row, column);
+      const bool bad = wrong.at(row, column) != 0;
       for (int corner = 0; corner < 3; ++corner)
         finder[static_cast<std::size_t>(corner)] += bad && isFinderOrSeparatorOf(symbol, corner, row, column);
       timing += role == ModuleRole::Timing;
@@ -121,11 +118,11 @@ Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& 
 
 /// Grades format and version information. Each copy gets 4 less its wrong bits; the mean of both copies is rounded, and
 /// the worse of format and version counts.
-Grade formatInformation(const Symbol& symbol, const std::vector<std::uint8_t>& wrong) {
+Grade formatInformation(const Symbol& symbol, const Grid<std::uint8_t>& wrong) {
   std::array<int, 2> format{}, version{};
   for (int row = 0; row < symbol.size; ++row) {
     for (int column = 0; column < symbol.size; ++column) {
-      if (!wrong[static_cast<std::size_t>(row * symbol.size + column)]) continue;
+      if (!wrong.at(row, column)) continue;
       const ModuleRole role = symbol.role(row, column);
       const bool first = row < 9 && column < 9;
       if (role == ModuleRole::Format) ++format[first ? 0 : 1];
@@ -164,13 +161,12 @@ Extremes extremesOf(const ModuleReflectances& measured) {
 }
 
 /// Returns the modules on the wrong side of the threshold.
-std::vector<std::uint8_t> wrongModules(const ModuleReflectances& measured, double threshold) {
+Grid<std::uint8_t> wrongModules(const ModuleReflectances& measured, double threshold) {
   const Symbol& symbol = *measured.symbol;
-  std::vector<std::uint8_t> wrong;
-  wrong.reserve(symbol.dark.size());
+  Grid<std::uint8_t> wrong(symbol.size, symbol.size);
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column)
-      wrong.push_back((measured.at(row, column) < threshold) != symbol.isDark(row, column));
+      wrong.at(row, column) = (measured.at(row, column) < threshold) != symbol.isDark(row, column);
   return wrong;
 }
 
@@ -206,7 +202,7 @@ void gradeIso15415(SymbolGrades& grades, const ModuleReflectances& measured, con
                    const Extremes& e, double white) {
   const double contrast = e.brightest - e.darkest;
   const double threshold = (e.brightest + e.darkest) / 2;
-  const std::vector<std::uint8_t> wrong = wrongModules(measured, threshold);
+  const Grid<std::uint8_t> wrong = wrongModules(measured, threshold);
   std::vector<double> modulation = symbolValues(measured);
   for (double& m : modulation) m = contrast > 0 ? 2 * std::abs(m - threshold) / contrast : 0;
   grades.symbolContrast = graded(contrast * white, kSymbolContrast);
@@ -223,7 +219,7 @@ void gradeIso29158(SymbolGrades& grades, const ModuleReflectances& measured, con
     const double reach = m >= threshold ? e.meanLight - threshold : threshold - e.meanDark;
     m = reach > 0 ? std::abs(m - threshold) / reach : 0;
   }
-  const std::vector<std::uint8_t> wrong = wrongModules(measured, threshold);
+  const Grid<std::uint8_t> wrong = wrongModules(measured, threshold);
   for (std::size_t i = 0; i < modulation.size(); ++i)
     if (wrong[i]) modulation[i] = 0;
   grades.cellContrast = graded(e.meanLight > 0 ? (e.meanLight - e.meanDark) / e.meanLight : 0, kCellContrast);
@@ -232,24 +228,23 @@ void gradeIso29158(SymbolGrades& grades, const ModuleReflectances& measured, con
 
 }  // namespace
 
-std::vector<std::uint8_t> misreadModules(const ModuleReflectances& measured) {
+Grid<std::uint8_t> misreadModules(const ModuleReflectances& measured) {
   return wrongModules(measured, separation(symbolValues(measured)));
 }
 
-ModuleReflectances measureModules(const Symbol& symbol, const std::vector<double>& submodules) {
+ModuleReflectances measureModules(const Symbol& symbol, const Grid<double>& submodules) {
   const int edge = symbol.size + 2 * kQuietZoneModules;
-  assert(submodules.size() == static_cast<std::size_t>(edge * edge * kN * kN));
-  ModuleReflectances measured{&symbol, {}};
-  measured.values.reserve(static_cast<std::size_t>(edge * edge));
+  assert(submodules.rows() == edge * kN);
+  ModuleReflectances measured{&symbol, {edge, edge}};
   for (int row = 0; row < edge; ++row) {
     for (int column = 0; column < edge; ++column) {
       double sum = 0, weights = 0;
       for (int k = 0; k < kN * kN; ++k) {
         const double weight = kAperture[static_cast<std::size_t>(k / kN)] * kAperture[static_cast<std::size_t>(k % kN)];
-        sum += weight * submodules[static_cast<std::size_t>((row * kN + k / kN) * edge * kN + column * kN + k % kN)];
+        sum += weight * submodules.at(row * kN + k / kN, column * kN + k % kN);
         weights += weight;
       }
-      measured.values.push_back(sum / weights);
+      measured.values.at(row, column) = sum / weights;
     }
   }
   return measured;
@@ -260,10 +255,10 @@ SymbolGrades gradeSymbol(const ModuleReflectances& measured, double white) {
   const CodewordLayout layout = layoutCodewords(symbol);
   const Extremes extremes = extremesOf(measured);
   const double threshold = separation(symbolValues(measured));
-  const std::vector<std::uint8_t> wrong = wrongModules(measured, threshold);
+  const Grid<std::uint8_t> wrong = wrongModules(measured, threshold);
 
   SymbolGrades grades;
-  const double unused = unusedCorrection(layout, wrong);
+  const double unused = unusedCorrection(layout, wrong.values());
   grades.decode = {unused >= 0 ? 1.0 : 0.0, unused >= 0 ? 4.0 : 0.0};
   grades.unusedCorrection = graded(std::max(0.0, unused), kUnusedCorrection);
   grades.fixedPatternDamage = fixedPatternDamage(symbol, wrong);

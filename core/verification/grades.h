@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <vector>
-
+#include "base/grid.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -11,22 +9,19 @@ namespace qrelief {
 /// width.
 struct ModuleReflectances {
   const Symbol* symbol = nullptr;
-  std::vector<double> values;  ///< linear, 0 … 1; symbol and quiet zone, row-major from the quiet zone's top left
+  Grid<double> values;  ///< linear, 0 … 1; symbol and quiet zone
 
-  double at(int row, int column) const {
-    const int edge = symbol->size + 2 * kQuietZoneModules;
-    return values[static_cast<std::size_t>((row + kQuietZoneModules) * edge + column + kQuietZoneModules)];
-  }
+  double at(int row, int column) const { return values.at(row + kQuietZoneModules, column + kQuietZoneModules); }
 };
 
 /// Averages submodules over the aperture of each module.
-/// @param submodules  linear; symbol and quiet zone, 5 × 5 per module, row-major from the quiet zone's top left
-ModuleReflectances measureModules(const Symbol& symbol, const std::vector<double>& submodules);
+/// @param submodules  linear; symbol and quiet zone, 5 × 5 per module
+ModuleReflectances measureModules(const Symbol& symbol, const Grid<double>& submodules);
 
 /// Finds the modules that a verifier takes for the other colour, with the threshold of ISO/IEC 29158 for the whole
 /// symbol.
-/// @returns row-major from the upper left, 1 = taken for the other colour
-std::vector<std::uint8_t> misreadModules(const ModuleReflectances& measured);
+/// @returns 1 = taken for the other colour
+Grid<std::uint8_t> misreadModules(const ModuleReflectances& measured);
 
 struct Grade {
   double value = 0;  ///< in the parameter's own unit

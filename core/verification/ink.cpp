@@ -1,42 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/ink.h"
 
-#include <cassert>
-#include <cmath>
-
 namespace qrelief {
 
 InkMap::InkMap(const Symbol& symbol, double symbolMm, Ink ink)
-    : pixels_(symbol.size), pixelMm_(symbolMm / symbol.size), darkFactor_(static_cast<float>(ink.dark / ink.light)) {
-  for (int row = symbol.size - 1; row >= 0; --row)
+    : InkMap(BottomUp<float>(symbol.size, symbol.size), symbolMm / symbol.size, ink) {
+  for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column)
-      darkShares_.push_back(symbol.isDark(row, column) ? 1.0f : 0.0f);
+      darkShares_.at(row, column) = symbol.isDark(symbol.size - 1 - row, column) ? 1 : 0;
 }
 
-InkMap::InkMap(std::vector<float> darkShares, double pixelMm, Ink ink)
-    : darkShares_(std::move(darkShares)),
-      pixels_(static_cast<int>(std::lround(std::sqrt(static_cast<double>(darkShares_.size()))))),
-      pixelMm_(pixelMm),
-      darkFactor_(static_cast<float>(ink.dark / ink.light)) {
-  assert(static_cast<std::size_t>(pixels_) * static_cast<std::size_t>(pixels_) == darkShares_.size());
-}
+InkMap::InkMap(BottomUp<float> darkShares, double pixelMm, Ink ink)
+    : darkShares_(std::move(darkShares)), pixelMm_(pixelMm), darkFactor_(static_cast<float>(ink.dark / ink.light)) {}
 
 float InkMap::factor(Vec2 onPlane) const {
-  const Vec2 place = onPlane / pixelMm_ + pixels_ / 2.0;
-  if (!(place.x >= 0 && place.y >= 0 && place.x < pixels_ && place.y < pixels_)) return 1;
-  const auto pixel = static_cast<std::size_t>(static_cast<int>(place.y) * pixels_ + static_cast<int>(place.x));
-  return 1 + darkShares_[pixel] * (darkFactor_ - 1);
+  const Vec2 place = onPlane / pixelMm_ + darkShares_.columns() / 2.0;
+  if (!(place.x >= 0 && place.y >= 0 && place.x < darkShares_.columns() && place.y < darkShares_.rows())) return 1;
+  return 1 + darkShares_.at(static_cast<int>(place.y), static_cast<int>(place.x)) * (darkFactor_ - 1);
 }
 
-void InkMap::apply(std::vector<float>& luminance, double pixelMm) const {
-  const int pixels = static_cast<int>(std::lround(std::sqrt(static_cast<double>(luminance.size()))));
-  for (int row = 0; row < pixels; ++row)
-    for (int column = 0; column < pixels; ++column)
-      luminance[static_cast<std::size_t>(row * pixels + column)] *=
-          factor(pixelMm * (Vec2(column, row) + 0.5 - pixels / 2.0));
+void InkMap::apply(BottomUp<float>& luminance, double pixelMm) const {
+  for (int row = 0; row < luminance.rows(); ++row)
+    for (int column = 0; column < luminance.columns(); ++column)
+      luminance.at(row, column) *= factor(pixelMm * (Vec2(column, row) + 0.5 - luminance.rows() / 2.0));
 }
 
-std::vector<double> withoutInversion(std::vector<double> luminance, const Ink& ink) {
+Grid<double> withoutInversion(Grid<double> luminance, const Ink& ink) {
   if (ink.isInverted())
     for (double& value : luminance) value = 1 + ink.dark / ink.light - value;
   return luminance;

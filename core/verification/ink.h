@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <vector>
-
+#include "base/grid.h"
 #include "math/vec.h"
 #include "qr/symbol.h"
 
@@ -32,21 +30,20 @@ class InkMap {
   /// @param symbolMm  edge without quiet zone, > 0
   InkMap(const Symbol& symbol, double symbolMm, Ink ink);
 
-  /// @param darkShares  of the area of each pixel of a square picture centred on the code, 0 … 1, row 0 at the bottom
+  /// @param darkShares  of the area of each pixel of a square picture centred on the code, 0 … 1
   /// @param pixelMm     > 0
-  InkMap(std::vector<float> darkShares, double pixelMm, Ink ink);
+  InkMap(BottomUp<float> darkShares, double pixelMm, Ink ink);
 
   /// Returns the reflectance at a point of the QR plane, as a multiple of the body's.
   float factor(Vec2 onPlane) const;
 
-  /// Multiplies the luminance of a square picture centred on the code, row 0 at the bottom, by the reflectance at the
-  /// middle of each pixel. Pixels that lie within a pixel of the map are exact.
+  /// Multiplies the luminance of a square picture centred on the code by the reflectance at the middle of each pixel.
+  /// Pixels that lie within a pixel of the map are exact.
   /// @param pixelMm  on the QR plane, > 0
-  void apply(std::vector<float>& luminance, double pixelMm) const;
+  void apply(BottomUp<float>& luminance, double pixelMm) const;
 
  private:
-  std::vector<float> darkShares_;
-  int pixels_ = 0;  // along the edge
+  BottomUp<float> darkShares_;
   double pixelMm_ = 0;
   float darkFactor_ = 1;
 };
@@ -54,6 +51,6 @@ class InkMap {
 /// Returns luminances as if the darker material of an inverted code were its dark modules: mirrored between the two
 /// reflectances. Grades and thresholds expect that order. Other codes stay unchanged.
 /// @param luminance  1 = the body's material under the open sky
-std::vector<double> withoutInversion(std::vector<double> luminance, const Ink& ink);
+Grid<double> withoutInversion(Grid<double> luminance, const Ink& ink);
 
 }  // namespace qrelief

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "base/grid.h"
 #include "light/height_map.h"
 
 namespace qrelief {
@@ -13,10 +12,9 @@ struct PictureGrid {
   int pixels = 400;      ///< along the edge
 };
 
-/// Returns the luminance of the pixels, averaged over their areas. 1 = an unoccluded surface; row 0 at the bottom.
+/// Returns the luminance of the pixels, averaged over their areas. 1 = an unoccluded surface.
 /// @param luminance  of every patch
 /// @param missing    luminance where there is no surface
-std::vector<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid,
-                              float missing);
+BottomUp<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid, float missing);
 
 }  // namespace qrelief

@@ -21,7 +21,7 @@ HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const
 
 }  // namespace
 
-std::vector<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options) {
+BottomUp<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options) {
   const SurfaceRaster raster(mesh);
   const MapWindow window{options.pixelMm * options.pixels, options.pixels};
   Box3 box;
@@ -40,7 +40,7 @@ std::vector<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame,
   std::vector<float> luminance = surface.luminance(light, received, options.albedo);
   for (std::size_t pixel = 0; pixel < luminance.size(); ++pixel)
     if (!map.isSurface(pixel)) luminance[pixel] = kBackground;
-  return luminance;
+  return {options.pixels, options.pixels, std::move(luminance)};
 }
 
 }  // namespace qrelief

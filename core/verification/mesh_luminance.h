@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/grid.h"
 #include "light/directional_light.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
@@ -22,7 +23,7 @@ struct MeshLuminanceOptions {
 /// kBackground off the model. The processor draws it from the mesh alone and lights it as a height map
 /// (light/height_light.h).
 ///
-/// Row-major from the lower left. Cost: O(T + pixels²).
-std::vector<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options);
+/// Cost: O(T + pixels²).
+BottomUp<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options);
 
 }  // namespace qrelief

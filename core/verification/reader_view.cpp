@@ -83,12 +83,13 @@ class GreyScale {
 
 }  // namespace
 
-GreyImage photograph(const std::vector<float>& luminance, int width, const CameraOptions& camera) {
+GreyImage photograph(const BottomUp<float>& luminance, const CameraOptions& camera) {
+  const int width = luminance.columns();
   std::vector<double> middle;
   double mean = 0;
   for (int y = width / 5; y < width - width / 5; ++y)
     for (int x = width / 5; x < width - width / 5; ++x) {
-      middle.push_back(luminance[static_cast<std::size_t>(y * width + x)]);
+      middle.push_back(luminance.at(y, x));
       mean += middle.back();
     }
   mean /= static_cast<double>(middle.size());
@@ -96,20 +97,20 @@ GreyImage photograph(const std::vector<float>& luminance, int width, const Camer
   std::nth_element(middle.begin(), bright, middle.end());
   const double exposure = camera.exposure / std::max(*bright, 1e-6);
 
-  std::vector<double> image(luminance.size());
-  for (std::size_t i = 0; i < image.size(); ++i)
-    image[i] = exposure * ((1 - camera.strayLight) * luminance[i] + camera.strayLight * mean);
-  image = gaussianBlur(image, width, camera.blurPx);
+  std::vector<double> exposed;
+  for (const float value : luminance)
+    exposed.push_back(exposure * ((1 - camera.strayLight) * value + camera.strayLight * mean));
+  const BottomUp<double> image(width, width, gaussianBlur(exposed, width, camera.blurPx));
 
   static const GreyScale kGreys;
   Random random(camera.seed);
-  GreyImage picture{width, width, std::vector<std::uint8_t>(image.size())};
-  for (int y = 0; y < width; ++y) {
-    for (int x = 0; x < width; ++x) {
-      double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
+  GreyImage picture{width, width, {}};
+  for (int row = width - 1; row >= 0; --row) {
+    for (int column = 0; column < width; ++column) {
+      double value = image.at(row, column);
       if (camera.noise > 0)
         value += random.normal() * camera.noise * std::sqrt(std::max(value, 0.05) / camera.exposure);
-      picture.pixels[static_cast<std::size_t>(y * width + x)] = kGreys(value);
+      picture.pixels.push_back(kGreys(value));
     }
   }
   return picture;
@@ -123,11 +124,11 @@ GreyImage blurred(const GreyImage& image, double sigmaPx) {
   return result;
 }
 
-ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options) {
+ReaderView photographed(BottomUp<float> luminance, const ReaderViewOptions& options) {
   ReaderView view;
-  view.clean = photograph(luminance, options.texels);
+  view.clean = photograph(luminance);
   view.picture = photograph(
-      luminance, options.texels,
+      luminance,
       {.blurPx = options.blurPx * options.texels / 700, .noise = options.noise, .strayLight = options.strayLight});
   view.luminance = std::move(luminance);
   return view;
@@ -153,7 +154,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
   auto luminancePass = LuminancePass::create(*maps, &*around, frame.eyeDistance, light, std::move(programs));
   QRELIEF_TRY(luminancePass);
   luminancePass->run();
-  std::vector<float> luminance = luminancePass->readLuminance();
+  BottomUp<float> luminance(options.texels, options.texels, luminancePass->readLuminance());
   const std::vector<float> surface = maps->framebuffer.readRgba(0);
   for (std::size_t i = 0; i < luminance.size(); ++i)
     if (surface[4 * i + 2] <= 0) luminance[i] = kBackground;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/grid.h"
 #include "base/result.h"
 #include "light/directional_light.h"
 #include "math/frame.h"
@@ -25,7 +26,7 @@ struct ReaderView {
   GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma; for decoding
   GreyImage clean;    ///< without blur and noise; for display
   double pixelsPerModule = 0;
-  std::vector<float> luminance;  ///< linear, of the same width, row 0 at the bottom; the pictures are made from it
+  BottomUp<float> luminance;  ///< linear, of the same width; the pictures are made from it
 };
 
 /// Share of light that a phone's lens scatters over the picture.
@@ -44,8 +45,8 @@ struct ReaderViewOptions {
 };
 
 /// Simulates a phone's pictures of a luminance that was computed elsewhere.
-/// @param luminance  linear, options.texels² values, row 0 at the bottom, 1 = unoccluded
-ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options);
+/// @param luminance  linear, options.texels along its edge, 1 = unoccluded
+ReaderView photographed(BottomUp<float> luminance, const ReaderViewOptions& options);
 
 /// Renders the mesh itself, to judge the output of the embedding and not the map that the depth search worked on.
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
@@ -62,8 +63,8 @@ struct CameraOptions {
 
 /// Simulates a camera's picture of linear luminance: exposure, stray light, Gaussian blur, shot noise (seeded: the same
 /// on every run), sRGB gamma, 8 bits.
-/// @param luminance  width² values, row 0 at the bottom
-GreyImage photograph(const std::vector<float>& luminance, int width, const CameraOptions& camera = {});
+/// @param luminance  square
+GreyImage photograph(const BottomUp<float>& luminance, const CameraOptions& camera = {});
 
 /// Applies a Gaussian blur; border pixels continue outwards.
 /// @param sigmaPx  ≥ 0

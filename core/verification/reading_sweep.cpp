@@ -76,7 +76,7 @@ ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame
   assert(!decoders_.empty());
 }
 
-std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
+BottomUp<float> ReadingSweep::luminanceOf(const ReadingView& view) {
   if (seenTilt_ != view.tiltDeg || seenAzimuth_ != view.azimuthDeg) {
     const ProjectionFrame camera = view.tiltDeg > 0 ? tilted(frame_, view.tiltDeg, view.azimuthDeg) : frame_;
     seen_ = light_->picture(camera, kBakedPixels * (modules_ + 2 * kPictureMarginModules),
@@ -84,7 +84,7 @@ std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
     seenTilt_ = view.tiltDeg;
     seenAzimuth_ = view.azimuthDeg;
   }
-  std::vector<float> luminance = seen_.sky;
+  BottomUp<float> luminance = seen_.sky;
   if (view.lamp)
     for (std::size_t i = 0; i < luminance.size(); ++i) luminance[i] += seen_.added[i];
   return luminance;
@@ -123,15 +123,14 @@ void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
 bool ReadingSweep::step() {
   assert(next_ < views_.size());
   ReadingView& view = views_[next_++];
-  const std::vector<float> luminance = luminanceOf(view);
+  const BottomUp<float> luminance = luminanceOf(view);
   const double coarser = kBakedPixels / view.pixelsPerModule;
   const GreyImage picture =
-      photograph(resampled(luminance, seen_.width, coarser, view.phase), resampledWidth(seen_.width, coarser),
-                 {.blurPx = view.blurModules * view.pixelsPerModule,
-                  .noise = view.noise,
-                  .strayLight = kStrayLight,
-                  .exposure = view.exposure,
-                  .seed = next_});
+      photograph(resampled(luminance, coarser, view.phase), {.blurPx = view.blurModules * view.pixelsPerModule,
+                                                             .noise = view.noise,
+                                                             .strayLight = kStrayLight,
+                                                             .exposure = view.exposure,
+                                                             .seed = next_});
   read(view, picture);
   return next_ == views_.size();
 }
@@ -173,33 +172,32 @@ ReadingSummary ReadingSweep::summary() const {
   return summary;
 }
 
-std::vector<double> submoduleMeans(std::span<const float> picture, int modules, int pixelsPerModule) {
+Grid<double> submoduleMeans(const BottomUp<float>& picture, int modules, int pixelsPerModule) {
   constexpr int kN = kSubmodulesPerModule;
   assert(pixelsPerModule >= kN);
-  const int edge = kN * (modules + 2 * kQuietZoneModules),
-            texels = pixelsPerModule * (modules + 2 * kPictureMarginModules);
-  assert(picture.size() == static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels));
+  const int edge = kN * (modules + 2 * kQuietZoneModules);
+  assert(picture.rows() == pixelsPerModule * (modules + 2 * kPictureMarginModules));
   const int margin = pixelsPerModule * (kPictureMarginModules - kQuietZoneModules);
   // A submodule's first pixel from the margin is the first whose middle lies in it.
   const auto first = [&](int submodule) { return (2 * submodule * pixelsPerModule + kN - 1) / (2 * kN); };
-  std::vector<double> means;
+  Grid<double> means(edge, edge);
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
       double sum = 0;
       for (int y = first(row); y < first(row + 1); ++y)
         for (int x = first(column); x < first(column + 1); ++x)
-          sum +=
-              static_cast<double>(picture[static_cast<std::size_t>((texels - 1 - margin - y) * texels + margin + x)]);
-      means.push_back(sum / ((first(row + 1) - first(row)) * (first(column + 1) - first(column))));
+          sum += static_cast<double>(picture.at(picture.rows() - 1 - margin - y, margin + x));
+      means.at(row, column) = sum / ((first(row + 1) - first(row)) * (first(column + 1) - first(column)));
     }
   return means;
 }
 
-std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
+Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
   const double open = underLamp ? light.openLight() : 1;
-  std::vector<float> picture;
-  for (const SurfaceLight& texel : light.light())
-    picture.push_back(texel.sky < 0 ? 1 : static_cast<float>((texel.sky + (underLamp ? texel.lamp : 0)) / open));
+  BottomUp<float> picture(light.light().rows(), light.light().columns(), 1);
+  for (std::size_t i = 0; i < picture.size(); ++i)
+    if (const SurfaceLight& texel = light.light()[i]; texel.sky >= 0)
+      picture[i] = static_cast<float>((texel.sky + (underLamp ? texel.lamp : 0)) / open);
   return submoduleMeans(picture, modules);
 }
 

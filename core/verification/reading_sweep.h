@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,7 +74,7 @@ class ReadingSweep {
   ReadingSummary summary() const;
 
  private:
-  std::vector<float> luminanceOf(const ReadingView& view);
+  BottomUp<float> luminanceOf(const ReadingView& view);
   void read(ReadingView& view, const GreyImage& picture);
 
   const BakedLight* light_;
@@ -95,16 +94,16 @@ class ReadingSweep {
 /// Resolution of the bake and of pictures before resampling: texels or pixels along a module's edge.
 inline constexpr int kBakedPixels = 10;
 
-/// Averages over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
-/// @param picture          luminance with the margin of a picture, 1 = unoccluded; row 0 at the bottom
+/// Averages over the submodules of symbol and quiet zone, 1 = unoccluded.
+/// @param picture          luminance with the margin of a picture, 1 = unoccluded
 /// @param modules          along the symbol's edge
 /// @param pixelsPerModule  of the picture, ≥ 5; a pixel counts for the submodule that its middle lies in
-std::vector<double> submoduleMeans(std::span<const float> picture, int modules, int pixelsPerModule = kBakedPixels);
+Grid<double> submoduleMeans(const BottomUp<float>& picture, int modules, int pixelsPerModule = kBakedPixels);
 
 /// Averages baked light in the same way. Texels off the model count as open.
 /// @param light      baked at kBakedPixels per module, with the margin of a picture
 /// @param underLamp  true: light of sky and lamp; false: of the sky alone
-std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
+Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
 
 /// Width of the picture margin on each side of the symbol, in modules: the quiet zone and some of its surroundings.
 inline constexpr int kPictureMarginModules = 6;

@@ -58,11 +58,10 @@ std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPe
 
 GreyImage fromFarther(const GreyImage& picture, double fraction) {
   if (fraction >= 1) return picture;
-  const std::vector<float> pixels(picture.pixels.begin(), picture.pixels.end());
-  const int width = resampledWidth(picture.width, 1 / fraction);
-  GreyImage far{width, width, {}};
-  for (const float value : resampled(pixels, picture.width, 1 / fraction))
-    far.pixels.push_back(static_cast<std::uint8_t>(std::lround(value)));
+  const Grid<float> pixels(picture.height, picture.width, {picture.pixels.begin(), picture.pixels.end()});
+  const Grid<float> cells = resampled(pixels, 1 / fraction);
+  GreyImage far{cells.columns(), cells.rows(), {}};
+  for (const float value : cells) far.pixels.push_back(static_cast<std::uint8_t>(std::lround(value)));
   return far;
 }
 

@@ -128,11 +128,10 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   const ProjectionFrame eye =
       turned(tiltDeg > 0 ? tilted(frame, tiltDeg, azimuthDeg) : frame, rollDeg * std::numbers::pi / 180);
   const LinearPicture seen = light.picture(eye, kBakedPixels * edgeModules(modules), moduleMm / kBakedPixels);
-  std::vector<float> luminance = seen.sky;
+  BottomUp<float> luminance = seen.sky;
   for (std::size_t i = 0; isLit && i < luminance.size(); ++i) luminance[i] += seen.added[i];
   const double coarser = kBakedPixels / pixels;
-  const int width = resampledWidth(seen.width, coarser);
-  const GreyImage picture = photograph(resampled(luminance, seen.width, coarser), width, camera);
+  const GreyImage picture = photograph(resampled(luminance, coarser), camera);
   const auto png = encodePng(picture);
   QRELIEF_TRY(png);
   QRELIEF_TRY(writeFileAtomically(folder + "/" + name, *png));
@@ -148,8 +147,8 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   line["exposure"] = rounded(camera.exposure);
   // The grid of sensor cells begins at the lower left of the visible square. Leftovers at its far ends that do not fill
   // a cell are dropped.
-  const double half = seen.width / coarser / 2;
-  line["corners"] = cornersIn(carving, uncarved, eye, pixels / moduleMm, {half, width - half});
+  const double half = luminance.columns() / coarser / 2;
+  line["corners"] = cornersIn(carving, uncarved, eye, pixels / moduleMm, {half, picture.width - half});
   return line;
 }
 

@@ -28,10 +28,9 @@ Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveReques
   code.mask =
       submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
   code.symbol = std::move(result->symbol);
-  const SubmoduleLuminances luminance(result->luminance, code.symbol.size);
   for (const std::uint32_t i : carvedOf(code.mask))
     code.ownEstimate.push_back(
-        luminance.of(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
+        luminanceOf(result->luminance, static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
   code.depths = std::move(result->depths);
   if (request.depth.objective == DepthObjective::OneLight) code.readUnder = request.lamps().front();
   code.passes = result->searchIterations;

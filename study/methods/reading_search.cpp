@@ -12,7 +12,8 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.3;
 
 /// Convolves a map with a Gaussian; beyond the edge the map continues with its edge values.
-std::vector<double> blurred(std::span<const double> map, int edge, double sigma) {
+Grid<double> blurred(const Grid<double>& map, double sigma) {
+  const int edge = map.rows();
   const int reach = static_cast<int>(std::ceil(3 * sigma));
   std::vector<double> kernel;
   double sum = 0;
@@ -21,17 +22,17 @@ std::vector<double> blurred(std::span<const double> map, int edge, double sigma)
     sum += kernel.back();
   }
   for (double& weight : kernel) weight /= sum;
-  const auto pass = [&](std::span<const double> from, bool alongRows) {
-    std::vector<double> to(from.size(), 0);
+  const auto pass = [&](const Grid<double>& from, bool alongRows) {
+    Grid<double> to(edge, edge);
     for (int row = 0; row < edge; ++row) {
       for (int column = 0; column < edge; ++column) {
         double value = 0;
         for (int i = -reach; i <= reach; ++i) {
           const int r = alongRows ? row : std::clamp(row + i, 0, edge - 1);
           const int c = alongRows ? std::clamp(column + i, 0, edge - 1) : column;
-          value += kernel[static_cast<std::size_t>(i + reach)] * from[static_cast<std::size_t>(r * edge + c)];
+          value += kernel[i + reach] * from.at(r, c);
         }
-        to[static_cast<std::size_t>(row * edge + column)] = value;
+        to.at(row, column) = value;
       }
     }
     return to;
@@ -103,24 +104,22 @@ void ReadingSearch::deepen(Pocket& pocket, double contrast) {
   pocket.depthMm = quantisedDepth(std::max(next, kDepthQuantumMm), pocket.limitMm);
 }
 
-void ReadingSearch::update(std::span<const double> luminance) {
+void ReadingSearch::update(const Grid<double>& luminance) {
   const int m = target_.symbol->size;
   const int withQuiet = m + 2 * kQuietZoneModules;
-  const int edge = kN * withQuiet;
-  assert(luminance.size() == static_cast<std::size_t>(edge * edge));
-  const std::vector<double> seen = blurred(luminance, edge, options_.blurModules * kN);
-  std::vector<double> modules(static_cast<std::size_t>(withQuiet * withQuiet));
+  assert(luminance.rows() == kN * withQuiet);
+  const Grid<double> seen = blurred(luminance, options_.blurModules * kN);
+  Grid<double> modules(withQuiet, withQuiet);
   for (int row = 0; row < withQuiet; ++row)
     for (int column = 0; column < withQuiet; ++column)
-      modules[static_cast<std::size_t>(row * withQuiet + column)] =
-          seen[static_cast<std::size_t>((row * kN + kN / 2) * edge + column * kN + kN / 2)];
+      modules.at(row, column) = seen.at(row * kN + kN / 2, column * kN + kN / 2);
 
   bool moved = false;
   for (Pocket& pocket : pockets_) {
     const int row = static_cast<int>(pocket.module) / m + kQuietZoneModules;
     const int column = static_cast<int>(pocket.module) % m + kQuietZoneModules;
     const double around = neighbours_.darkestMean(pocket.module, modules);
-    const double contrast = 1 - modules[static_cast<std::size_t>(row * withQuiet + column)] / around;
+    const double contrast = 1 - modules.at(row, column) / around;
     contrast_[pocket.module] = contrast;
     const double before = pocket.depthMm;
     deepen(pocket, contrast);

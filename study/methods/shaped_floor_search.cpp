@@ -97,15 +97,14 @@ void ShapedFloorSearch::judge(Floor& floor, double fraction) {
   }
 }
 
-void ShapedFloorSearch::update(std::span<const double> luminance) {
-  const int m = target_.symbol->size;
-  const SubmoduleLuminances seen(luminance, m);
-  const std::vector<double> modules = seen.moduleMeans();
+void ShapedFloorSearch::update(const Grid<double>& luminance) {
+  const Grid<double> modules = moduleMeans(luminance);
   bool moved = false;
   for (Floor& floor : floors_) {
     double sum = 0;
     for (const Step& step : floor.steps)
-      sum += seen.of(static_cast<int>(step.submodule) / depths_.size, static_cast<int>(step.submodule) % depths_.size);
+      sum += luminanceOf(luminance, static_cast<int>(step.submodule) / depths_.size,
+                         static_cast<int>(step.submodule) % depths_.size);
     const double around = neighbours_.darkestMean(floor.module, modules);
     const double fraction = sum / static_cast<double>(floor.steps.size()) / around;
     contrast_[floor.module] = 1 - fraction;

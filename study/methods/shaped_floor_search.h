@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "depth/depth_solver.h"
@@ -52,7 +51,7 @@ class ShapedFloorSearch final : public DepthSolver {
  public:
   ShapedFloorSearch(CarvingTarget target, const ShapedFloorOptions& options);
 
-  void update(std::span<const double> luminance) override;
+  void update(const Grid<double>& luminance) override;
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }

@@ -29,7 +29,7 @@ class FastSearchTest : public testing::Test {
     return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), limitMm)};
   }
 
-  std::vector<double> luminances(const DepthField& field) const {
+  Grid<double> luminances(const DepthField& field) const {
     return pocketLuminances(sky_, field,
                             [](int row, int column) { return 1 + 0.05 * std::sin(7.0 * row + 3.0 * column); });
   }
@@ -46,11 +46,10 @@ class FastSearchTest : public testing::Test {
 
   /// Returns the number of submodules with G > 0, if all light modules have luminance 1.
   int tooBright(const DepthField& field) const {
-    const std::vector<double> all = luminances(field);
-    const SubmoduleLuminances seen(all, symbol_.size);
+    const Grid<double> all = luminances(field);
     int count = 0;
     for (const std::uint32_t i : sky_.carved())
-      count += seen.of(static_cast<int>(i) / mask_.size, static_cast<int>(i) % mask_.size) > 1 - kContrast;
+      count += luminanceOf(all, static_cast<int>(i) / mask_.size, static_cast<int>(i) % mask_.size) > 1 - kContrast;
     return count;
   }
 
@@ -88,12 +87,11 @@ TEST_F(FastSearchTest, AHigherTargetDeepensItsOwnModuleAndHardlyAnyOther) {
   FastSearch uneven(target(5), options), even(target(5), {.contrast = kContrast});
   run(uneven);
   run(even);
-  const std::vector<double> all = luminances(uneven.depths());
-  const SubmoduleLuminances seen(all, symbol_.size);
+  const Grid<double> all = luminances(uneven.depths());
   double asked = 0, askedBefore = 0, others = 0, othersBefore = 0;
   for (const std::uint32_t i : sky_.carved()) {
     const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
-    EXPECT_LE(seen.of(row, column), 1 - (isAsked(row, column) ? 0.45 : kContrast));
+    EXPECT_LE(luminanceOf(all, row, column), 1 - (isAsked(row, column) ? 0.45 : kContrast));
     (isAsked(row, column) ? asked : others) += uneven.depths().depthMm[i];
     (isAsked(row, column) ? askedBefore : othersBefore) += even.depths().depthMm[i];
   }
@@ -112,30 +110,27 @@ TEST_F(FastSearchTest, StartingFromAnEarlierResultNeedsFewerMeasurementsAndNoMor
   EXPECT_LT(static_cast<double>(measured), 0.75 * static_cast<double>(measuredAnew));
   EXPECT_LT(meanMm(after.depths()), 1.01 * meanMm(anew.depths()));
   EXPECT_EQ(after.limitedCount(), 0u);
-  const std::vector<double> all = luminances(after.depths());
-  const SubmoduleLuminances seen(all, symbol_.size);
+  const Grid<double> all = luminances(after.depths());
   for (const std::uint32_t i : sky_.carved()) {
     const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
     const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
-    EXPECT_LE(seen.of(row, column), 1 - options.contrastOfModule[module]);
+    EXPECT_LE(luminanceOf(all, row, column), 1 - options.contrastOfModule[module]);
   }
 }
 
 TEST_F(FastSearchTest, NeedsOnlyTheRequestedLuminancesAndChecksAllAtTheEnd) {
   FastSearch fast(target(5), {.contrast = kContrast});
-  const int edge = 5 * (symbol_.size + 8);
-  std::vector<double> luminance = luminances(fast.depths());
+  Grid<double> luminance = luminances(fast.depths());
   std::size_t measured = 0;
   bool allInTheEnd = false;
   while (!fast.finished()) {
     const bool all = fast.due().empty();
     measured += all ? sky_.carved().size() : fast.due().size();
     allInTheEnd = allInTheEnd || (all && fast.iterations() >= 3);
-    const std::vector<double> now = luminances(fast.depths());
+    const Grid<double> now = luminances(fast.depths());
     for (const std::uint32_t i : all ? std::span<const std::uint32_t>(sky_.carved()) : fast.due()) {
-      const auto at = static_cast<std::size_t>((static_cast<int>(i) / mask_.size + 20) * edge +
-                                               static_cast<int>(i) % mask_.size + 20);
-      luminance[at] = now[at];
+      const int row = static_cast<int>(i) / mask_.size + 20, column = static_cast<int>(i) % mask_.size + 20;
+      luminance.at(row, column) = now.at(row, column);
     }
     fast.update(luminance);
   }

@@ -13,13 +13,12 @@ constexpr int kWithQuiet = kSize + 2 * kQuietZoneModules;
 
 class LightNeighboursTest : public testing::Test {
  protected:
-  LightNeighboursTest() { luminance_.assign(kWithQuiet * kWithQuiet, 1); }
   static std::size_t moduleAt(int row, int column) { return static_cast<std::size_t>(row * kSize + column); }
   double& luminanceAt(int row, int column) {
-    return luminance_[static_cast<std::size_t>((row + kQuietZoneModules) * kWithQuiet + column + kQuietZoneModules)];
+    return luminance_.at(row + kQuietZoneModules, column + kQuietZoneModules);
   }
   Symbol symbol_ = lightSymbol(kSize);
-  std::vector<double> luminance_;
+  Grid<double> luminance_{kWithQuiet, kWithQuiet, 1};
 };
 
 TEST_F(LightNeighboursTest, TakesTheFourDarkestOfTheEightNeighbours) {

@@ -51,19 +51,18 @@ class OneLightSearchTest : public testing::Test {
   }
 
   /// Returns the luminance of every submodule. Uncarved surface sees the lamp at `surfaceElevationDeg_`.
-  std::vector<double> luminances(const DepthField& field) const {
+  Grid<double> luminances(const DepthField& field) const {
     constexpr int kPlaces = 8;
     const int edge = kEdge + 2 * kQuiet;
     const double open = 1 + lampLight(lamp_.elevationDeg), lamp = lampLight(surfaceElevationDeg_);
-    std::vector<double> all(static_cast<std::size_t>(edge * edge), (1 + lamp) / open);
+    Grid<double> all(edge, edge, (1 + lamp) / open);
     for (int row = 0; row < kEdge; ++row)
       for (int column = 0; column < kEdge; ++column) {
         if (field.depth(row, column) == 0) continue;
         double lit = 0;
         for (int k = 0; k < kPlaces * kPlaces; ++k)
           lit += !isInShadow(field, column + (k % kPlaces + 0.5) / kPlaces, row + (k / kPlaces + 0.5) / kPlaces);
-        all[static_cast<std::size_t>((row + kQuiet) * edge + column + kQuiet)] =
-            (1 + reflected_ + lamp * lit / (kPlaces * kPlaces)) / open;
+        all.at(row + kQuiet, column + kQuiet) = (1 + reflected_ + lamp * lit / (kPlaces * kPlaces)) / open;
       }
     return all;
   }
@@ -74,12 +73,11 @@ class OneLightSearchTest : public testing::Test {
 
   /// Returns the number of carved submodules brighter than the target, if all surroundings are open.
   int tooBright(const DepthField& field, double tolerance = 0) const {
-    const std::vector<double> all = luminances(field);
-    const SubmoduleLuminances seen(all, kModules);
+    const Grid<double> all = luminances(field);
     int count = 0;
     for (int row = 0; row < kEdge; ++row)
       for (int column = 0; column < kEdge; ++column)
-        count += field.depth(row, column) > 0 && seen.of(row, column) > (1 - kContrast + tolerance) * all[0];
+        count += field.depth(row, column) > 0 && luminanceOf(all, row, column) > (1 - kContrast + tolerance) * all[0];
     return count;
   }
 

@@ -36,14 +36,13 @@ class PaperStepSearchTest : public testing::Test {
   }
   /// Returns luminances: 1 on light modules, `carved(depth)` on carved submodules.
   template <class Function>
-  std::vector<double> luminances(const PaperStepSearch& search, Function carved) {
+  Grid<double> luminances(const PaperStepSearch& search, Function carved) {
     const int edge = 5 * 29;
-    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
+    Grid<double> all(edge, edge, 1);
     for (int row = 0; row < 105; ++row)
       for (int column = 0; column < 105; ++column)
         if (mask_.isCarved(row, column))
-          all[static_cast<std::size_t>((row + 20) * edge + column + 20)] =
-              carved(row, column, search.depths().depth(row, column));
+          all.at(row + 20, column + 20) = carved(row, column, search.depths().depth(row, column));
     return all;
   }
   Symbol symbol_;
@@ -120,10 +119,9 @@ TEST_F(PaperStepSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
   darken(10, 10);
   PaperStepSearch search = start(5, {.contrast = 0.3});
   const int edge = 5 * 29;
-  std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
+  Grid<double> all(edge, edge, 1);
   const auto setModule = [&](int row, int column, double value) {
-    for (int k = 0; k < 25; ++k)
-      all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
+    for (int k = 0; k < 25; ++k) all.at((row + 4) * 5 + k / 5, (column + 4) * 5 + k % 5) = value;
   };
   // Four shaded neighbours have luminance 0.5, so the threshold is 0.35, not the 0.7 that bright neighbours would give.
   for (const auto& [row, column] : {std::pair(9, 9), std::pair(9, 10), std::pair(9, 11), std::pair(10, 9)})
@@ -140,10 +138,9 @@ TEST_F(PaperStepSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModu
   for (int k = 0; k < 25; ++k) mask_.carved[static_cast<std::size_t>((15 + k / 5) * 105 + 15 + k % 5)] = 0;
   PaperStepSearch search = start(5, {.contrast = 0.5});
   const int edge = 5 * 29;
-  std::vector<double> all(static_cast<std::size_t>(edge * edge), 0.0);
+  Grid<double> all(edge, edge);
   const auto setModule = [&](int row, int column, double value) {
-    for (int k = 0; k < 25; ++k)
-      all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
+    for (int k = 0; k < 25; ++k) all.at((row + 4) * 5 + k / 5, (column + 4) * 5 + k % 5) = value;
   };
   setModule(3, 3, 0.6);
   for (int i = -4; i < 25; ++i)

@@ -36,9 +36,7 @@ class ShaderSearchTest : public GlTest {
   CarvingTarget target() const {
     return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), kLimitMm)};
   }
-  std::vector<double> quietOnes() const {
-    return std::vector<double>(static_cast<std::size_t>(quietEdge() * quietEdge()), 1.0);
-  }
+  Grid<double> quietOnes() const { return {quietEdge(), quietEdge(), 1}; }
   /// Returns the index of a submodule among those of symbol and quiet zone.
   std::size_t inQuietZone(std::uint32_t i) const {
     constexpr int kQuiet = kSubmodulesPerModule * kQuietZoneModules;
@@ -94,7 +92,7 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
   FastSearch fast(target(), {.contrast = kContrast, .sweepsPerPass = kSweeps});
 
   Random random(1);
-  std::vector<double> told = quietOnes();
+  Grid<double> told = quietOnes();
   gl::Texture luminance(edge(), edge(), gl::Format::R32F,
                         std::vector<float>(static_cast<std::size_t>(edge() * edge()), 1.0f).data());
   // In three passes depths rise and fall, in the fourth they may only grow. A floor whose depth rounds to the next
@@ -169,7 +167,7 @@ TEST_F(ShaderSearchTest, FindsTheDepthsOfTheFastSearch) {
     light_.setDepths(depths);
     light_.run();
     const std::vector<float> seen = light_.readLuminance();
-    std::vector<double> luminance = quietOnes();
+    Grid<double> luminance = quietOnes();
     for (std::size_t k = 0; k < carved_.size(); ++k)
       luminance[inQuietZone(carved_[k])] = static_cast<double>(seen[cells_[k]]);
     fast.update(luminance);

@@ -22,7 +22,7 @@ class SearchViewTest : public testing::Test {
       : symbol_(*encodeSymbol("https://qrelief.example", {})),
         mask_(submodulesToCarve(symbol_, ModulePattern::Square, FinderPattern::ThickPlus)),
         edge_(mask_.size + 2 * kQuiet) {
-    record_.luminance.assign(static_cast<std::size_t>(edge_ * edge_), 0.9f);
+    record_.luminance = {edge_, edge_, 0.9f};
     for (std::size_t i = 0; i < mask_.carved.size(); ++i) {
       if (!mask_.carved[i]) continue;
       record_.carved.push_back(static_cast<std::uint32_t>(i));
@@ -116,17 +116,17 @@ TEST_F(SearchViewTest, CountsLikeTheSearch) {
   SearchRecord record = record_;
   record.passes.resize(1);
   // Light modules differ, so AL differs, too.
-  std::vector<double> luminance;
+  Grid<double> luminance(edge_, edge_);
   for (int row = 0; row < edge_; ++row)
     for (int column = 0; column < edge_; ++column)
-      luminance.push_back(0.8 + 0.1 * std::sin(row * 0.3) * std::cos(column * 0.2));
+      luminance.at(row, column) = 0.8 + 0.1 * std::sin(row * 0.3) * std::cos(column * 0.2);
   for (std::size_t k = 0; k < record.carved.size(); ++k) {
     const int i = static_cast<int>(record.carved[k]);
-    double& seen = luminance[static_cast<std::size_t>((i / mask_.size + kQuiet) * edge_ + i % mask_.size + kQuiet)];
+    double& seen = luminance.at(i / mask_.size + kQuiet, i % mask_.size + kQuiet);
     seen = 0.55 + 0.1 * std::sin(static_cast<double>(k));
     record.passes[0].luminance[k] = static_cast<float>(seen);
   }
-  record.luminance.assign(luminance.begin(), luminance.end());
+  record.luminance = Grid<float>(luminance);
   search.update(luminance);
   const SearchView view(symbol_, record, kContrast);
   EXPECT_EQ(view.summaries()[0].unmet,

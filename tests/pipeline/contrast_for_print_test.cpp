@@ -19,16 +19,15 @@ namespace {
 constexpr double kContrast = 0.3;
 
 /// Returns the submodules' light: light modules fully lit, dark ones with the given contrast.
-std::vector<double> lit(const Symbol& symbol, const std::function<double(int row, int column)>& contrastOf) {
+Grid<double> lit(const Symbol& symbol, const std::function<double(int row, int column)>& contrastOf) {
   const int edge = kSubmodulesPerModule * (symbol.size + 2 * kQuietZoneModules);
-  std::vector<double> light(static_cast<std::size_t>(edge * edge), 1);
+  Grid<double> light(edge, edge, 1);
   for (int y = 0; y < edge; ++y)
     for (int x = 0; x < edge; ++x) {
       const int row = y / kSubmodulesPerModule - kQuietZoneModules;
       const int column = x / kSubmodulesPerModule - kQuietZoneModules;
       const bool within = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
-      if (within && symbol.isDark(row, column))
-        light[static_cast<std::size_t>(y * edge + x)] = 1 - contrastOf(row, column);
+      if (within && symbol.isDark(row, column)) light.at(y, x) = 1 - contrastOf(row, column);
     }
   return light;
 }
@@ -104,7 +103,7 @@ class CarvedForPrintTest : public GlTest {
   double lacks(const EngraveResult& result) const {
     auto job = PrintedViewJob::create(result.mesh, **printedViewOf(verifyRequestOf(request_, result)));
     const PrintedView printed = *runToEnd(**job);
-    const std::vector<double> ink = lit(result.symbol, [](int, int) { return kContrast; });
+    const Grid<double> ink = lit(result.symbol, [](int, int) { return kContrast; });
     const std::vector<double> asked = contrastForPrint(result.symbol, ink, printed.submodules, kContrast);
     double sum = 0, dark = 0;
     for (std::size_t module = 0; module < asked.size(); ++module) {

@@ -114,19 +114,16 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
   const SubmoduleMask mask =
       submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
   ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
-  EXPECT_THAT(record.luminance, testing::Pointwise(testing::FloatEq(), std::vector<float>(result->luminance.begin(),
-                                                                                          result->luminance.end())));
+  EXPECT_EQ(record.luminance, Grid<float>(result->luminance));
   // The last pass measured the final depths.
   const SearchRecord::Pass& last = record.passes.back();
-  const int edge = kSubmodulesPerModule * (result->symbol.size + 2 * kQuietZoneModules),
-            quiet = kSubmodulesPerModule * kQuietZoneModules;
+  constexpr int kQuiet = kQuietZoneSubmodules;
   for (std::size_t k = 0; k < record.carved.size(); ++k) {
     const auto i = static_cast<int>(record.carved[k]);
     ASSERT_TRUE(mask.carved[record.carved[k]]);
     ASSERT_EQ(last.depthMm[k], static_cast<float>(result->depths.depthMm[record.carved[k]]));
     ASSERT_LE(last.depthMm[k], record.limitMm[k]);
-    ASSERT_EQ(last.luminance[k],
-              record.luminance[static_cast<std::size_t>((i / mask.size + quiet) * edge + i % mask.size + quiet)]);
+    ASSERT_EQ(last.luminance[k], record.luminance.at(i / mask.size + kQuiet, i % mask.size + kQuiet));
   }
   EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }

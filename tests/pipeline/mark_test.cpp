@@ -263,7 +263,7 @@ TEST_F(MarkTest, ACameraFromTheSideSeesTheInkWhereItLies) {
   const Placement& placement = result.placement;
   const ProjectionFrame camera = tilted(placement.frame, 30, 0);
   constexpr int kPixels = 200;
-  std::vector<float> picture(kPixels * kPixels, 1.0f);
+  BottomUp<float> picture(kPixels, kPixels, 1);
   addInkSeen(picture, camera, placement.symbolMm, *sphere()->raster, result);
   const RayTree tree(sphere()->prepared.mesh);
   int different = 0;

@@ -83,14 +83,14 @@ TEST_F(PrintedViewTest, ThePrintIsDarkWhereTheCodeIsDark) {
   ASSERT_TRUE(view);
   EXPECT_NEAR(view->facingDeg, 45, 1e-9);
   const int perModule = static_cast<int>(view->seen.pixelsPerModule), width = perModule * edge;
-  ASSERT_EQ(view->seen.luminance.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
+  ASSERT_EQ(view->seen.luminance.rows(), width);
   ASSERT_EQ(view->seen.clean.width, width);
   double dark = 0, light = 0;
   int darkPixels = 0, lightPixels = 0;
   for (int row = 0; row < perModule * modules; ++row)
     for (int column = 0; column < perModule * modules; ++column) {
       const int y = width - 1 - 6 * perModule - row, x = 6 * perModule + column;
-      const double value = static_cast<double>(view->seen.luminance[static_cast<std::size_t>(y * width + x)]);
+      const double value = static_cast<double>(view->seen.luminance.at(y, x));
       const bool isDark = plate.request.symbol.isDark(row / perModule, column / perModule);
       (isDark ? dark : light) += value;
       ++(isDark ? darkPixels : lightPixels);

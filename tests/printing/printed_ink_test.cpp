@@ -24,7 +24,7 @@ PrintedInkRequest requestOf(int modules, double moduleMm, const std::vector<int>
 }
 
 struct Picture {
-  std::vector<float> shares;
+  BottomUp<float> shares;
   double pixelMm = 0;
 
   explicit Picture(const PrintedInkRequest& request) : pixelMm(request.symbolMm * 1.2 / kPixels) {
@@ -32,8 +32,7 @@ struct Picture {
   }
   double at(Vec2 onPlane) const {
     const Vec2 pixel = onPlane / pixelMm + kPixels / 2.0;
-    return static_cast<double>(
-        shares[static_cast<std::size_t>(static_cast<int>(pixel.y) * kPixels + static_cast<int>(pixel.x))]);
+    return static_cast<double>(shares.at(static_cast<int>(pixel.y), static_cast<int>(pixel.x)));
   }
   double areaMm2() const {
     double sum = 0;
@@ -94,18 +93,17 @@ TEST(PrintedInk, OutlinesAroundTheSymbolArePrintedTooUnlessNarrowerThanALine) {
     request.symbolMm = 2;
     request.around = {bar(3, 4), bar(-4, -3)};
     const double pixelMm = 10.0 / kPixels;
-    const std::vector<float> shares = printedInk(request, {pixelMm, kPixels});
+    const BottomUp<float> shares = printedInk(request, {pixelMm, kPixels});
     const auto at = [&](double x, double y) {
       const Vec2 pixel = Vec2(x, y) / pixelMm + kPixels / 2.0;
-      return static_cast<double>(
-          shares[static_cast<std::size_t>(static_cast<int>(pixel.y) * kPixels + static_cast<int>(pixel.x))]);
+      return static_cast<double>(shares.at(static_cast<int>(pixel.y), static_cast<int>(pixel.x)));
     };
     for (const double x : {0.0, 3.5, -3.5}) EXPECT_NEAR(at(x, 0), 1, 0.01) << x << up.x << up.y << up.z;
     for (const double x : {2.0, -2.0, 4.8}) EXPECT_NEAR(at(x, 0), 0, 0.01) << x << up.x << up.y << up.z;
   }
   PrintedInkRequest thin = requestOf(1, 2, {0});
   thin.around = {bar(3, 3.3)};  // lines are 0.45 mm wide
-  EXPECT_NEAR(printedInk(thin, {10.0 / kPixels, kPixels})[kPixels / 2 * kPixels + kPixels / 2 + 126], 0, 0.05);
+  EXPECT_NEAR(printedInk(thin, {10.0 / kPixels, kPixels}).at(kPixels / 2, kPixels / 2 + 126), 0, 0.05);
 }
 
 TEST(PrintedInk, ColoursBleedAcrossTheBorder) {

@@ -36,11 +36,10 @@ class ReadingSearchTest : public testing::Test {
   static double light(double depth) { return 0.25 / (0.25 + depth * depth); }
   void run(ReadingSearch& search) {
     while (!search.finished()) {
-      std::vector<double> map(kMapEdge * kMapEdge, 1.0);
+      Grid<double> map(kMapEdge, kMapEdge, 1);
       for (int row = 0; row < kEdge; ++row)
         for (int column = 0; column < kEdge; ++column)
-          map[static_cast<std::size_t>((row + 20) * kMapEdge + column + 20)] =
-              light(search.depths().depth(row, column));
+          map.at(row + 20, column + 20) = light(search.depths().depth(row, column));
       search.update(map);
     }
   }

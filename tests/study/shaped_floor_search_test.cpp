@@ -30,17 +30,16 @@ class ShapedFloorSearchTest : public testing::Test {
     return search;
   }
 
-  std::vector<double> luminances(const DepthField& field) const { return pocketLuminances(sky_, field); }
+  Grid<double> luminances(const DepthField& field) const { return pocketLuminances(sky_, field); }
 
   /// Returns the contrast of the carved part of every dark module, row-major.
   std::vector<double> contrasts(const DepthField& field) const {
-    const std::vector<double> all = luminances(field);
-    const SubmoduleLuminances seen(all, symbol_.size);
+    const Grid<double> all = luminances(field);
     std::vector<double> sums(symbol_.dark.size(), 0), counts(symbol_.dark.size(), 0);
     for (const std::uint32_t i : sky_.carved()) {
       const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
       const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
-      sums[module] += 1 - seen.of(row, column);
+      sums[module] += 1 - luminanceOf(all, row, column);
       ++counts[module];
     }
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = counts[i] > 0 ? sums[i] / counts[i] : 0;

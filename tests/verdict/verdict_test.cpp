@@ -46,8 +46,8 @@ EngraveResult carved(const EngraveRequest& request, double symbolMm, double dept
   result.placement.symbolMm = symbolMm;
   result.placement.moduleMm = symbolMm / result.symbol.size;
   result.placement.guaranteedMm = symbolMm;
-  const auto edge = static_cast<std::size_t>(kSubmodulesPerModule * (result.symbol.size + 2 * kQuietZoneModules));
-  result.luminance.assign(edge * edge, 1);
+  const int edge = kSubmodulesPerModule * (result.symbol.size + 2 * kQuietZoneModules);
+  result.luminance = {edge, edge, 1};
   result.solidity.triangles = 1000;
   result.solidity.volumeMm3 = 1000;
   return result;
@@ -299,10 +299,9 @@ class ColourVerdictTest : public VerdictTest {
   /// Sets the luminance of whole modules in two colours.
   void lay(Ink ink) {
     request_.marking.ink = ink;
-    const int edge = 5 * (result_.symbol.size + 2 * kQuietZoneModules), quiet = 5 * kQuietZoneModules;
     for (int row = 0; row < 5 * result_.symbol.size; ++row)
       for (int column = 0; column < 5 * result_.symbol.size; ++column)
-        result_.luminance[static_cast<std::size_t>((row + quiet) * edge + column + quiet)] =
+        result_.luminance.at(row + kQuietZoneSubmodules, column + kQuietZoneSubmodules) =
             result_.symbol.isDark(row / 5, column / 5) ? ink.dark / ink.light : 1;
   }
   Verdict judged(int reads) { return judge(request_, result_, evidence(reads)); }

@@ -36,8 +36,8 @@ SurfaceLight meanOfMiddle(const BakedLight& light, double reach) {
     const double x = (column + 0.5 - edge / 2.0) * light.options().texelMm;
     const double y = (row + 0.5 - edge / 2.0) * light.options().texelMm;
     if (std::hypot(x, y) > reach) continue;
-    sum.sky += light.light()[static_cast<std::size_t>(i)].sky;
-    sum.lamp += light.light()[static_cast<std::size_t>(i)].lamp;
+    sum.sky += light.light().at(row, column).sky;
+    sum.lamp += light.light().at(row, column).lamp;
     ++count;
   }
   return {sum.sky / count, sum.lamp / count};
@@ -98,7 +98,7 @@ TEST(BakedLight, SmoothingKeepsTheMeanOfAFloorAndRemovesMostNoise) {
     int count = 0;
     for (int row = 10; row < 30; ++row)
       for (int column = 10; column < 30; ++column) {
-        const double d = light.light()[static_cast<std::size_t>(row * 40 + column)].sky - mean;
+        const double d = light.light().at(row, column).sky - mean;
         squares += d * d;
         ++count;
       }
@@ -125,9 +125,8 @@ TEST(BakedLight, ATiltedPictureShowsTheLightComputedFromTheFront) {
       ASSERT_TRUE(hit);
       if (std::hypot(hit->position.x, hit->position.y) > 2.7 || hit->position.z > -0.499) continue;
       const Vec2 front = fromAbove().project(hit->position) / 0.1 + Vec2(80);
-      const auto texel = static_cast<std::size_t>(std::floor(front.y)) * 160 + static_cast<std::size_t>(front.x);
-      EXPECT_EQ(picture.sky[static_cast<std::size_t>(row * 100 + column)],
-                static_cast<float>(light.light()[texel].sky));
+      const SurfaceLight& texel = light.light().at(static_cast<int>(front.y), static_cast<int>(front.x));
+      EXPECT_EQ(picture.sky.at(row, column), static_cast<float>(texel.sky));
       ++compared;
     }
   }

@@ -18,7 +18,7 @@ class SymbolGradesTest : public testing::Test {
 
   ModuleReflectances ideal(double light, double dark) const {
     const int edge = symbol_.size + 2 * kQuietZoneModules;
-    ModuleReflectances measured{&symbol_, std::vector<double>(static_cast<std::size_t>(edge * edge), light)};
+    ModuleReflectances measured{&symbol_, {edge, edge, light}};
     for (int row = 0; row < symbol_.size; ++row)
       for (int column = 0; column < symbol_.size; ++column)
         if (symbol_.isDark(row, column)) set(measured, row, column, dark);
@@ -26,8 +26,7 @@ class SymbolGradesTest : public testing::Test {
   }
 
   static void set(ModuleReflectances& measured, int row, int column, double value) {
-    const int edge = measured.symbol->size + 2 * kQuietZoneModules;
-    measured.values[static_cast<std::size_t>((row + kQuietZoneModules) * edge + column + kQuietZoneModules)] = value;
+    measured.values.at(row + kQuietZoneModules, column + kQuietZoneModules) = value;
   }
 
   /// Gives one module in each of `count` codewords of block 0 the value `light` if it is dark and `dark` if it is
@@ -60,13 +59,13 @@ TEST_F(SymbolGradesTest, BlackOnWhiteIsBestInEverything) {
 
 TEST_F(SymbolGradesTest, AModuleIsMisreadIfItIsCloserToTheOtherColour) {
   ModuleReflectances measured = ideal(0.9, 0.1);
-  EXPECT_EQ(misreadModules(measured), std::vector<std::uint8_t>(symbol_.dark.size(), 0));
+  EXPECT_EQ(misreadModules(measured), Grid<std::uint8_t>(symbol_.size, symbol_.size));
   ASSERT_TRUE(symbol_.isDark(0, 3));
   ASSERT_FALSE(symbol_.isDark(1, 3));
   set(measured, 0, 3, 0.8);
   set(measured, 1, 3, 0.2);
-  std::vector<std::uint8_t> expected(symbol_.dark.size(), 0);
-  expected[3] = expected[static_cast<std::size_t>(symbol_.size) + 3] = 1;
+  Grid<std::uint8_t> expected(symbol_.size, symbol_.size);
+  expected.at(0, 3) = expected.at(1, 3) = 1;
   EXPECT_EQ(misreadModules(measured), expected);
 }
 
@@ -139,10 +138,9 @@ TEST_F(SymbolGradesTest, WrongBitsOfOneCopyOfTheFormatCountHalf) {
 
 TEST_F(SymbolGradesTest, TheApertureIsTheMiddleOfAModule) {
   const int edge = symbol_.size + 2 * kQuietZoneModules;
-  std::vector<double> submodules(static_cast<std::size_t>(edge * edge * 25), 1);
+  Grid<double> submodules(5 * edge, 5 * edge, 1);
   for (int k = 0; k < 25; ++k)
-    if (k % 5 >= 1 && k % 5 <= 3 && k / 5 >= 1 && k / 5 <= 3)
-      submodules[static_cast<std::size_t>((4 * 5 + k / 5) * edge * 5 + 4 * 5 + k % 5)] = 0;
+    if (k % 5 >= 1 && k % 5 <= 3 && k / 5 >= 1 && k / 5 <= 3) submodules.at(4 * 5 + k / 5, 4 * 5 + k % 5) = 0;
   const ModuleReflectances measured = measureModules(symbol_, submodules);
   EXPECT_DOUBLE_EQ(measured.at(0, 0), 1 - 9.0 / 16);
   EXPECT_DOUBLE_EQ(measured.at(0, 1), 1);

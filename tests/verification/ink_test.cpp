@@ -34,7 +34,7 @@ TEST(InkMap, AppliesToPicturesAndSubmodulesOfAnyResolution) {
   const Symbol symbol = *encodeSymbol("HELLO", {.version = 1});
   for (const int pixels : {5, 7, 10}) {
     const int edge = pixels * (symbol.size + 2 * kPictureMarginModules);
-    std::vector<float> picture(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 1.0f);
+    BottomUp<float> picture(edge, edge, 1);
     InkMap(symbol, symbol.size, {.dark = 0.1, .light = 0.8}).apply(picture, 1.0 / pixels);
     const ModuleReflectances measured = measureModules(symbol, submoduleMeans(picture, symbol.size, pixels));
     for (int row = 0; row < symbol.size; ++row)
@@ -47,7 +47,7 @@ TEST(WithoutInversion, GradesAnInvertedCodeLikeTheSameCodeTheOtherWayRound) {
   const Symbol symbol = *encodeSymbol("HELLO", {.version = 1});
   const auto grade = [&](Ink ink) {
     const int edge = kBakedPixels * (symbol.size + 2 * kPictureMarginModules);
-    std::vector<float> picture(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 1.0f);
+    BottomUp<float> picture(edge, edge, 1);
     InkMap(symbol, symbol.size, ink).apply(picture, 1.0 / kBakedPixels);
     return gradeSymbol(measureModules(symbol, withoutInversion(submoduleMeans(picture, symbol.size), ink)), ink.light);
   };

@@ -11,28 +11,28 @@ namespace {
 
 TEST(Photograph, ExposesTheBrightPartToItsLevelAndFlipsTheRows) {
   // Bottom half at luminance 0.5, top half at 0.25.
-  std::vector<float> luminance(100 * 100, 0.5f);
+  BottomUp<float> luminance(100, 100, 0.5f);
   std::fill(luminance.begin() + 5000, luminance.end(), 0.25f);
-  const GreyImage image = photograph(luminance, 100);
+  const GreyImage image = photograph(luminance);
   // sRGB of 0.85 and 0.425: 1.055·x^(1/2.4) - 0.055.
   EXPECT_EQ(image.pixels[99 * 100], 237);
   EXPECT_EQ(image.pixels[0], 174);
 }
 
 TEST(Photograph, StrayLightRaisesTheDarkPartTowardsTheMean) {
-  std::vector<float> luminance(100 * 100, 1.0f);
+  BottomUp<float> luminance(100, 100, 1);
   for (std::size_t i = 0; i < luminance.size(); i += 2) luminance[i] = 0.0f;
-  const GreyImage clean = photograph(luminance, 100);
-  const GreyImage stray = photograph(luminance, 100, {.strayLight = 0.1});
+  const GreyImage clean = photograph(luminance);
+  const GreyImage stray = photograph(luminance, {.strayLight = 0.1});
   EXPECT_EQ(clean.pixels[0], 0);
   // Stray light is 10 % of the mean 0.5, exposed by 0.85: 0.0425 linear.
   EXPECT_EQ(stray.pixels[0], 58);
 }
 
 TEST(Photograph, NoiseHasTheGivenStandardDeviationAndIsDeterministic) {
-  const std::vector<float> luminance(200 * 200, 1.0f);
-  const GreyImage first = photograph(luminance, 200, {.noise = 0.02});
-  EXPECT_EQ(first.pixels, photograph(luminance, 200, {.noise = 0.02}).pixels);
+  const BottomUp<float> luminance(200, 200, 1);
+  const GreyImage first = photograph(luminance, {.noise = 0.02});
+  EXPECT_EQ(first.pixels, photograph(luminance, {.noise = 0.02}).pixels);
   double sum = 0, squares = 0;
   for (const std::uint8_t pixel : first.pixels) {
     const double s = pixel / 255.0;
