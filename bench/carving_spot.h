@@ -48,7 +48,7 @@ inline Result<Spot> findSpot(const PreparedModel& model, Vec3 centreMm, int modu
 
 /// Carves every submodule of the mask to a depth, or less where the walls behind it limit it.
 inline DepthField carveEvenly(const PreparedModel& model, const Spot& spot, const SubmoduleMask& mask, double depthMm) {
-  DepthField field{mask.size, spot.symbolMm, {}};
+  DepthField field{mask.rows(), spot.symbolMm, {}};
   for (const double limit :
        wallLimits(model.mesh, spot.patch, spot.frame, mask, {spot.symbolMm, depthMm, /*minWallMm=*/0.8}))
     field.depthMm.push_back(std::floor(limit / kDepthQuantumMm) * kDepthQuantumMm);

@@ -116,14 +116,14 @@ Result<Row> runRedrawing(const Spot& spot) {
 /// Searches as in Peng 2019: rays from every dark submodule, one layer deeper where it is too bright.
 Result<Row> runTracing(const Spot& spot, int rays) {
   const auto start = Clock::now();
-  DepthField depths{spot.mask.size, spot.placement.symbolMm, std::vector<double>(spot.mask.carved.size(), 0)};
+  DepthField depths{spot.mask.rows(), spot.placement.symbolMm, std::vector<double>(spot.mask.size(), 0)};
   std::vector<std::uint32_t> dark;
   std::vector<SeenCell> cells;
-  for (std::uint32_t i = 0; i < spot.mask.carved.size(); ++i) {
-    if (!spot.mask.carved[i]) continue;
+  for (std::uint32_t i = 0; i < spot.mask.size(); ++i) {
+    if (!spot.mask[i]) continue;
     dark.push_back(i);
     depths.depthMm[i] = quantisedDepth(kLayerMm, spot.limitMm[i]);
-    const Vec2 corner = depths.corner(static_cast<int>(i) / spot.mask.size, static_cast<int>(i) % spot.mask.size);
+    const Vec2 corner = depths.corner(static_cast<int>(i) / spot.mask.rows(), static_cast<int>(i) % spot.mask.rows());
     const double h = depths.submoduleMm();
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }
@@ -202,7 +202,7 @@ int run(int argc, char** argv) {
   const auto spot = placedSpot(bytes, name, scale, centre, sizeMm);
   if (!spot) return failed(spot.error());
   fmt::print("{}, {:.4g} mm, {} dark submodules, contrast {:g}\n", name, spot->placement.symbolMm,
-             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.depth.contrastAsked());
+             std::count(spot->mask.begin(), spot->mask.end(), 1), spot->request.depth.contrastAsked());
 
   double fastMs = 0;
   const std::function<Result<Row>()> schemes[] = {

@@ -33,7 +33,7 @@ struct Counts {
 class Counted final : public DepthSolver {
  public:
   Counted(CarvingTarget target, const FastSearchOptions& options, std::size_t& measured)
-      : carved_(static_cast<std::size_t>(std::count(target.mask->carved.begin(), target.mask->carved.end(), 1))),
+      : carved_(static_cast<std::size_t>(std::count(target.mask->begin(), target.mask->end(), 1))),
         measured_(measured),
         solver_(std::move(target), options) {}
 

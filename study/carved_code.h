@@ -28,8 +28,8 @@ struct CarvedCode {
 /// Returns the indices of the carved submodules, row-major.
 inline std::vector<std::uint32_t> carvedOf(const SubmoduleMask& mask) {
   std::vector<std::uint32_t> carved;
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
-    if (mask.carved[i]) carved.push_back(i);
+  for (std::uint32_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) carved.push_back(i);
   return carved;
 }
 

@@ -123,7 +123,7 @@ Result<const StudyPlacement*> StudyContext::spotOfWidth(const std::string& model
 DepthSummary depthOf(const CarvedCode& code) {
   DepthField masked = code.depths;
   for (std::size_t i = 0; i < masked.depthMm.size(); ++i)
-    if (!code.mask.carved[i]) masked.depthMm[i] = 0;
+    if (!code.mask[i]) masked.depthMm[i] = 0;
   return summarise(masked);
 }
 

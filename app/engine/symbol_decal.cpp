@@ -35,14 +35,14 @@ Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double sym
   Decal decal;
   if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink);
   decal.frame = frame;
-  decal.size = scale * mask.size + 2 * border;
+  decal.size = scale * mask.rows() + 2 * border;
   const double edgeModules = static_cast<double>(decal.size) / (scale * kSubmodulesPerModule);
   decal.edgeMm = symbolMm * edgeModules / symbol.size;
   const auto layout = layOutLabel(label, symbol.size);
   decal.ink = ringCoverage(layout ? layout->rings : std::vector<Ring>(), decal.size, edgeModules);
-  for (int row = 0; row < scale * mask.size; ++row)
-    for (int column = 0; column < scale * mask.size; ++column)
-      if (mask.isCarved(row / scale, column / scale))
+  for (int row = 0; row < scale * mask.rows(); ++row)
+    for (int column = 0; column < scale * mask.rows(); ++column)
+      if (mask.at(row / scale, column / scale))
         decal.ink[static_cast<std::size_t>((row + border) * decal.size + column + border)] = 255;
   return decal;
 }

@@ -28,11 +28,11 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
       options_(options),
       neighbours_(*target_.symbol),
       sky_(before ? before->sky_
-                  : std::make_shared<const PocketSky>(*target_.mask, target_.symbolMm / target_.mask->size)),
+                  : std::make_shared<const PocketSky>(*target_.mask, target_.symbolMm / target_.mask->rows())),
       freePasses_(options_.hasLamps ? 0
                   : before          ? kFreePassesAfterAnother
                                     : kFreePasses) {
-  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
+  depths_ = {target_.mask->rows(), target_.symbolMm, std::vector<double>(target_.mask->size(), 0)};
   const int modules = target_.symbol->size;
   for (const std::uint32_t i : sky_->carved()) {
     limitMm_.push_back(target_.limitMm[i]);

@@ -45,17 +45,17 @@ OneLightSearch::OneLightSearch(CarvingTarget target, const OneLightOptions& opti
   const SubmoduleMask& mask = *target_.mask;
   const double azimuth = toRadians(options_.lamp.azimuthDeg);
   towardsLamp_ = {std::cos(azimuth), -std::sin(azimuth)};
-  depths_ = {mask.size, target_.symbolMm, std::vector<double>(mask.carved.size(), 0)};
+  depths_ = {mask.rows(), target_.symbolMm, std::vector<double>(mask.size(), 0)};
   const double sine = std::sin(toRadians(options_.lamp.elevationDeg));
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
-    if (!mask.carved[i]) continue;
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+  for (std::uint32_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    const int row = static_cast<int>(i) / mask.rows(), column = static_cast<int>(i) % mask.rows();
     Floor floor{.submodule = i, .module = static_cast<std::size_t>(row / kN * target_.symbol->size + column / kN)};
     takeElevation(floor, options_.lamp.strength * sine);
     floors_.push_back(floor);
   }
   const auto behind = [&](const Floor& floor) {
-    const Vec2 at(static_cast<int>(floor.submodule) % mask.size, static_cast<int>(floor.submodule) / mask.size);
+    const Vec2 at(static_cast<int>(floor.submodule) % mask.rows(), static_cast<int>(floor.submodule) / mask.rows());
     return -glm::dot(at, towardsLamp_);
   };
   std::stable_sort(floors_.begin(), floors_.end(),

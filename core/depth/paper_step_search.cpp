@@ -22,14 +22,14 @@ double depthIncrease(int x) {
 
 PaperStepSearch::PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options)
     : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
-  const std::size_t count = target_.mask->carved.size();
+  const std::size_t count = target_.mask->size();
   assert(target_.limitMm.size() == count);
-  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(count, 0)};
+  depths_ = {target_.mask->rows(), target_.symbolMm, std::vector<double>(count, 0)};
   states_.assign(count, DepthState::Light);
   previous_.assign(count, 0);
   unchanged_.assign(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!target_.mask->carved[i]) continue;
+    if (!(*target_.mask)[i]) continue;
     states_[i] = DepthState::Searching;
     depths_.depthMm[i] = quantisedDepth(options_.initialDepthMm, target_.limitMm[i]);
   }

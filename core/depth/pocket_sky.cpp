@@ -35,16 +35,16 @@ std::array<std::vector<PathStep>, kFloorDirections> floorPaths(int size, double 
 }
 
 PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
-  const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // offset of the farthest step
+  const int stride = mask.rows() + 2, beyond = mask.rows() * stride + mask.rows();  // offset of the farthest step
   floorOf_.assign(static_cast<std::size_t>(stride * stride + 2 * beyond), kLight);
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
-    if (!mask.carved[i]) continue;
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+  for (std::uint32_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    const int row = static_cast<int>(i) / mask.rows(), column = static_cast<int>(i) % mask.rows();
     cell_.push_back(static_cast<std::uint32_t>(beyond + (row + 1) * stride + column + 1));
     floorOf_[cell_.back()] = static_cast<std::uint32_t>(carved_.size());
     carved_.push_back(i);
   }
-  const std::array<std::vector<PathStep>, kFloorDirections> paths = floorPaths(mask.size, submoduleMm);
+  const std::array<std::vector<PathStep>, kFloorDirections> paths = floorPaths(mask.rows(), submoduleMm);
   for (std::size_t k = 0; k < kFloorDirections; ++k) {
     for (std::size_t step = 0; step < paths[k].size(); ++step) {
       const std::size_t i = step * kFloorDirections + k;

@@ -40,13 +40,13 @@ std::vector<glm::vec4> floorSteps(int size, double submoduleMm) {
 
 ShaderSearch::ShaderSearch(CarvingTarget target, Place place) : target_(std::move(target)), place_(std::move(place)) {
   const SubmoduleMask& mask = *target_.mask;
-  depths_ = {mask.size, target_.symbolMm, std::vector<double>(mask.carved.size(), 0)};
+  depths_ = {mask.rows(), target_.symbolMm, std::vector<double>(mask.size(), 0)};
   const LightNeighbours neighbours(*target_.symbol);
   const Grid<double> modules = moduleMeans(place_.luminance);
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
-    if (!mask.carved[i]) continue;
+  for (std::uint32_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
     carved_.push_back(i);
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+    const int row = static_cast<int>(i) / mask.rows(), column = static_cast<int>(i) % mask.rows();
     around_.push_back(
         neighbours.darkestMean(static_cast<std::size_t>(row / kN * target_.symbol->size + column / kN), modules));
   }
@@ -60,7 +60,7 @@ Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target,
   LuminancePass& light = *search->place_.light;
   auto passes = FloorPasses::create({.cellsAlongEdge = light.cellsAlongEdge(),
                                      .cells = search->place_.cells,
-                                     .steps = floorSteps(ownTarget.mask->size, search->depths_.submoduleMm()),
+                                     .steps = floorSteps(ownTarget.mask->rows(), search->depths_.submoduleMm()),
                                      .quantumMm = static_cast<float>(kDepthQuantumMm),
                                      .records = kMostRecords},
                                     light.programs());

@@ -145,7 +145,7 @@ double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions&
 class SampleGrid {
  public:
   SampleGrid(const SubmoduleMask& carved, double symbolMm)
-      : carved_(carved), symbolMm_(symbolMm), side_(kStepsPerEdge * carved.size + 1) {
+      : carved_(carved), symbolMm_(symbolMm), side_(kStepsPerEdge * carved.rows() + 1) {
     used_.assign(static_cast<std::size_t>(side_ * side_), 0);
     forEachCarved([&](std::size_t, std::size_t point) { used_[point] = 1; });
   }
@@ -153,10 +153,10 @@ class SampleGrid {
   /// Calls `visit(submodule, point)` for each pair of a carved submodule and a point of it.
   template <class Visit>
   void forEachCarved(const Visit& visit) const {
-    for (int row = 0; row < carved_.size; ++row)
-      for (int column = 0; column < carved_.size; ++column)
-        for (int k = 0; carved_.isCarved(row, column) && k < (kStepsPerEdge + 1) * (kStepsPerEdge + 1); ++k)
-          visit(static_cast<std::size_t>(row * carved_.size + column),
+    for (int row = 0; row < carved_.rows(); ++row)
+      for (int column = 0; column < carved_.columns(); ++column)
+        for (int k = 0; carved_.at(row, column) && k < (kStepsPerEdge + 1) * (kStepsPerEdge + 1); ++k)
+          visit(carved_.index(row, column),
                 static_cast<std::size_t>((kStepsPerEdge * row + k / (kStepsPerEdge + 1)) * side_ +
                                          kStepsPerEdge * column + k % (kStepsPerEdge + 1)));
   }
@@ -180,9 +180,9 @@ class SampleGrid {
 
 std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame,
                                const SubmoduleMask& carved, const WallLimitOptions& options) {
-  assert(carved.size > 0 && carved.carved.size() == static_cast<std::size_t>(carved.size) * carved.size);
+  assert(carved.rows() == carved.columns());
   assert(options.symbolMm > 0);
-  std::vector<double> limits(carved.carved.size(), 0);
+  std::vector<double> limits(carved.size(), 0);
   if (options.maxDepthMm <= 0) return limits;
 
   const SampleGrid grid(carved, options.symbolMm);

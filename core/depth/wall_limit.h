@@ -39,7 +39,6 @@ struct WallLimitOptions {
 ///
 /// Cost: one pass over the mesh, two trees over the facets near the carved region, one query for each of those points
 /// or, near a wall, a dozen.
-/// @param carved  size × size submodules; row-major from the symbol's top left
 /// @returns for every submodule the limit in mm along its ray, 0 … maxDepthMm; 0 where nothing is carved or where the
 ///          patch does not cover it
 std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame,

@@ -19,8 +19,8 @@ constexpr double kLeastReachModules = 3;
 
 DepthSearchRun::DepthSearchRun(const EngraveRequest& request, CarvingTarget target, Place place)
     : request_(request), target_(std::move(target)), place_(place) {
-  for (std::uint32_t i = 0; i < target_.mask->carved.size(); ++i)
-    if (target_.mask->carved[i]) carved_.push_back(i);
+  for (std::uint32_t i = 0; i < target_.mask->size(); ++i)
+    if ((*target_.mask)[i]) carved_.push_back(i);
 }
 
 Result<std::unique_ptr<DepthSearchRun>> DepthSearchRun::create(const EngraveRequest& request, CarvingTarget target,
@@ -57,7 +57,7 @@ void DepthSearchRun::restart(std::vector<double> contrastOfModule) {
 }
 
 std::uint32_t DepthSearchRun::cellOf(std::uint32_t submodule) const {
-  const int size = target_.mask->size;
+  const int size = target_.mask->rows();
   return place_.layout.ofSymbol(static_cast<int>(submodule) / size, static_cast<int>(submodule) % size);
 }
 

@@ -39,8 +39,8 @@ DepthSummary pocketDepths(const EngraveResult& result) {
 }
 
 CarvedFeatures featuresOf(const EngraveResult& result) {
-  std::vector<std::uint8_t> carved;
-  for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
+  SubmoduleMask carved(result.depths.size, result.depths.size);
+  for (std::size_t i = 0; i < carved.size(); ++i) carved[i] = result.depths.depthMm[i] > 0;
   CarvedFeatures features = measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
   features.labelCapitalMm = capitalMmOf(result);
   return features;

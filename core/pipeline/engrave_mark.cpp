@@ -14,7 +14,7 @@ Symbol markedSymbol(const EngraveResult& result) {
   for (int row = 0; row < marked.size; ++row)
     for (int column = 0; column < marked.size; ++column) {
       const bool isCarved = result.depths.depth(row * kSubmodulesPerModule, column * kSubmodulesPerModule) > 0;
-      marked.dark[static_cast<std::size_t>(row * marked.size + column)] = isCarved;
+      marked.dark.at(row, column) = isCarved;
     }
   return marked;
 }

@@ -7,8 +7,8 @@
 namespace qrelief {
 
 void EngraveJob::State::startRecord(std::span<const double> limitMm) {
-  for (std::size_t i = 0; i < mask.carved.size(); ++i) {
-    if (!mask.carved[i]) continue;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
     result.search.carved.push_back(static_cast<std::uint32_t>(i));
     result.search.limitMm.push_back(static_cast<float>(limitMm[i]));
   }

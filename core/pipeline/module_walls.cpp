@@ -35,12 +35,10 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const SurfaceRenderer& 
   QRELIEF_TRY(behind);
   const std::vector<float> ahead = rayDistances(*front, frame, window);
 
-  SubmoduleMask all;
-  all.size = cells;
-  all.carved.assign(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells), 1);
+  const SubmoduleMask all(cells, cells, 1);
   ModuleWalls walls;
   walls.limitMm = wallLimits(mesh, patch, frame, all, {square.edgeMm, depthMm, minWallMm});
-  walls.thicknessMm.assign(all.carved.size(), std::numeric_limits<double>::infinity());
+  walls.thicknessMm.assign(all.size(), std::numeric_limits<double>::infinity());
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const auto texel = static_cast<std::size_t>((cells - 1 - row) * cells + column);  // row 0 at the bottom

@@ -61,7 +61,7 @@ void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int colum
     for (int l = 0; l < n; ++l) {
       if (picture[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)] != '#') continue;
       const int y = row * n + k + shiftDown, x = column * n + l + shiftRight;
-      mask.carved[static_cast<std::size_t>(y * mask.size + x)] = 1;
+      mask.at(y, x) = 1;
     }
   }
 }
@@ -75,9 +75,7 @@ constexpr std::array<std::string_view, 5> kFinderPatternNames = {"none", "as-mod
 }  // namespace
 
 SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders) {
-  SubmoduleMask mask;
-  mask.size = kSubmodulesPerModule * symbol.size;
-  mask.carved.assign(static_cast<std::size_t>(mask.size) * static_cast<std::size_t>(mask.size), 0);
+  SubmoduleMask mask(kSubmodulesPerModule * symbol.size, kSubmodulesPerModule * symbol.size);
   const bool squareCorners = finders == FinderPattern::Diamond || finders == FinderPattern::ThickPlus;
   for (int row = 0; row < symbol.size; ++row) {
     for (int column = 0; column < symbol.size; ++column) {

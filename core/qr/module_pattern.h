@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
+#include "base/grid.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -34,13 +34,8 @@ inline constexpr int kFinderModules = 7;
 /// simulated pictures.
 enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus, ThickPlusSharp };
 
-/// The submodules to carve: `size × size`, row-major from the symbol's top left, 1 = carved.
-struct SubmoduleMask {
-  int size = 0;  ///< kSubmodulesPerModule · symbol.size
-  std::vector<std::uint8_t> carved;
-
-  bool isCarved(int row, int column) const { return carved[static_cast<std::size_t>(row * size + column)] != 0; }
-};
+/// The submodules of a symbol to carve: 1 = carved.
+using SubmoduleMask = Grid<std::uint8_t>;
 
 SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders);
 

@@ -46,14 +46,13 @@ double fractionOf(const Symbol& symbol, int row, int column) {
 double SkyFraction::ofModuleAlone() {
   Symbol alone;
   alone.size = 1;
-  alone.dark = {1};
+  alone.dark = {1, 1, 1};
   return fractionOf(alone, 0, 0);
 }
 
-SkyFraction::SkyFraction(const Symbol& symbol) : size_(symbol.size), fractions_(symbol.dark.size()) {
-  for (int row = 0; row < size_; ++row)
-    for (int column = 0; column < size_; ++column)
-      fractions_[static_cast<std::size_t>(row * size_ + column)] = fractionOf(symbol, row, column);
+SkyFraction::SkyFraction(const Symbol& symbol) : fractions_(symbol.size, symbol.size) {
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) fractions_.at(row, column) = fractionOf(symbol, row, column);
 }
 
 double SkyFraction::mean(const Symbol& symbol) const {
@@ -69,10 +68,10 @@ double SkyFraction::mean(const Symbol& symbol) const {
 
 void SkyFraction::update(const Symbol& symbol, int row, int column) {
   const int reach = static_cast<int>(kReachModules) + 1;
-  const int top = std::max(0, row - reach), bottom = std::min(size_ - 1, row + reach);
-  const int left = std::max(0, column - reach), right = std::min(size_ - 1, column + reach);
+  const int top = std::max(0, row - reach), bottom = std::min(symbol.size - 1, row + reach);
+  const int left = std::max(0, column - reach), right = std::min(symbol.size - 1, column + reach);
   for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x) fractions_[static_cast<std::size_t>(y * size_ + x)] = fractionOf(symbol, y, x);
+    for (int x = left; x <= right; ++x) fractions_.at(y, x) = fractionOf(symbol, y, x);
 }
 
 }  // namespace qrelief

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "base/grid.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -21,7 +20,7 @@ class SkyFraction {
   static double ofModuleAlone();
 
   /// Returns the fraction for a module, 0 … 1; 1 for light modules.
-  double of(int row, int column) const { return fractions_[static_cast<std::size_t>(row * size_ + column)]; }
+  double of(int row, int column) const { return fractions_.at(row, column); }
 
   /// Returns the mean over the dark data modules; 0 if there are none.
   double mean(const Symbol& symbol) const;
@@ -30,8 +29,7 @@ class SkyFraction {
   void update(const Symbol& symbol, int row, int column);
 
  private:
-  int size_;
-  std::vector<double> fractions_;
+  Grid<double> fractions_;
 };
 
 }  // namespace qrelief

@@ -149,14 +149,14 @@ Symbol toSymbol(const QRcode& code, ErrorCorrection level) {
   symbol.version = code.version;
   symbol.errorCorrection = level;
   symbol.size = code.width;
-  const int count = code.width * code.width;
-  symbol.dark.reserve(static_cast<std::size_t>(count));
-  symbol.roles.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const unsigned flags = code.data[i];
-    symbol.dark.push_back(flags & kDarkBit);
-    symbol.roles.push_back(roleOf(flags, isInFinder(i / code.width, i % code.width, code.width)));
-  }
+  symbol.dark = {code.width, code.width};
+  symbol.roles = {code.width, code.width};
+  for (int row = 0; row < code.width; ++row)
+    for (int column = 0; column < code.width; ++column) {
+      const unsigned flags = code.data[row * code.width + column];
+      symbol.dark.at(row, column) = flags & kDarkBit;
+      symbol.roles.at(row, column) = roleOf(flags, isInFinder(row, column, code.width));
+    }
   symbol.mask = maskOf(symbol);
   return symbol;
 }
@@ -218,8 +218,8 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
 Symbol blankSymbol() {
   Symbol symbol;
   symbol.version = 0;
-  symbol.dark.assign(static_cast<std::size_t>(symbol.size * symbol.size), 0);
-  symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
+  symbol.dark = {symbol.size, symbol.size};
+  symbol.roles = {symbol.size, symbol.size};
   return symbol;
 }
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 #include <string_view>
-#include <vector>
 
+#include "base/grid.h"
 #include "base/result.h"
 
 namespace qrelief {
@@ -52,19 +52,19 @@ struct SymbolOptions {
   bool operator==(const SymbolOptions&) const = default;
 };
 
-/// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.
+/// A QR Code symbol without quiet zone: `size × size` modules.
 struct Symbol {
   int version = 1;  ///< 1 … 40; 0: blankSymbol()
   ErrorCorrection errorCorrection = ErrorCorrection::M;
-  int mask = 0;                    ///< 0 … 7, as in the format information
-  bool hasEci = false;             ///< the text's character set is named, as ECI 26
-  int size = 21;                   ///< 17 + 4·version
-  std::vector<std::uint8_t> dark;  ///< 1 = dark
-  std::vector<ModuleRole> roles;
-  std::vector<std::uint8_t> flipped;  ///< 1 = made light on purpose, for decoders to restore; empty = none
+  int mask = 0;             ///< 0 … 7, as in the format information
+  bool hasEci = false;      ///< the text's character set is named, as ECI 26
+  int size = 21;            ///< 17 + 4·version
+  Grid<std::uint8_t> dark;  ///< 1 = dark
+  Grid<ModuleRole> roles;
+  Grid<std::uint8_t> flipped;  ///< 1 = made light on purpose, for decoders to restore; empty = none
 
-  bool isDark(int row, int column) const { return dark[static_cast<std::size_t>(row * size + column)] != 0; }
-  ModuleRole role(int row, int column) const { return roles[static_cast<std::size_t>(row * size + column)]; }
+  bool isDark(int row, int column) const { return dark.at(row, column) != 0; }
+  ModuleRole role(int row, int column) const { return roles.at(row, column); }
 };
 
 /// Quiet zone that the standard requires on each side, in modules.

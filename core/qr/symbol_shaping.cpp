@@ -24,9 +24,7 @@ int formatInformation(ErrorCorrection level, int mask) {
   return (data << 10 | remainder) ^ kFormatMask;
 }
 
-void setDark(Symbol& symbol, int row, int column, bool dark) {
-  symbol.dark[static_cast<std::size_t>(row * symbol.size + column)] = dark ? 1 : 0;
-}
+void setDark(Symbol& symbol, int row, int column, bool dark) { symbol.dark.at(row, column) = dark ? 1 : 0; }
 
 /// Writes both copies, least significant bit first [ISO/IEC 18004, figure 25].
 void writeFormatInformation(Symbol& symbol, int bits) {

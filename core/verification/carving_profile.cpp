@@ -71,15 +71,13 @@ SymbolPose nameOf(int pose) {
 class DistanceGrid {
  public:
   DistanceGrid(const RayTree& tree, const ProjectionFrame& frame, int modules, double moduleMm)
-      : modules_(modules), edge_(kN * (modules + 2 * kQuietZoneModules)) {
-    points_.resize(static_cast<std::size_t>(edge_) * static_cast<std::size_t>(edge_));
-    const double step = moduleMm / kN, middle = edge_ / 2.0;
-    parallelFor(static_cast<std::size_t>(edge_), [&](std::size_t row) {
-      for (std::size_t column = 0; column < static_cast<std::size_t>(edge_); ++column) {
-        const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * step,
-                      (middle - static_cast<double>(row) - 0.5) * step};
+      : points_(kN * (modules + 2 * kQuietZoneModules), kN * (modules + 2 * kQuietZoneModules)) {
+    const double step = moduleMm / kN, middle = points_.rows() / 2.0;
+    parallelFor(points_.rows(), [&](int row) {
+      for (int column = 0; column < points_.columns(); ++column) {
+        const Vec2 at{(column + 0.5 - middle) * step, (middle - row - 0.5) * step};
         const auto hit = tree.firstHit(frame.eye(), frame.rayDirection(at));
-        points_[row * static_cast<std::size_t>(edge_) + column] =
+        points_.at(row, column) =
             hit.value_or(SurfacePoint{Vec3(0), kNoTriangle, std::numeric_limits<double>::quiet_NaN()});
       }
     });
@@ -87,19 +85,16 @@ class DistanceGrid {
 
   /// @param row, column  submodules from the symbol's top left; negative in the quiet zone
   const SurfacePoint& at(int row, int column) const {
-    const int offset = kN * kQuietZoneModules;
-    return points_[static_cast<std::size_t>((row + offset) * edge_ + column + offset)];
+    return points_.at(row + kQuietZoneSubmodules, column + kQuietZoneSubmodules);
   }
   /// Returns the distance at a module's middle.
   double middleOf(int row, int column) const { return at(kN * row + kN / 2, kN * column + kN / 2).distance; }
   bool inside(int row, int column) const {
-    return row >= -kQuietZoneModules && column >= -kQuietZoneModules && row < modules_ + kQuietZoneModules &&
-           column < modules_ + kQuietZoneModules;
+    return points_.contains(kN * (row + kQuietZoneModules), kN * (column + kQuietZoneModules));
   }
 
  private:
-  int modules_, edge_;
-  std::vector<SurfacePoint> points_;
+  Grid<SurfacePoint> points_;
 };
 
 Terms termsAt(double x, double y, bool dark) { return {1, x, y, x * x, x * y, y * y, dark ? 1.0 : 0.0}; }
@@ -156,8 +151,7 @@ double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
 }
 
 /// Measures the depth of each submodule of one dark module.
-void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int column, int edge,
-                   std::vector<double>& depths) {
+void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int column, Grid<double>& depths) {
   for (int k = 0; k < kN * kN; ++k) {
     const int down = k / kN, right = k % kN, middle = kN / 2;
     const int r = kN * row + down, c = kN * column + right;
@@ -165,13 +159,13 @@ void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int 
         termsAt((right - middle) / static_cast<double>(kN), (down - middle) / static_cast<double>(kN), false);
     double surface = 0;
     for (std::size_t i = 0; i + 1 < kTerms; ++i) surface += fit.terms[i] * terms[i];
-    depths[static_cast<std::size_t>(r * edge + c)] = grid.at(r, c).distance - surface;
+    depths.at(r, c) = grid.at(r, c).distance - surface;
   }
 }
 
 /// Separates the carved submodules of one dark module from those that its pattern leaves.
-void markCarved(CarvingProfile& profile, int row, int column, int edge) {
-  const auto index = [&](int k) { return static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN); };
+void markCarved(CarvingProfile& profile, int row, int column) {
+  const auto index = [&](int k) { return profile.carved.index(kN * row + k / kN, kN * column + k % kN); };
   double most = 0;
   for (int k = 0; k < kN * kN; ++k)
     if (std::abs(profile.depthMm[index(k)]) > std::abs(most)) most = profile.depthMm[index(k)];
@@ -192,16 +186,18 @@ CarvingProfile profileCarving(const RayTree& tree, const ProjectionFrame& frame,
   CarvingProfile profile;
   profile.fit = *best;
   const int edge = kN * symbol.size;
-  for (int i = 0; i < edge * edge; ++i) profile.points.push_back(grid.at(i / edge, i % edge));
+  profile.points = {edge, edge};
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column) profile.points.at(row, column) = grid.at(row, column);
   if (profile.fit < kMinFit) return profile;
   profile.pose = nameOf(pose);
-  profile.depthMm.assign(profile.points.size(), 0);
-  profile.carved.assign(profile.points.size(), 0);
+  profile.depthMm = {edge, edge};
+  profile.carved = {edge, edge};
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) {
       if (!isDarkIn(symbol, pose, row, column)) continue;
-      measureModule(grid, fitWindow(grid, symbol, pose, row, column), row, column, edge, profile.depthMm);
-      markCarved(profile, row, column, edge);
+      measureModule(grid, fitWindow(grid, symbol, pose, row, column), row, column, profile.depthMm);
+      markCarved(profile, row, column);
     }
   double sum = 0;
   int count = 0;

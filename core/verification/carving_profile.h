@@ -21,12 +21,12 @@ struct CarvingProfile {
   SymbolPose pose = SymbolPose::None;  ///< None: the surface does not fit the symbol
   double fit = 0;  ///< fraction of the windows' unevenness that dark and light modules explain, 0 … 1, for `pose`
   double meanDepthMm = 0;  ///< over the carved submodules; negative: they are raised
-  /// Depth of each submodule below the surface fitted to the light modules around it, (5·modules)², row-major from the
-  /// symbol's top left; 0 in light modules; NaN where the model is missed. Empty if pose is None.
-  std::vector<double> depthMm;
-  std::vector<std::uint8_t> carved;  ///< for the same submodules: 1 = nearly as deep as the deepest of its module
+  /// Depth of each submodule below the surface fitted to the light modules around it; 0 in light modules; NaN where the
+  /// model is missed. Empty if pose is None.
+  Grid<double> depthMm;
+  Grid<std::uint8_t> carved;  ///< for the same submodules: 1 = nearly as deep as the deepest of its module
   /// Point where each submodule's middle ray meets the model; kNoTriangle where it misses.
-  std::vector<SurfacePoint> points;
+  Grid<SurfacePoint> points;
 };
 
 /// Compares the heights of the modules with the symbol in each of its eight poses. In a window of 5 × 5 modules round

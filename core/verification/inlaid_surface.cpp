@@ -24,7 +24,7 @@ class SurfaceFinder {
         depthMm_(depthMm),
         toleranceMm_(lowestHeight(mesh.positions)) {
     found_.mesh = mesh;
-    found_.inlaid.assign(static_cast<std::size_t>(modules) * static_cast<std::size_t>(modules), 0);
+    found_.inlaid = {modules, modules};
   }
 
   InlaidSurface run() {
@@ -155,7 +155,7 @@ class SurfaceFinder {
         std::array<double, 3> side{};
         for (std::size_t k = 0; k < 3; ++k) side[k] = cross2(at[(k + 1) % 3] - at[k], middle - at[k]);
         const auto [least, most] = std::minmax_element(side.begin(), side.end());
-        if (*least >= 0 || *most <= 0) found_.inlaid[static_cast<std::size_t>(row * modules_ + column)] = 1;
+        if (*least >= 0 || *most <= 0) found_.inlaid.at(row, column) = 1;
       }
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/grid.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
 
@@ -12,9 +13,8 @@ namespace qrelief {
 /// The outer surface of a model with a flush inlay.
 struct InlaidSurface {
   Mesh mesh;
-  bool hasBothBodies = false;        ///< true: the mesh has faces back to back
-  std::vector<std::uint8_t> inlaid;  ///< modules, row-major from the symbol's top left: 1 = has an inlay, or a pocket
-                                     ///< for one
+  bool hasBothBodies = false;  ///< true: the mesh has faces back to back
+  Grid<std::uint8_t> inlaid;   ///< modules: 1 = has an inlay, or a pocket for one
 };
 
 /// Finds the outer surface of a model whose code is inlaid, from its mesh.

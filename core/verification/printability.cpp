@@ -40,19 +40,8 @@ std::optional<double> leastModuleNozzles(ModulePattern pattern) {
   return std::nullopt;
 }
 
-class Mask {
- public:
-  Mask(const std::vector<std::uint8_t>& carved, int edge) : carved_(carved), edge_(edge) {}
-  bool at(int row, int column) const { return carved_[static_cast<std::size_t>(row * edge_ + column)] != 0; }
-  int edge() const { return edge_; }
-
- private:
-  const std::vector<std::uint8_t>& carved_;
-  int edge_;
-};
-
 /// Returns the edge of the largest carved square within one module, in submodules.
-int largestSquare(const Mask& mask, int row, int column) {
+int largestSquare(const SubmoduleMask& mask, int row, int column) {
   for (int size = kN; size > 0; --size)
     for (int r = 0; r + size <= kN; ++r)
       for (int c = 0; c + size <= kN; ++c) {
@@ -65,12 +54,12 @@ int largestSquare(const Mask& mask, int row, int column) {
 }
 
 /// Returns the length of the shortest run of material between two carved submodules in a row or column.
-int shortestGap(const Mask& mask) {
+int shortestGap(const SubmoduleMask& mask) {
   int shortest = std::numeric_limits<int>::max();
-  for (int line = 0; line < mask.edge(); ++line)
+  for (int line = 0; line < mask.rows(); ++line)
     for (const bool across : {true, false}) {
       int last = -1;  // the last carved one
-      for (int k = 0; k < mask.edge(); ++k) {
+      for (int k = 0; k < mask.rows(); ++k) {
         if (!(across ? mask.at(line, k) : mask.at(k, line))) continue;
         if (last >= 0 && k - last > 1) shortest = std::min(shortest, k - last - 1);
         last = k;
@@ -80,17 +69,17 @@ int shortestGap(const Mask& mask) {
 }
 
 /// Counts the submodules of one module in which the mask differs from a pattern.
-int differences(const Mask& mask, int row, int column, const SubmoduleMask& pattern) {
+int differences(const SubmoduleMask& mask, int row, int column, const SubmoduleMask& pattern) {
   int count = 0;
   for (int k = 0; k < kN * kN; ++k) {
     const int r = kN * row + k / kN, c = kN * column + k % kN;
-    count += mask.at(r, c) != pattern.isCarved(r, c);
+    count += mask.at(r, c) != pattern.at(r, c);
   }
   return count;
 }
 
 /// Finds the pattern that differs least from the data modules on average.
-std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) {
+std::optional<ModulePattern> recognised(const Symbol& symbol, const SubmoduleMask& mask) {
   constexpr std::array kPatterns = {ModulePattern::None, ModulePattern::Square, ModulePattern::ThinPlus,
                                     ModulePattern::Diamond, ModulePattern::ThickPlus};
   constexpr double kAlike = 3;  // differing submodules of 25, on average
@@ -132,12 +121,9 @@ double inTwentieths(double mm) { return std::ceil(mm * 20 - 1e-6) / 20; }
 
 }  // namespace
 
-CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
-                               const std::vector<double>& depthMm, double moduleMm) {
-  const int edge = kN * symbol.size;
-  assert(carved.size() == static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
-  assert(depthMm.size() == carved.size());
-  const Mask mask(carved, edge);
+CarvedFeatures measureFeatures(const Symbol& symbol, const SubmoduleMask& mask, std::span<const double> depthMm,
+                               double moduleMm) {
+  assert(mask.rows() == kN * symbol.size && depthMm.size() == mask.size());
   CarvedFeatures features;
   features.moduleMm = moduleMm;
   features.pattern = recognised(symbol, mask);
@@ -151,8 +137,8 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
       squares.push_back(square);
       double most = 0;
       for (int k = 0; k < kN * kN; ++k) {
-        const auto i = static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN);
-        if (!carved[i]) continue;
+        const std::size_t i = mask.index(kN * row + k / kN, kN * column + k % kN);
+        if (!mask[i]) continue;
         features.meanDepthMm += depthMm[i];
         most = std::max(most, depthMm[i]);
         ++count;
@@ -241,8 +227,8 @@ double printableLayerMm(const CarvedFeatures& features) { return features.leastD
 double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
                               const Printer& printer) {
   const SubmoduleMask mask = submodulesToCarve(symbol, modules, finders);
-  const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
-  const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
+  const std::vector<double> depths(mask.size(), kAnyDepthMm);
+  const CarvedFeatures features = measureFeatures(symbol, mask, depths, 1);
   // Bisection works because a warning at one size also applies to all smaller sizes.
   int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * printer.nozzleMm / kModuleStepMm));
   while (enough - tooSmall > 1) {

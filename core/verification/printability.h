@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,9 @@ struct CarvedFeatures {
 };
 
 /// Measures the features of a carved symbol.
-/// @param carved   (5·modules)² submodules, row-major from the symbol's top left, 1 = carved
-/// @param depthMm  depths of the same submodules; only carved ones count
-CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
-                               const std::vector<double>& depthMm, double moduleMm);
+/// @param depthMm  depths of the mask's submodules; only carved ones count
+CarvedFeatures measureFeatures(const Symbol& symbol, const SubmoduleMask& mask, std::span<const double> depthMm,
+                               double moduleMm);
 
 /// Returns warnings about printing; empty if there are none. The bounds in nozzle widths follow the published prints
 /// [Papp 2022, §8, 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to 0.6 mm, no

@@ -26,7 +26,8 @@ Result<LightError> lightError(const StudyPlacement& spot, const CarvedCode& code
   QRELIEF_TRY(surface);
   std::vector<SeenCell> cells;
   for (const std::uint32_t i : carvedOf(code.mask)) {
-    const Vec2 corner = code.depths.corner(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size);
+    const Vec2 corner =
+        code.depths.corner(static_cast<int>(i) / code.mask.rows(), static_cast<int>(i) % code.mask.rows());
     const double h = code.depths.submoduleMm();
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }

@@ -31,7 +31,7 @@ void breakUpDarkAreas(Symbol& symbol) {
            spent[static_cast<std::size_t>(layout.blockOfCodeword[static_cast<std::size_t>(codeword)])] < spare;
   };
 
-  symbol.flipped.assign(symbol.dark.size(), 0);
+  symbol.flipped = {symbol.size, symbol.size};
   SkyFraction sky(symbol);
   // A module that sees no more sky than an isolated one is worth nothing to its neighbours when flipped.
   const double alone = SkyFraction::ofModuleAlone();

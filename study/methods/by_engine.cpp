@@ -30,7 +30,7 @@ Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveReques
   code.symbol = std::move(result->symbol);
   for (const std::uint32_t i : carvedOf(code.mask))
     code.ownEstimate.push_back(
-        luminanceOf(result->luminance, static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
+        luminanceOf(result->luminance, static_cast<int>(i) / code.mask.rows(), static_cast<int>(i) % code.mask.rows()));
   code.depths = std::move(result->depths);
   if (request.depth.objective == DepthObjective::OneLight) code.readUnder = request.lamps().front();
   code.passes = result->searchIterations;

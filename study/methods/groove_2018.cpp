@@ -47,18 +47,18 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
                                     const GrooveOptions& options) {
   const auto start = Clock::now();
   // A groove runs out over its neighbours, so these are carved, too.
-  std::vector<double> reach(mask.carved.begin(), mask.carved.end());
-  reach = bSplineValues(reach, mask.size);
+  std::vector<double> reach(mask.begin(), mask.end());
+  reach = bSplineValues(reach, mask.rows());
   SubmoduleMask grooved = mask;
-  for (std::size_t i = 0; i < reach.size(); ++i) grooved.carved[i] = reach[i] > 0;
+  for (std::size_t i = 0; i < reach.size(); ++i) grooved[i] = reach[i] > 0;
   const double moduleMm = spot.placement.moduleMm;
   const std::vector<double> limitMm = spot.limitsMm(grooved, options.maxDepthModules * moduleMm);
-  CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};
-  code.depths.depthMm.assign(mask.carved.size(), 0);
+  CarvedCode code{symbol, mask, {mask.rows(), spot.placement.symbolMm, {}}, {}};
+  code.depths.depthMm.assign(mask.size(), 0);
   const std::vector<std::uint32_t> dark = carvedOf(mask);
   std::vector<std::uint32_t> light;
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
-    if (!grooved.carved[i]) light.push_back(i);
+  for (std::uint32_t i = 0; i < mask.size(); ++i)
+    if (!grooved[i]) light.push_back(i);
 
   const auto measured = [&](const CarvedSurface& surface, PassRays& rays, double target) {
     rays.begin(spot.placement.frame, code.depths);
@@ -82,12 +82,12 @@ Result<CarvedCode> carveGrooves2018(const StudyPlacement& spot, const Symbol& sy
     for (const double value : measured(*uncarved, rays, INFINITY)) open += value / static_cast<double>(light.size());
   }
   PassRays rays(dark, options.rays);
-  std::vector<double> control(mask.carved.size(), 0);
+  std::vector<double> control(mask.size(), 0);
   const double stepMm = options.stepModules * moduleMm;
   for (const std::uint32_t i : dark) control[i] = stepMm;
   for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
     ++code.passes;
-    const std::vector<double> wantedMm = bSplineValues(control, mask.size);
+    const std::vector<double> wantedMm = bSplineValues(control, mask.rows());
     for (std::size_t i = 0; i < wantedMm.size(); ++i)
       code.depths.depthMm[i] = wantedMm[i] > 0 ? quantisedDepth(wantedMm[i], limitMm[i]) : 0;
     const auto carved = CarvedSurface::make(spot, code.depths);

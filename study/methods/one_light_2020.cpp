@@ -67,7 +67,7 @@ void breakUpRuns2020(Symbol& symbol) {
   const CodewordLayout layout = layoutCodewords(symbol);
   std::vector<int> left(static_cast<std::size_t>(layout.structure.blocks), flipBudget2019(symbol));
   std::vector<char> isSpoilt(layout.blockOfCodeword.size(), 0);
-  symbol.flipped.assign(symbol.dark.size(), 0);
+  symbol.flipped = {symbol.size, symbol.size};
   const auto flip = [&](int row, int column) {
     const auto module = static_cast<std::size_t>(row * symbol.size + column);
     if (symbol.roles[module] != ModuleRole::Data) return false;
@@ -115,22 +115,22 @@ std::vector<std::uint8_t> lockedModules2020(const Symbol& symbol) {
 Result<CarvedCode> carveOneLight2020(const StudyPlacement& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                      const OneLightOptions& options) {
   const auto start = Clock::now();
-  CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};
+  CarvedCode code{symbol, mask, {mask.rows(), spot.placement.symbolMm, {}}, {}};
   const std::vector<std::uint8_t> locked = options.lock ? lockedModules2020(symbol) : std::vector<std::uint8_t>();
   const auto moduleOf = [&](std::uint32_t i) {
-    const auto row = i / static_cast<std::uint32_t>(mask.size) / kSubmodulesPerModule,
-               column = i % static_cast<std::uint32_t>(mask.size) / kSubmodulesPerModule;
+    const auto row = i / static_cast<std::uint32_t>(mask.rows()) / kSubmodulesPerModule,
+               column = i % static_cast<std::uint32_t>(mask.rows()) / kSubmodulesPerModule;
     return row * static_cast<std::uint32_t>(symbol.size) + column;
   };
-  for (std::uint32_t i = 0; i < mask.carved.size() && !locked.empty(); ++i)
-    if (locked[moduleOf(i)]) code.mask.carved[i] = 1;
+  for (std::uint32_t i = 0; i < mask.size() && !locked.empty(); ++i)
+    if (locked[moduleOf(i)]) code.mask[i] = 1;
   const std::vector<double> limitMm = spot.limitsMm(code.mask, options.maxDepthModules * spot.placement.moduleMm);
   const double stepMm = options.stepSubmodules * spot.submoduleMm();
-  code.depths.depthMm.assign(mask.carved.size(), 0);
+  code.depths.depthMm.assign(mask.size(), 0);
   const std::vector<std::uint32_t> dark = carvedOf(code.mask);
   std::vector<std::uint32_t> light;
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
-    if (!symbol.dark[moduleOf(i)] && !code.mask.carved[i]) light.push_back(i);
+  for (std::uint32_t i = 0; i < mask.size(); ++i)
+    if (!symbol.dark[moduleOf(i)] && !code.mask[i]) light.push_back(i);
 
   const auto lampFrom = [&](double elevationDeg) {
     return lampOf({options.azimuthDeg, elevationDeg, kLampToSky}, spot.placement.frame, 0).towards;

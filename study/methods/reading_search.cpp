@@ -45,7 +45,7 @@ Grid<double> blurred(const Grid<double>& map, double sigma) {
 ReadingSearch::ReadingSearch(CarvingTarget target, const ReadingOptions& options)
     : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
   const Symbol& symbol = *target_.symbol;
-  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
+  depths_ = {target_.mask->rows(), target_.symbolMm, std::vector<double>(target_.mask->size(), 0)};
   contrast_.assign(symbol.dark.size(), 0);
   const double moduleMm = target_.symbolMm / symbol.size;
   for (int row = 0; row < symbol.size; ++row) {
@@ -56,7 +56,7 @@ ReadingSearch::ReadingSearch(CarvingTarget target, const ReadingOptions& options
       pocket.wanted = symbol.role(row, column) == ModuleRole::Finder ? options_.finderContrast : options_.dataContrast;
       for (int k = 0; k < kN * kN; ++k) {
         const auto i = static_cast<std::size_t>((row * kN + k / kN) * depths_.size + column * kN + k % kN);
-        if (target_.mask->carved[i]) pocket.limitMm = std::max(pocket.limitMm, target_.limitMm[i]);
+        if ((*target_.mask)[i]) pocket.limitMm = std::max(pocket.limitMm, target_.limitMm[i]);
       }
       pocket.limitMm = quantisedDepth(pocket.limitMm, pocket.limitMm);
       pocket.depthMm = quantisedDepth(kFirstDepthModules * moduleMm, pocket.limitMm);
@@ -71,7 +71,7 @@ void ReadingSearch::carve(const Pocket& pocket) {
   const int row = static_cast<int>(pocket.module) / m, column = static_cast<int>(pocket.module) % m;
   for (int k = 0; k < kN * kN; ++k) {
     const auto i = static_cast<std::size_t>((row * kN + k / kN) * depths_.size + column * kN + k % kN);
-    if (target_.mask->carved[i]) depths_.depthMm[i] = quantisedDepth(pocket.depthMm, target_.limitMm[i]);
+    if ((*target_.mask)[i]) depths_.depthMm[i] = quantisedDepth(pocket.depthMm, target_.limitMm[i]);
   }
 }
 
@@ -144,9 +144,7 @@ std::size_t ReadingSearch::submodulesOf(const Counts& counts) const {
   for (const Pocket& pocket : pockets_) {
     if (!counts(pocket)) continue;
     const int row = static_cast<int>(pocket.module) / m, column = static_cast<int>(pocket.module) % m;
-    for (int k = 0; k < kN * kN; ++k)
-      count +=
-          target_.mask->carved[static_cast<std::size_t>((row * kN + k / kN) * depths_.size + column * kN + k % kN)];
+    for (int k = 0; k < kN * kN; ++k) count += target_.mask->at(row * kN + k / kN, column * kN + k % kN);
   }
   return count;
 }

@@ -35,14 +35,14 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
   const auto start = Clock::now();
   const std::vector<double> limitMm = spot.limitsMm(mask, options.maxDepthModules * spot.placement.moduleMm);
   const double stepMm = options.stepModules * spot.placement.moduleMm;
-  CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};
-  code.depths.depthMm.assign(mask.carved.size(), 0);
+  CarvedCode code{symbol, mask, {mask.rows(), spot.placement.symbolMm, {}}, {}};
+  code.depths.depthMm.assign(mask.size(), 0);
   const std::vector<std::uint32_t> dark = carvedOf(mask);
   std::vector<std::uint32_t> light;
   std::vector<double> target(dark.size());
-  for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
-    const int row = static_cast<int>(i) / mask.size / kSubmodulesPerModule;
-    if (!symbol.isDark(row, static_cast<int>(i) % mask.size / kSubmodulesPerModule)) light.push_back(i);
+  for (std::uint32_t i = 0; i < mask.size(); ++i) {
+    const int row = static_cast<int>(i) / mask.rows() / kSubmodulesPerModule;
+    if (!symbol.isDark(row, static_cast<int>(i) % mask.rows() / kSubmodulesPerModule)) light.push_back(i);
   }
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
@@ -55,8 +55,8 @@ Result<CarvedCode> carveSelfShadow2019(const StudyPlacement& spot, const Symbol&
     });
     const double white = whiteReference(std::move(greys));
     for (std::size_t k = 0; k < dark.size(); ++k) {
-      const int row = static_cast<int>(dark[k]) / mask.size / kSubmodulesPerModule,
-                column = static_cast<int>(dark[k]) % mask.size / kSubmodulesPerModule;
+      const int row = static_cast<int>(dark[k]) / mask.rows() / kSubmodulesPerModule,
+                column = static_cast<int>(dark[k]) % mask.rows() / kSubmodulesPerModule;
       const bool isData = symbol.role(row, column) == ModuleRole::Data;
       target[k] = white - kGreyScale * (isData ? options.dataContrast : options.functionContrast);
     }

@@ -31,7 +31,7 @@ struct CarvedRows {
 CarvedRows carvedRows(const SubmoduleMask& mask, int moduleRow, int moduleColumn) {
   CarvedRows rows;
   for (int k = 0; k < kN * kN; ++k) {
-    if (!mask.isCarved(moduleRow * kN + k / kN, moduleColumn * kN + k % kN)) continue;
+    if (!mask.at(moduleRow * kN + k / kN, moduleColumn * kN + k % kN)) continue;
     rows.first = std::min(rows.first, k / kN);
     rows.count = k / kN - rows.first + 1;
   }
@@ -55,7 +55,7 @@ ShapedFloorSearch::ShapedFloorSearch(CarvingTarget target, const ShapedFloorOpti
     : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
   const Symbol& symbol = *target_.symbol;
   const SubmoduleMask& mask = *target_.mask;
-  depths_ = {mask.size, target_.symbolMm, std::vector<double>(mask.carved.size(), 0)};
+  depths_ = {mask.rows(), target_.symbolMm, std::vector<double>(mask.size(), 0)};
   contrast_.assign(symbol.dark.size(), 0);
   for (int row = 0; row < symbol.size; ++row) {
     for (int column = 0; column < symbol.size; ++column) {
@@ -64,8 +64,8 @@ ShapedFloorSearch::ShapedFloorSearch(CarvingTarget target, const ShapedFloorOpti
       Floor floor;
       floor.module = static_cast<std::size_t>(row * symbol.size + column);
       for (int k = 0; k < kN * kN; ++k) {
-        const auto i = static_cast<std::uint32_t>((row * kN + k / kN) * mask.size + column * kN + k % kN);
-        if (!mask.carved[i]) continue;
+        const auto i = static_cast<std::uint32_t>((row * kN + k / kN) * mask.rows() + column * kN + k % kN);
+        if (!mask[i]) continue;
         const double weight = floorWeight(options_.shape, row, k / kN - rows.first, rows.count);
         floor.steps.push_back({i, weight});
         floor.limitMm = std::max(floor.limitMm, target_.limitMm[i] / weight);

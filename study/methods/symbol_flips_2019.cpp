@@ -101,7 +101,7 @@ void flipModules2019(Symbol& symbol) {
   const CodewordLayout layout = layoutCodewords(symbol);
   std::vector<int> left(static_cast<std::size_t>(layout.structure.blocks), flipBudget2019(symbol));
   std::vector<char> isSpoilt(layout.blockOfCodeword.size(), 0);
-  symbol.flipped.assign(symbol.dark.size(), 0);
+  symbol.flipped = {symbol.size, symbol.size};
   const auto hasBudget = [](int budget) { return budget > 0; };
   while (std::any_of(left.begin(), left.end(), hasBudget)) {
     const std::vector<std::size_t> modules = widestFirst(symbol);

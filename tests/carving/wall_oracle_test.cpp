@@ -140,8 +140,8 @@ TEST(WallOracle, PocketsKeepTheMinimumWallToEveryOtherSide) {
     const auto patch = findSilhouette(body.mesh, buildAdjacency(body.mesh.triangles), spot.frame, spot.seed, 1000);
     ASSERT_TRUE(patch) << patch.error().message;
     constexpr int kSize = 24;
-    SubmoduleMask mask{kSize, {}};
-    for (int k = 0; k < kSize * kSize; ++k) mask.carved.push_back(random() % 3 != 0);
+    SubmoduleMask mask(kSize, kSize);
+    for (std::uint8_t& cell : mask) cell = random() % 3 != 0;
     const std::vector<double> limits =
         wallLimits(body.mesh, *patch, spot.frame, mask,
                    {.symbolMm = body.symbolMm, .maxDepthMm = kMaxDepthMm, .minWallMm = kMinWallMm});

@@ -21,12 +21,12 @@ class FastSearchTest : public testing::Test {
   FastSearchTest()
       : symbol_(*encodeSymbol("https://qrelief.example", {})),
         mask_(submodulesToCarve(symbol_, ModulePattern::Square, FinderPattern::ThickPlus)),
-        sky_(mask_, kSymbolMm / mask_.size) {}
+        sky_(mask_, kSymbolMm / mask_.rows()) {}
 
   static constexpr double kSymbolMm = 25;
 
   CarvingTarget target(double limitMm) const {
-    return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), limitMm)};
+    return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.size(), limitMm)};
   }
 
   Grid<double> luminances(const DepthField& field) const {
@@ -49,7 +49,7 @@ class FastSearchTest : public testing::Test {
     const Grid<double> all = luminances(field);
     int count = 0;
     for (const std::uint32_t i : sky_.carved())
-      count += luminanceOf(all, static_cast<int>(i) / mask_.size, static_cast<int>(i) % mask_.size) > 1 - kContrast;
+      count += luminanceOf(all, static_cast<int>(i) / mask_.rows(), static_cast<int>(i) % mask_.rows()) > 1 - kContrast;
     return count;
   }
 
@@ -90,7 +90,7 @@ TEST_F(FastSearchTest, AHigherTargetDeepensItsOwnModuleAndHardlyAnyOther) {
   const Grid<double> all = luminances(uneven.depths());
   double asked = 0, askedBefore = 0, others = 0, othersBefore = 0;
   for (const std::uint32_t i : sky_.carved()) {
-    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    const int row = static_cast<int>(i) / mask_.rows(), column = static_cast<int>(i) % mask_.rows();
     EXPECT_LE(luminanceOf(all, row, column), 1 - (isAsked(row, column) ? 0.45 : kContrast));
     (isAsked(row, column) ? asked : others) += uneven.depths().depthMm[i];
     (isAsked(row, column) ? askedBefore : othersBefore) += even.depths().depthMm[i];
@@ -112,7 +112,7 @@ TEST_F(FastSearchTest, StartingFromAnEarlierResultNeedsFewerMeasurementsAndNoMor
   EXPECT_EQ(after.limitedCount(), 0u);
   const Grid<double> all = luminances(after.depths());
   for (const std::uint32_t i : sky_.carved()) {
-    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    const int row = static_cast<int>(i) / mask_.rows(), column = static_cast<int>(i) % mask_.rows();
     const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
     EXPECT_LE(luminanceOf(all, row, column), 1 - options.contrastOfModule[module]);
   }
@@ -129,7 +129,7 @@ TEST_F(FastSearchTest, NeedsOnlyTheRequestedLuminancesAndChecksAllAtTheEnd) {
     allInTheEnd = allInTheEnd || (all && fast.iterations() >= 3);
     const Grid<double> now = luminances(fast.depths());
     for (const std::uint32_t i : all ? std::span<const std::uint32_t>(sky_.carved()) : fast.due()) {
-      const int row = static_cast<int>(i) / mask_.size + 20, column = static_cast<int>(i) % mask_.size + 20;
+      const int row = static_cast<int>(i) / mask_.rows() + 20, column = static_cast<int>(i) % mask_.rows() + 20;
       luminance.at(row, column) = now.at(row, column);
     }
     fast.update(luminance);

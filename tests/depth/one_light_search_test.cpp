@@ -22,11 +22,11 @@ constexpr double kContrast = 0.3;
 class OneLightSearchTest : public testing::Test {
  protected:
   OneLightSearchTest() {}
-  void darken(int row, int column) { symbol_.dark[static_cast<std::size_t>(row * kModules + column)] = 1; }
+  void darken(int row, int column) { symbol_.dark.at(row, column) = 1; }
 
   OneLightSearch start(ModulePattern pattern, double limitMm = 5) {
     mask_ = submodulesToCarve(symbol_, pattern, FinderPattern::AsModules);
-    return {CarvingTarget{&symbol_, &mask_, kModules, std::vector<double>(mask_.carved.size(), limitMm)},
+    return {CarvingTarget{&symbol_, &mask_, kModules, std::vector<double>(mask_.size(), limitMm)},
             {.lamp = lamp_, .contrast = kContrast}};
   }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "math/tolerance.h"
+#include "support/symbols.h"
 
 namespace qrelief {
 namespace {
@@ -19,17 +20,9 @@ TEST(DepthIncrease, MatchesThePapersFormula) {
 /// Fixture with a symbol of `size` modules in which only the given modules are dark.
 class PaperStepSearchTest : public testing::Test {
  protected:
-  PaperStepSearchTest() {
-    symbol_.size = 21;
-    symbol_.dark.assign(21 * 21, 0);
-    symbol_.roles.assign(21 * 21, ModuleRole::Data);
-    mask_.size = 105;
-    mask_.carved.assign(105 * 105, 0);
-  }
   void darken(int row, int column) {
-    symbol_.dark[static_cast<std::size_t>(row * 21 + column)] = 1;
-    for (int k = 0; k < 25; ++k)
-      mask_.carved[static_cast<std::size_t>((row * 5 + k / 5) * 105 + column * 5 + k % 5)] = 1;
+    symbol_.dark.at(row, column) = 1;
+    for (int k = 0; k < 25; ++k) mask_.at(row * 5 + k / 5, column * 5 + k % 5) = 1;
   }
   PaperStepSearch start(double limit = 5, DepthSearchOptions options = {}) {
     return {CarvingTarget{&symbol_, &mask_, 21, std::vector<double>(105 * 105, limit)}, options};
@@ -41,12 +34,12 @@ class PaperStepSearchTest : public testing::Test {
     Grid<double> all(edge, edge, 1);
     for (int row = 0; row < 105; ++row)
       for (int column = 0; column < 105; ++column)
-        if (mask_.isCarved(row, column))
+        if (mask_.at(row, column))
           all.at(row + 20, column + 20) = carved(row, column, search.depths().depth(row, column));
     return all;
   }
-  Symbol symbol_;
-  SubmoduleMask mask_;
+  Symbol symbol_ = lightSymbol(21);
+  SubmoduleMask mask_{105, 105};
 };
 
 TEST_F(PaperStepSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUncarved) {
@@ -54,7 +47,7 @@ TEST_F(PaperStepSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStay
   const PaperStepSearch search = start();
   for (int row = 0; row < 105; ++row)
     for (int column = 0; column < 105; ++column)
-      EXPECT_DOUBLE_EQ(search.depths().depth(row, column), mask_.isCarved(row, column) ? 0.1 : 0);
+      EXPECT_DOUBLE_EQ(search.depths().depth(row, column), mask_.at(row, column) ? 0.1 : 0);
 }
 
 TEST_F(PaperStepSearchTest, StopsOnceEverySubmoduleIsDarkEnough) {
@@ -134,8 +127,8 @@ TEST_F(PaperStepSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
 TEST_F(PaperStepSearchTest, WidensTheRingInLargeDarkAreasUntilItHasFourLightModules) {
   for (int row = 0; row < 21; ++row)
     for (int column = 0; column < 21; ++column) darken(row, column);
-  symbol_.dark[3 * 21 + 3] = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11
-  for (int k = 0; k < 25; ++k) mask_.carved[static_cast<std::size_t>((15 + k / 5) * 105 + 15 + k % 5)] = 0;
+  symbol_.dark.at(3, 3) = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11
+  for (int k = 0; k < 25; ++k) mask_.at(15 + k / 5, 15 + k % 5) = 0;
   PaperStepSearch search = start(5, {.contrast = 0.5});
   const int edge = 5 * 29;
   Grid<double> all(edge, edge);

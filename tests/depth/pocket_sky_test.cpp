@@ -12,10 +12,9 @@ namespace qrelief {
 namespace {
 
 SubmoduleMask maskOf(int size, const std::function<bool(int, int)>& isCarved) {
-  SubmoduleMask mask;
-  mask.size = size;
+  SubmoduleMask mask(size, size);
   for (int row = 0; row < size; ++row)
-    for (int column = 0; column < size; ++column) mask.carved.push_back(isCarved(row, column));
+    for (int column = 0; column < size; ++column) mask.at(row, column) = isCarved(row, column);
   return mask;
 }
 

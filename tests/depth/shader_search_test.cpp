@@ -23,25 +23,23 @@ class ShaderSearchTest : public GlTest {
   ShaderSearchTest()
       : symbol_(*encodeSymbol("https://qrelief.example", {})),
         mask_(submodulesToCarve(symbol_, ModulePattern::ThickPlus, FinderPattern::None)) {
-    for (std::uint32_t i = 0; i < mask_.carved.size(); ++i)
-      if (mask_.carved[i]) {
+    for (std::uint32_t i = 0; i < mask_.size(); ++i)
+      if (mask_[i]) {
         carved_.push_back(i);
-        const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+        const int row = static_cast<int>(i) / mask_.rows(), column = static_cast<int>(i) % mask_.rows();
         cells_.push_back(static_cast<std::uint32_t>((edge() - 1 - row - kMargin) * edge() + column + kMargin));
       }
   }
 
-  int edge() const { return mask_.size + 2 * kMargin; }
-  int quietEdge() const { return mask_.size + 2 * kSubmodulesPerModule * kQuietZoneModules; }
-  CarvingTarget target() const {
-    return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), kLimitMm)};
-  }
+  int edge() const { return mask_.rows() + 2 * kMargin; }
+  int quietEdge() const { return mask_.rows() + 2 * kSubmodulesPerModule * kQuietZoneModules; }
+  CarvingTarget target() const { return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.size(), kLimitMm)}; }
   Grid<double> quietOnes() const { return {quietEdge(), quietEdge(), 1}; }
   /// Returns the index of a submodule among those of symbol and quiet zone.
   std::size_t inQuietZone(std::uint32_t i) const {
     constexpr int kQuiet = kSubmodulesPerModule * kQuietZoneModules;
-    return static_cast<std::size_t>((static_cast<int>(i) / mask_.size + kQuiet) * quietEdge() +
-                                    static_cast<int>(i) % mask_.size + kQuiet);
+    return static_cast<std::size_t>((static_cast<int>(i) / mask_.rows() + kQuiet) * quietEdge() +
+                                    static_cast<int>(i) % mask_.rows() + kQuiet);
   }
 
   /// Makes the pass that lights a plate.
@@ -52,7 +50,7 @@ class ShaderSearchTest : public GlTest {
     const GpuMesh mesh(plate, vertexNormals(plate));
     const ProjectionFrame frame = makeFrame({0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 250);
     auto maps =
-        geometry->render(mesh, frame, {kSymbolMm / mask_.size * edge(), edge() * LuminanceOptions{}.cellTexels});
+        geometry->render(mesh, frame, {kSymbolMm / mask_.rows() * edge(), edge() * LuminanceOptions{}.cellTexels});
     ASSERT_TRUE(maps.has_value());
     maps_ = std::move(*maps);
     auto pass = LuminancePass::create(maps_, nullptr, 250, {.radiusMm = 30});
@@ -83,7 +81,8 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
   auto programs = LuminancePrograms::create();
   ASSERT_TRUE(programs.has_value()) << programs.error().message;
   auto passes = FloorPasses::create(
-      {.cellsAlongEdge = edge(), .cells = cells_, .steps = floorSteps(mask_.size, kSymbolMm / mask_.size)}, *programs);
+      {.cellsAlongEdge = edge(), .cells = cells_, .steps = floorSteps(mask_.rows(), kSymbolMm / mask_.rows())},
+      *programs);
   ASSERT_TRUE(passes.has_value()) << passes.error().message;
   passes->setTargets(
       std::vector<FloorTarget>(cells_.size(), {1, static_cast<float>(1 - kContrast), static_cast<float>(kLimitMm)}));
@@ -197,7 +196,7 @@ TEST_F(ShaderSearchTest, ContinuesWithAHigherTargetForSomeModules) {
   EXPECT_FALSE(gpu->finished());
   while (!gpu->finished()) gpu->advance();
   for (const std::uint32_t i : carved_) {
-    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    const int row = static_cast<int>(i) / mask_.rows(), column = static_cast<int>(i) % mask_.rows();
     const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
     EXPECT_LE(gpu->luminance()[inQuietZone(i)], 1 - options.contrastOfModule[module] + 1e-6);
   }
@@ -210,7 +209,7 @@ TEST_F(ShaderSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   place.cells = cells_;
   place.luminance = quietOnes();
   CarvingTarget shallow = target();
-  shallow.limitMm.assign(mask_.carved.size(), 0.123);
+  shallow.limitMm.assign(mask_.size(), 0.123);
   const auto search = ShaderSearch::create(shallow, {.contrast = kContrast}, std::move(place));
   ASSERT_TRUE(search.has_value());
   while (!(*search)->finished()) (*search)->advance();

@@ -31,7 +31,7 @@ struct Case {
   void prepare() {
     const brute_force::Hit top = brute_force::castRay(mesh, {0, 0, 500}, {0, 0, -1});
     frame = makeFrame({0, 0, 500 - top.distance}, {0, 0, 1}, {0, 1, 0}, 250);
-    mask = {size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), 1)};
+    mask = {size, size, 1};
   }
 
   /// Returns the plane point of a grid position; corners are at whole numbers.
@@ -171,7 +171,7 @@ TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
 TEST(WallLimit, IsZeroWhereNothingIsCarved) {
   Case c{.mesh = shapes::box({60, 60, 60})};
   c.prepare();
-  c.mask.carved[5] = 0;
+  c.mask[5] = 0;
   const std::vector<double> limits = c.limits();
   for (std::size_t k = 0; k < limits.size(); ++k) EXPECT_EQ(limits[k], k == 5 ? 0 : 3);
 }

@@ -21,10 +21,10 @@ class SearchViewTest : public testing::Test {
   SearchViewTest()
       : symbol_(*encodeSymbol("https://qrelief.example", {})),
         mask_(submodulesToCarve(symbol_, ModulePattern::Square, FinderPattern::ThickPlus)),
-        edge_(mask_.size + 2 * kQuiet) {
+        edge_(mask_.rows() + 2 * kQuiet) {
     record_.luminance = {edge_, edge_, 0.9f};
-    for (std::size_t i = 0; i < mask_.carved.size(); ++i) {
-      if (!mask_.carved[i]) continue;
+    for (std::size_t i = 0; i < mask_.size(); ++i) {
+      if (!mask_[i]) continue;
       record_.carved.push_back(static_cast<std::uint32_t>(i));
       record_.limitMm.push_back(1.5f);
     }
@@ -41,7 +41,7 @@ class SearchViewTest : public testing::Test {
 
   SubmodulePlace firstCarved() const {
     const int i = static_cast<int>(record_.carved[0]);
-    return {i / mask_.size, i % mask_.size};
+    return {i / mask_.rows(), i % mask_.rows()};
   }
 
   Symbol symbol_;
@@ -72,16 +72,16 @@ TEST_F(SearchViewTest, TheQuietZoneHasOnlyALuminance) {
   EXPECT_FLOAT_EQ(facts->luminance, 0.9f);
   EXPECT_FALSE(facts->around || facts->excess || facts->depthMm || facts->limitMm);
   EXPECT_FALSE(view.facts(0, {-kQuiet - 1, 0}).has_value());
-  EXPECT_FALSE(view.facts(0, {0, mask_.size + kQuiet}).has_value());
+  EXPECT_FALSE(view.facts(0, {0, mask_.rows() + kQuiet}).has_value());
 }
 
 TEST_F(SearchViewTest, UncarvedSubmodulesOfADarkModuleAreDark) {
   const SearchView view(symbol_, record_, kContrast);
   int standing = 0;
-  for (int row = 0; row < mask_.size; ++row) {
-    for (int column = 0; column < mask_.size; ++column) {
+  for (int row = 0; row < mask_.rows(); ++row) {
+    for (int column = 0; column < mask_.rows(); ++column) {
       const auto facts = view.facts(1, {row, column});
-      ASSERT_EQ(facts->carved, mask_.isCarved(row, column));
+      ASSERT_EQ(facts->carved, mask_.at(row, column));
       ASSERT_EQ(facts->dark, symbol_.isDark(row / 5, column / 5));
       ASSERT_EQ(facts->depthMm.has_value(), facts->carved);
       ASSERT_EQ(facts->excess.has_value(), facts->dark);
@@ -111,8 +111,7 @@ TEST_F(SearchViewTest, SummarisesThePasses) {
 }
 
 TEST_F(SearchViewTest, CountsLikeTheSearch) {
-  PaperStepSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.carved.size(), 3.0)},
-                         {.contrast = kContrast});
+  PaperStepSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.size(), 3.0)}, {.contrast = kContrast});
   SearchRecord record = record_;
   record.passes.resize(1);
   // Light modules differ, so AL differs, too.
@@ -122,7 +121,7 @@ TEST_F(SearchViewTest, CountsLikeTheSearch) {
       luminance.at(row, column) = 0.8 + 0.1 * std::sin(row * 0.3) * std::cos(column * 0.2);
   for (std::size_t k = 0; k < record.carved.size(); ++k) {
     const int i = static_cast<int>(record.carved[k]);
-    double& seen = luminance.at(i / mask_.size + kQuiet, i % mask_.size + kQuiet);
+    double& seen = luminance.at(i / mask_.rows() + kQuiet, i % mask_.rows() + kQuiet);
     seen = 0.55 + 0.1 * std::sin(static_cast<double>(k));
     record.passes[0].luminance[k] = static_cast<float>(seen);
   }

@@ -113,17 +113,17 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchOnRequest) {
   ASSERT_EQ(record.passes.size(), static_cast<std::size_t>(result->searchIterations));
   const SubmoduleMask mask =
       submodulesToCarve(result->symbol, *result->request.code.modulePattern, *result->request.code.finderPattern);
-  ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
+  ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 1)));
   EXPECT_EQ(record.luminance, Grid<float>(result->luminance));
   // The last pass measured the final depths.
   const SearchRecord::Pass& last = record.passes.back();
   constexpr int kQuiet = kQuietZoneSubmodules;
   for (std::size_t k = 0; k < record.carved.size(); ++k) {
     const auto i = static_cast<int>(record.carved[k]);
-    ASSERT_TRUE(mask.carved[record.carved[k]]);
+    ASSERT_TRUE(mask[record.carved[k]]);
     ASSERT_EQ(last.depthMm[k], static_cast<float>(result->depths.depthMm[record.carved[k]]));
     ASSERT_LE(last.depthMm[k], record.limitMm[k]);
-    ASSERT_EQ(last.luminance[k], record.luminance.at(i / mask.size + kQuiet, i % mask.size + kQuiet));
+    ASSERT_EQ(last.luminance[k], record.luminance.at(i / mask.rows() + kQuiet, i % mask.rows() + kQuiet));
   }
   EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }
@@ -164,10 +164,10 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   const SubmoduleMask mask =
       submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.code.finderPattern);
   std::set<double> depths;
-  for (int row = 0; row < mask.size; ++row) {
-    for (int column = 0; column < mask.size; ++column) {
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int column = 0; column < mask.rows(); ++column) {
       const double depth = result->depths.depth(row, column);
-      ASSERT_EQ(depth > 0, mask.isCarved(row, column));
+      ASSERT_EQ(depth > 0, mask.at(row, column));
       if (depth > 0) depths.insert(depth);
     }
   }
@@ -175,8 +175,8 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   // Wide finder patterns need more depth than single modules.
   double finder = 0, data = 0;
   int finderCount = 0, dataCount = 0;
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column) {
+  for (int row = 0; row < mask.rows(); ++row)
+    for (int column = 0; column < mask.rows(); ++column) {
       const double depth = result->depths.depth(row, column);
       if (depth == 0) continue;
       const bool isFinder = result->symbol.role(row / 5, column / 5) == ModuleRole::Finder;

@@ -68,8 +68,7 @@ TEST_F(InlayPocketsTest, AreWholeModulesOfOneDepth) {
   EXPECT_DOUBLE_EQ(pockets.depthMm, 0.6);
   EXPECT_EQ(pockets.leftOut, 0u);
   const SubmoduleMask dark = submodulesToCarve(symbol_, ModulePattern::None, FinderPattern::None);
-  for (std::size_t i = 0; i < dark.carved.size(); ++i)
-    ASSERT_EQ(pockets.depths.depthMm[i], dark.carved[i] ? pockets.depthMm : 0);
+  for (std::size_t i = 0; i < dark.size(); ++i) ASSERT_EQ(pockets.depths.depthMm[i], dark[i] ? pockets.depthMm : 0);
 }
 
 TEST_F(InlayPocketsTest, AThinWallMakesAllShallowerAndAVeryThinOneCostsItsModule) {

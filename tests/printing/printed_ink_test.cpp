@@ -5,6 +5,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "support/symbols.h"
+
 namespace qrelief {
 namespace {
 
@@ -14,9 +16,8 @@ constexpr int kPixels = 400;
 PrintedInkRequest requestOf(int modules, double moduleMm, const std::vector<int>& dark, Vec3 up = {0, 0, 1}) {
   PrintedInkRequest request;
   request.process = *processOf({});  // lines of 0.45 mm, layers of 0.2 mm
-  request.symbol.size = modules;
-  request.symbol.dark.assign(static_cast<std::size_t>(modules * modules), 0);
-  for (const int module : dark) request.symbol.dark[static_cast<std::size_t>(module)] = 1;
+  request.symbol = lightSymbol(modules);
+  for (const int module : dark) request.symbol.dark[module] = 1;
   request.symbolMm = modules * moduleMm;
   request.frame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250);
   request.buildUp = up;

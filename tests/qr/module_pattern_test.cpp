@@ -28,7 +28,7 @@ Lines picture(const SubmoduleMask& mask, int top, int left, int rows, int column
   for (int y = top * kSubmodulesPerModule; y < (top + rows) * kSubmodulesPerModule; ++y) {
     std::string line;
     for (int x = left * kSubmodulesPerModule; x < (left + columns) * kSubmodulesPerModule; ++x) {
-      line += mask.isCarved(y, x) ? '#' : '.';
+      line += mask.at(y, x) ? '#' : '.';
     }
     lines.push_back(line);
   }
@@ -57,7 +57,7 @@ int countPieces(Lines lines) {
   return pieces;
 }
 
-long countCarved(const SubmoduleMask& mask) { return std::count(mask.carved.begin(), mask.carved.end(), 1); }
+long countCarved(const SubmoduleMask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
 long countDark(const Symbol& symbol, bool finder) {
   long count = 0;
@@ -85,8 +85,8 @@ TEST(ModulePattern, CarvesItsShareOfEveryDarkModule) {
   const Symbol symbol = exampleSymbol();
   for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {
     const SubmoduleMask mask = submodulesToCarve(symbol, kModulePatterns[p], FinderPattern::None);
-    EXPECT_EQ(mask.size, 5 * symbol.size);
-    EXPECT_EQ(mask.carved.size(), static_cast<std::size_t>(mask.size * mask.size));
+    EXPECT_EQ(mask.rows(), 5 * symbol.size);
+    EXPECT_EQ(mask.size(), static_cast<std::size_t>(mask.rows() * mask.rows()));
     EXPECT_EQ(countCarved(mask), kCarvedPerModule[p] * countDark(symbol, false) + 25 * countDark(symbol, true));
   }
 }

@@ -8,6 +8,7 @@
 
 #include "qr/codewords.h"
 #include "qr/sky_fraction.h"
+#include "support/symbols.h"
 
 namespace qrelief {
 namespace {
@@ -67,12 +68,9 @@ TEST(SkyFraction, OfALoneModuleMatchesASquarePit) {
 }
 
 TEST(SkyFraction, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
-  Symbol symbol;
-  symbol.size = 9;
-  symbol.dark.assign(81, 0);
-  symbol.roles.assign(81, ModuleRole::Data);
+  Symbol symbol = lightSymbol(9);
   for (int row = 2; row < 7; ++row)
-    for (int column = 2; column < 7; ++column) symbol.dark[static_cast<std::size_t>(row * 9 + column)] = 1;
+    for (int column = 2; column < 7; ++column) symbol.dark.at(row, column) = 1;
   const SkyFraction sky(symbol);
   EXPECT_EQ(sky.of(0, 0), 1);
   EXPECT_GT(sky.of(4, 4), sky.of(2, 4));
@@ -84,7 +82,7 @@ TEST(SkyFraction, UpdatesToTheSameValuesAsAnew) {
   Symbol symbol = symbolOf({});
   SkyFraction sky(symbol);
   for (const int row : {9, 12, 15}) {
-    symbol.dark[static_cast<std::size_t>(row * symbol.size + 12)] = 0;
+    symbol.dark.at(row, 12) = 0;
     sky.update(symbol, row, 12);
   }
   const SkyFraction anew(symbol);

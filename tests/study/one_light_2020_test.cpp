@@ -54,7 +54,7 @@ TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
     depths.push_back(depth);
   }
   for (const std::uint32_t i : carvedOf(mask)) {
-    const auto column = static_cast<std::size_t>(static_cast<int>(i) % mask.size % kSubmodulesPerModule);
+    const auto column = static_cast<std::size_t>(static_cast<int>(i) % mask.rows() % kSubmodulesPerModule);
     EXPECT_NEAR(code->depths.depthMm[i], depths[column], stepMm + kDepthQuantumMm) << "column " << column;
   }
   EXPECT_EQ(code->limited, 0u);

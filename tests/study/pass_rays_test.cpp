@@ -17,7 +17,7 @@ class PassRaysTest : public PlateTest {
   PassRaysTest() : spot_(plateSpot(2)) {
     const SubmoduleMask mask = submodulesToCarve(spot_.symbol, ModulePattern::None, FinderPattern::None);
     dark_ = carvedOf(mask);
-    depths_ = {mask.size, spot_.placement.symbolMm, std::vector<double>(mask.carved.size(), 0)};
+    depths_ = {mask.rows(), spot_.placement.symbolMm, std::vector<double>(mask.size(), 0)};
   }
 
   /// Deepens every `stride`-th dark submodule.

@@ -17,16 +17,11 @@ constexpr int kMapEdge = kEdge + 2 * 5 * kQuietZoneModules;
 /// Fixture with a symbol of 21 modules of 1 mm in which only the given modules are dark; a closed form gives the light.
 class ReadingSearchTest : public testing::Test {
  protected:
-  ReadingSearchTest() {
-    mask_.size = kEdge;
-    mask_.carved.assign(kEdge * kEdge, 0);
-  }
   /// @param from, to  range within the five submodules along each edge
   void darken(int row, int column, int from = 0, int to = 5) {
-    symbol_.dark[static_cast<std::size_t>(row * kModules + column)] = 1;
+    symbol_.dark.at(row, column) = 1;
     for (int r = from; r < to; ++r)
-      for (int c = from; c < to; ++c)
-        mask_.carved[static_cast<std::size_t>((row * 5 + r) * kEdge + column * 5 + c)] = 1;
+      for (int c = from; c < to; ++c) mask_.at(row * 5 + r, column * 5 + c) = 1;
   }
   ReadingSearch start(const ReadingOptions& options, double limit = 5) {
     return {CarvingTarget{&symbol_, &mask_, kModules, std::vector<double>(kEdge * kEdge, limit)}, options};
@@ -47,7 +42,7 @@ class ReadingSearchTest : public testing::Test {
     return search.contrasts()[static_cast<std::size_t>(row * kModules + column)];
   }
   Symbol symbol_ = lightSymbol(kModules);
-  SubmoduleMask mask_;
+  SubmoduleMask mask_{kEdge, kEdge};
 };
 
 TEST_F(ReadingSearchTest, MatchesTheClosedFormWithoutBlur) {
@@ -108,7 +103,7 @@ TEST_F(ReadingSearchTest, LightModulesStayUncarved) {
   run(search);
   for (int row = 0; row < kEdge; ++row)
     for (int column = 0; column < kEdge; ++column)
-      EXPECT_EQ(search.depths().depth(row, column) > 0, mask_.isCarved(row, column));
+      EXPECT_EQ(search.depths().depth(row, column) > 0, mask_.at(row, column));
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ TEST_F(SelfShadow2019, LonePitIsAsDeepAsItsGreyLevelRequires) {
   const Symbol symbol = withOneDarkModule(spot);
   SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const std::uint32_t middle = carvedOf(mask)[12];
-  mask.carved.assign(mask.carved.size(), 0);
-  mask.carved[middle] = 1;
+  mask = {mask.rows(), mask.rows()};
+  mask[middle] = 1;
   SelfShadowOptions options;
   options.rays = 4096;
   options.stepModules = 0.05;
@@ -55,8 +55,8 @@ double meanSteps(const CarvedCode& code, double stepMm, const Condition& conditi
   double sum = 0;
   int count = 0;
   for (const std::uint32_t i : carvedOf(code.mask)) {
-    const int row = static_cast<int>(i) / code.mask.size / kSubmodulesPerModule,
-              column = static_cast<int>(i) % code.mask.size / kSubmodulesPerModule;
+    const int row = static_cast<int>(i) / code.mask.rows() / kSubmodulesPerModule,
+              column = static_cast<int>(i) % code.mask.rows() / kSubmodulesPerModule;
     if (!condition(row, column)) continue;
     sum += code.depths.depthMm[i] / stepMm;
     ++count;

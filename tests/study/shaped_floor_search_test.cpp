@@ -21,10 +21,10 @@ class ShapedFloorSearchTest : public testing::Test {
   ShapedFloorSearchTest()
       : symbol_(*encodeSymbol("https://qrelief.example", {})),
         mask_(submodulesToCarve(symbol_, ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp)),
-        sky_(mask_, kSymbolMm / mask_.size) {}
+        sky_(mask_, kSymbolMm / mask_.rows()) {}
 
   ShapedFloorSearch run(FloorShape shape, double limitMm = 5, double contrast = 0.3) const {
-    ShapedFloorSearch search({&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), limitMm)},
+    ShapedFloorSearch search({&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.size(), limitMm)},
                              {.shape = shape, .contrast = contrast, .slackMm = kSlackMm});
     while (!search.finished()) search.update(luminances(search.depths()));
     return search;
@@ -37,7 +37,7 @@ class ShapedFloorSearchTest : public testing::Test {
     const Grid<double> all = luminances(field);
     std::vector<double> sums(symbol_.dark.size(), 0), counts(symbol_.dark.size(), 0);
     for (const std::uint32_t i : sky_.carved()) {
-      const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+      const int row = static_cast<int>(i) / mask_.rows(), column = static_cast<int>(i) % mask_.rows();
       const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
       sums[module] += 1 - luminanceOf(all, row, column);
       ++counts[module];
@@ -114,7 +114,7 @@ TEST_F(ShapedFloorSearchTest, StopsAtTheLimitsAndCountsModulesThatStayTooBright)
 
 TEST_F(ShapedFloorSearchTest, LightModulesStayUncarved) {
   const DepthField depths = run(FloorShape::Wavy).depths();
-  for (std::size_t i = 0; i < depths.depthMm.size(); ++i) EXPECT_EQ(depths.depthMm[i] > 0, mask_.carved[i] != 0);
+  for (std::size_t i = 0; i < depths.depthMm.size(); ++i) EXPECT_EQ(depths.depthMm[i] > 0, mask_[i] != 0);
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ class PlateTest : public GlTest {
   /// Returns the spot's symbol as data modules only, all light except the middle one.
   static Symbol withOneDarkModule(const StudyPlacement& spot) {
     Symbol symbol = spot.symbol;
-    symbol.dark.assign(symbol.dark.size(), 0);
-    symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
+    symbol.dark = {symbol.size, symbol.size};
+    symbol.roles = {symbol.size, symbol.size};
     symbol.dark[symbol.dark.size() / 2] = 1;
     return symbol;
   }

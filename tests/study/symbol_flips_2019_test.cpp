@@ -6,17 +6,16 @@
 
 #include "qr/codewords.h"
 #include "study/methods/break_up.h"
+#include "support/symbols.h"
 
 namespace qrelief::study {
 namespace {
 
 /// Returns a symbol of data modules from rows of '#' and '.'.
 Symbol drawn(const std::vector<std::string>& rows) {
-  Symbol symbol;
-  symbol.size = static_cast<int>(rows.size());
-  for (const std::string& row : rows)
-    for (const char module : row) symbol.dark.push_back(module == '#');
-  symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
+  Symbol symbol = lightSymbol(static_cast<int>(rows.size()));
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) symbol.dark.at(row, column) = rows[row][column] == '#';
   return symbol;
 }
 

@@ -288,14 +288,14 @@ std::string thinFault(const EngraveCase& engraveCase, const EngravableModel& mod
   const Placement& placement = search.placement;
   const SubmoduleMask mask =
       submodulesToCarve(symbol, *engraveCase.request.code.modulePattern, *engraveCase.request.code.finderPattern);
-  const DepthField field{mask.size, placement.symbolMm, {}};
+  const DepthField field{mask.rows(), placement.symbolMm, {}};
   const PlaneCaster before(model.prepared.mesh, placement.frame, placement.symbolMm / 2);
   const std::vector<std::uint32_t> walls = wallFacets(model.prepared.mesh, placement);
   Random random(2);
   for (int k = 0; k < 300; ++k) {
     const auto row = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
     const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
-    if (!mask.isCarved(row, column)) continue;
+    if (!mask.at(row, column)) continue;
     const Vec2 p = field.corner(row, column) + Vec2(0.5, -0.5) * field.submoduleMm();
     const Vec3 top = placement.frame.eye() + placement.frame.rayDirection(p) * before.distance(p);
     const double spare = distanceTo(model.prepared.mesh, walls, top) - engraveCase.request.depth.minWallMm;
@@ -411,20 +411,20 @@ OracleVerdict judgeBadInput(const EngraveCase& engraveCase, const EngravableMode
 /// Makes up uneven depths for the submodules of a mask: one level per module, one per submodule, or the same
 /// everywhere.
 std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const double> limits, Choices& choices) {
-  const int grain = choices.of(std::array{kSubmodulesPerModule, 1, mask.size});
-  const int perEdge = (mask.size + grain - 1) / grain;
+  const int grain = choices.of(std::array{kSubmodulesPerModule, 1, mask.rows()});
+  const int perEdge = (mask.rows() + grain - 1) / grain;
   const int levels = choices.between(1, static_cast<int>(kDeepestMm / kDepthQuantumMm));
   std::vector<double> wanted;
   Random random(choices.below(65536));
   for (int k = 0; k < perEdge * perEdge; ++k)
     wanted.push_back(kDepthQuantumMm * static_cast<double>(1 + random.below(static_cast<std::uint64_t>(levels))));
   std::vector<double> depths(limits.size(), 0);
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column) {
-      const auto i = static_cast<std::size_t>(row * mask.size + column);
+  for (int row = 0; row < mask.rows(); ++row)
+    for (int column = 0; column < mask.rows(); ++column) {
+      const auto i = static_cast<std::size_t>(row * mask.rows() + column);
       const double depth =
           std::min(limits[i], wanted[static_cast<std::size_t>(row / grain * perEdge + column / grain)]);
-      if (mask.isCarved(row, column)) depths[i] = kDepthQuantumMm * std::floor(depth / kDepthQuantumMm + 1e-6);
+      if (mask.at(row, column)) depths[i] = kDepthQuantumMm * std::floor(depth / kDepthQuantumMm + 1e-6);
     }
   return depths;
 }
@@ -436,7 +436,7 @@ Result<EngraveResult> carve(const EngraveCase& engraveCase, const EngravableMode
   EngraveResult result;
   const SubmoduleMask mask =
       submodulesToCarve(symbol, *engraveCase.request.code.modulePattern, *engraveCase.request.code.finderPattern);
-  result.depths = {mask.size, placement.symbolMm, {}};
+  result.depths = {mask.rows(), placement.symbolMm, {}};
   const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
                                                 {placement.symbolMm, kDeepestMm, engraveCase.request.depth.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);

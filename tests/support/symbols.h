@@ -9,8 +9,8 @@ namespace qrelief {
 inline Symbol lightSymbol(int size) {
   Symbol symbol;
   symbol.size = size;
-  symbol.dark.assign(static_cast<std::size_t>(size * size), 0);
-  symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
+  symbol.dark = {size, size};
+  symbol.roles = {size, size};
   return symbol;
 }
 

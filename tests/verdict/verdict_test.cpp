@@ -41,8 +41,8 @@ EngraveResult carved(const EngraveRequest& request, double symbolMm, double dept
   const SubmoduleMask mask =
       submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
                         request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
-  result.depths = {mask.size, symbolMm, {}};
-  for (const std::uint8_t one : mask.carved) result.depths.depthMm.push_back(one ? depthMm : 0);
+  result.depths = {mask.rows(), symbolMm, {}};
+  for (const std::uint8_t one : mask) result.depths.depthMm.push_back(one ? depthMm : 0);
   result.placement.symbolMm = symbolMm;
   result.placement.moduleMm = symbolMm / result.symbol.size;
   result.placement.guaranteedMm = symbolMm;

@@ -117,7 +117,7 @@ TEST_F(CarvingProfileTest, DetectsAShallowCarvingOnACurvedSurface) {
   for (int row = 0; row < symbol_.size; ++row)
     for (int column = 0; column < symbol_.size; ++column) {
       if (!symbol_.isDark(row, column)) continue;
-      sum += result.depthMm[static_cast<std::size_t>((kN * row + 2) * kN * symbol_.size + kN * column + 2)];
+      sum += result.depthMm.at(kN * row + 2, kN * column + 2);
       ++count;
     }
   EXPECT_NEAR(sum / count, 0.2, 0.01);

@@ -36,8 +36,8 @@ class SymbolGradesTest : public testing::Test {
     for (int codeword = 0; codeword < layout.structure.codewords && count > 0; ++codeword) {
       if (layout.blockOfCodeword[static_cast<std::size_t>(codeword)] != 0) continue;
       for (int i = 0; i < symbol_.size * symbol_.size; ++i) {
-        if (layout.codewordOfModule[static_cast<std::size_t>(i)] != codeword) continue;
-        set(measured, i / symbol_.size, i % symbol_.size, symbol_.dark[static_cast<std::size_t>(i)] ? light : dark);
+        if (layout.codewordOfModule[i] != codeword) continue;
+        set(measured, i / symbol_.size, i % symbol_.size, symbol_.dark[i] ? light : dark);
         break;
       }
       --count;

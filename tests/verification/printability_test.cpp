@@ -17,7 +17,7 @@ using testing::SizeIs;
 CarvedFeatures carvedWith(ModulePattern modules, FinderPattern finders, double moduleMm, double depthMm) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {.version = 1});
   const SubmoduleMask mask = submodulesToCarve(symbol, modules, finders);
-  return measureFeatures(symbol, mask.carved, std::vector<double>(mask.carved.size(), depthMm), moduleMm);
+  return measureFeatures(symbol, mask, std::vector<double>(mask.size(), depthMm), moduleMm);
 }
 
 std::vector<Message> adviceFor(ModulePattern modules, double moduleMm, const Printer& printer = {}) {
@@ -47,8 +47,8 @@ TEST(MeasureFeatures, DepthsAreMeansOverCarvedSubmodulesAndTheShallowModules) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {.version = 1});
   const SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   std::vector<double> depths;
-  for (int i = 0; i < mask.size * mask.size; ++i) depths.push_back(i / mask.size < mask.size / 2 ? 0.2 : 0.6);
-  const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
+  for (int i = 0; i < mask.rows() * mask.rows(); ++i) depths.push_back(i / mask.rows() < mask.rows() / 2 ? 0.2 : 0.6);
+  const CarvedFeatures features = measureFeatures(symbol, mask, depths, 1);
   EXPECT_DOUBLE_EQ(features.leastDepthMm, 0.2);
   EXPECT_GT(features.meanDepthMm, 0.3);
   EXPECT_LT(features.meanDepthMm, 0.5);
@@ -56,9 +56,8 @@ TEST(MeasureFeatures, DepthsAreMeansOverCarvedSubmodulesAndTheShallowModules) {
 
 TEST(MeasureFeatures, NothingCarvedHasNoFeatures) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {.version = 1});
-  const auto none = static_cast<std::size_t>(25 * symbol.size * symbol.size);
-  const CarvedFeatures features =
-      measureFeatures(symbol, std::vector<std::uint8_t>(none, 0), std::vector<double>(none, 0), 1);
+  const SubmoduleMask none(5 * symbol.size, 5 * symbol.size);
+  const CarvedFeatures features = measureFeatures(symbol, none, std::vector<double>(none.size(), 0), 1);
   EXPECT_EQ(features.pattern, std::nullopt);
   EXPECT_EQ(features.pocketMm, 0);
 }
