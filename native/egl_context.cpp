@@ -25,7 +25,7 @@ std::vector<EGLDisplay> candidateDisplays(bool onlyGpu) {
     EGLint count = 0;
     if (queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
       for (EGLint i = 0; i < count; ++i) {
-        const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
+        const EGLDeviceEXT device = devices[i];
         // Mesa lists its software renderer as a device, too. It comes last, as surfaceless.
         const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
         if (extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos)

@@ -65,7 +65,7 @@ Rated rate(const std::vector<Sample>& samples, std::size_t index, double sizeMm)
     const double height = glm::dot(offset, square.normal);
     const double facing = glm::dot(s.normal, square.normal);
     if (at.x < 0 || at.y < 0 || at.x >= 1 || at.y >= 1 || std::abs(height) > sizeMm / 2 || facing < 0) continue;
-    covered[static_cast<std::size_t>(static_cast<int>(at.y * kGrid) * kGrid + static_cast<int>(at.x * kGrid))] = true;
+    covered[static_cast<int>(at.y * kGrid) * kGrid + static_cast<int>(at.x * kGrid)] = true;
     count += 1;
     sum += height;
     sumSquares += height * height;

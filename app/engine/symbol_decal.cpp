@@ -42,8 +42,7 @@ Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double sym
   decal.ink = ringCoverage(layout ? layout->rings : std::vector<Ring>(), decal.size, edgeModules);
   for (int row = 0; row < scale * mask.rows(); ++row)
     for (int column = 0; column < scale * mask.rows(); ++column)
-      if (mask.at(row / scale, column / scale))
-        decal.ink[static_cast<std::size_t>((row + border) * decal.size + column + border)] = 255;
+      if (mask.at(row / scale, column / scale)) decal.ink[(row + border) * decal.size + column + border] = 255;
   return decal;
 }
 

@@ -36,12 +36,12 @@ void Inspector::chooseChannel() {
   if (open) {
     for (int i = 0; i < static_cast<int>(kChannels.size()); ++i) {
       if (i == static_cast<int>(MapChannel::Limit)) ImGui::Separator();
-      if (ImGui::Selectable(translated(kChannels[static_cast<std::size_t>(i)].name), i == channel_)) {
+      if (ImGui::Selectable(translated(kChannels[i].name), i == channel_)) {
         channel_ = i;
         rangeKind_ = Range::Whole;
-        scale_ = kChannels[static_cast<std::size_t>(i)].isSigned ? ColourScale::BlueRed : ColourScale::Viridis;
+        scale_ = kChannels[i].isSigned ? ColourScale::BlueRed : ColourScale::Viridis;
       }
-      noteControl(controls_, kChannels[static_cast<std::size_t>(i)].name);
+      noteControl(controls_, kChannels[i].name);
     }
     ImGui::EndCombo();
   }

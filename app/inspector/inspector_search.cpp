@@ -88,7 +88,7 @@ void Inspector::drawSearch(const Engine&) {
   if (ImGui::SliderInt("##pass", &pass, 1, search->passes(), format.c_str(), ImGuiSliderFlags_NoInput))
     model_.setPass(pass - 1);
   noteControl(controls_, "Pass");
-  const PassSummary& summary = search->summaries()[static_cast<std::size_t>(model_.pass())];
+  const PassSummary& summary = search->summaries()[model_.pass()];
   write("{} of {} carved submodules too bright, by {} at most; deepest {}; took {:.0f} ms", summary.unmet,
         search->carvedCount(), numberText(static_cast<double>(summary.greatestExcess)),
         numberText(static_cast<double>(summary.maxDepthMm), "mm"), summary.ms);

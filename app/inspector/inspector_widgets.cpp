@@ -161,8 +161,7 @@ int plotCurves(const char* name, std::span<const Curve> curves, const char* unit
   const int index = std::clamp(static_cast<int>(std::lround(along)), 0, static_cast<int>(longest) - 1);
   std::string text = phrase("pass {}", index + 1);
   for (const Curve& curve : curves)
-    if (static_cast<std::size_t>(index) < curve.values.size())
-      text += "\n" + numberText(curve.values[static_cast<std::size_t>(index)], unit);
+    if (static_cast<std::size_t>(index) < curve.values.size()) text += "\n" + numberText(curve.values[index], unit);
   ImGui::SetTooltip("%s", text.c_str());
   return index;
 }

@@ -18,8 +18,7 @@ std::uint8_t byteOf(float component) {
 
 std::vector<std::uint8_t> colouredRgba(const ValueMap& map, const MapColours& colours) {
   std::array<Rgb8, kShades> shades{};
-  for (int i = 0; i < kShades; ++i)
-    shades[static_cast<std::size_t>(i)] = colourAt(colours.scale, static_cast<double>(i) / (kShades - 1));
+  for (int i = 0; i < kShades; ++i) shades[i] = colourAt(colours.scale, static_cast<double>(i) / (kShades - 1));
   const bool directed = colours.showsDirections && !map.directions.empty();
   const float width = std::max(colours.range.highest - colours.range.lowest, 1e-12f);
   std::vector<std::uint8_t> rgba(4 * map.values.size(), 0);

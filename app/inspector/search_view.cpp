@@ -34,7 +34,7 @@ SearchView::SearchView(const Symbol& symbol, SearchRecord record, double contras
   const int size = kN * symbol_.size;
   for (const std::uint32_t i : record_.carved) {
     const int row = static_cast<int>(i) / size, column = static_cast<int>(i) % size;
-    const float around = around_[static_cast<std::size_t>(row / kN * symbol_.size + column / kN)];
+    const float around = around_[row / kN * symbol_.size + column / kN];
     threshold_.push_back(around * static_cast<float>(1 - contrast_));
   }
   for (int row = 0; row < edge_; ++row) {
@@ -117,7 +117,7 @@ std::optional<SubmoduleFacts> SearchView::facts(int pass, SubmodulePlace place) 
     facts.limitMm = record_.limitMm[k];
   }
   if (facts.dark) {
-    facts.around = around_[static_cast<std::size_t>(moduleRow * symbol_.size + moduleColumn)];
+    facts.around = around_[moduleRow * symbol_.size + moduleColumn];
     facts.excess = facts.luminance - *facts.around * static_cast<float>(1 - contrast_);
   }
   return facts;

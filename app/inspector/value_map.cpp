@@ -20,7 +20,7 @@ std::optional<ValueRange> rangeOf(std::span<const float> values, double cutShare
   const auto cut = static_cast<std::ptrdiff_t>(cutShare * static_cast<double>(numbers.size() - 1));
   const auto at = [&](std::ptrdiff_t k) {
     std::nth_element(numbers.begin(), numbers.begin() + k, numbers.end());
-    return numbers[static_cast<std::size_t>(k)];
+    return numbers[k];
   };
   return ValueRange{at(cut), at(static_cast<std::ptrdiff_t>(numbers.size()) - 1 - cut)};
 }

@@ -17,7 +17,7 @@ struct DepthLevels {
   /// Returns the level of a submodule; 0 beyond the symbol's edge.
   int at(int row, int column) const {
     if (row < 0 || column < 0 || row >= size || column >= size) return 0;
-    return level[static_cast<std::size_t>(row * size + column)];
+    return level[row * size + column];
   }
   double submoduleMm() const { return symbolMm / size; }
   Vec2 corner(int row, int column) const {

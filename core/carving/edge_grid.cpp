@@ -33,7 +33,7 @@ EdgeGrid::EdgeGrid(std::vector<Edge> edges) : edges_(std::move(edges)), lastQuer
 }
 
 EdgeGrid::BinRange EdgeGrid::binsAlong(int axis, double lo, double hi) const {
-  const double last = bins_[static_cast<std::size_t>(axis)] - 1;
+  const double last = bins_[axis] - 1;
   return {static_cast<int>(std::clamp(std::floor((lo - origin_[axis]) / binMm_), 0.0, last)),
           static_cast<int>(std::clamp(std::floor((hi - origin_[axis]) / binMm_), 0.0, last))};
 }

@@ -72,7 +72,7 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
     for (int k = 0; k < 3; ++k) {
       const Vec3 corner = mesh.corner(facet, k);
       inFront = inFront && frame.distanceAlongAxis(corner) > 0;
-      t[static_cast<std::size_t>(k)] = frame.project(corner);
+      t[k] = frame.project(corner);
     }
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
       if (isTouched(t)) footprint.facets.push_back(facet);

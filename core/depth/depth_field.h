@@ -19,7 +19,7 @@ struct DepthField {
   double symbolMm = 0;          ///< edge s of the symbol without quiet zone, on the QR plane
   std::vector<double> depthMm;  ///< ≥ 0, multiples of kDepthQuantumMm; 0 = not carved
 
-  double depth(int row, int column) const { return depthMm[static_cast<std::size_t>(row * size + column)]; }
+  double depth(int row, int column) const { return depthMm[row * size + column]; }
   double submoduleMm() const { return symbolMm / size; }
 
   /// Returns the plane point of grid corner (row, column), 0 … size: row 0 is the symbol's top edge.

@@ -39,7 +39,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
     const int row = static_cast<int>(i) / depths_.size / kN, column = static_cast<int>(i) % depths_.size / kN;
     fractionAsked_.push_back(1 - (options_.contrastOfModule.empty()
                                       ? options_.contrast
-                                      : options_.contrastOfModule[static_cast<std::size_t>(row * modules + column)]));
+                                      : options_.contrastOfModule[row * modules + column]));
   }
   const std::size_t count = sky_->carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);

@@ -21,7 +21,7 @@ LightNeighbours::LightNeighbours(const Symbol& symbol) {
   for (int row = 0; row < m; ++row) {
     for (int column = 0; column < m; ++column) {
       if (!symbol.isDark(row, column)) continue;
-      auto& neighbours = around_[static_cast<std::size_t>(row * m + column)];
+      auto& neighbours = around_[row * m + column];
       for (int ring = 1; neighbours.size() < kDarkest && ring < withQuiet; ++ring) {
         for (int r = row - ring; r <= row + ring; ++r) {
           for (int c = column - ring; c <= column + ring; ++c) {

@@ -95,7 +95,7 @@ double OneLightSearch::depthFor(const Floor& floor) const {
       const double depth = isInside ? depths_.depth(r, c) : 0;
       least = std::min(least, depth + travelled * h * floor.tangent);
     }
-    needed[static_cast<std::size_t>(i)] = least;
+    needed[i] = least;
   }
   std::sort(needed.begin(), needed.end());
   return quantile(needed, std::min(floor.fraction, 1.0)) + std::max(floor.fraction - 1, 0.0) * h * floor.tangent;

@@ -29,7 +29,7 @@ std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame,
   for (int k = 0; k < 3; ++k) {
     const Vec3 corner = mesh.corner(t, k);
     if (frame.distanceAlongAxis(corner) <= kNearPlaneFraction * frame.eyeDistance) return std::nullopt;
-    image[static_cast<std::size_t>(k)] = frame.project(corner);
+    image[k] = frame.project(corner);
   }
   if (cross2(image[1] - image[0], image[2] - image[0]) <= 0) return std::nullopt;
   return image;

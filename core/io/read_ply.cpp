@@ -235,7 +235,7 @@ class PlyReader {
         if (axisOf[k] >= 0)
           p[axisOf[k]] = *value;
         else
-          colour[static_cast<std::size_t>(channelOf[k])] = channelFrom(*value, element.properties[k].type);
+          colour[channelOf[k]] = channelFrom(*value, element.properties[k].type);
       }
       list_.positions.push_back(p);
       if (isColoured) list_.colours.push_back(colour);

@@ -48,7 +48,7 @@ Ring rectangle(const Rectangle& box, double radius) {
       radius > 0 ? static_cast<int>(std::ceil(turn / (2 * std::acos(1 - kToleranceModules / radius)))) : 0;
   const std::array<Vec2, 4> corners = {box.low, Vec2(box.high.x, box.low.y), box.high, Vec2(box.low.x, box.high.y)};
   for (int k = 0; k < 4; ++k) {
-    const Vec2 corner = corners[static_cast<std::size_t>(k)];
+    const Vec2 corner = corners[k];
     const Vec2 inward(k == 0 || k == 3 ? radius : -radius, k < 2 ? radius : -radius);
     for (int step = 0; step <= steps; ++step) {
       const double angle = turn * (k + 2 + (steps > 0 ? static_cast<double>(step) / steps : 0));

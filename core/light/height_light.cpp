@@ -92,7 +92,7 @@ std::vector<PointClass> pointClasses(const LightSampling& sampling, const Reach&
   const int points = sampling.points, turns = points == 1 ? kTurnsOfSinglePoints : points * points;
   std::vector<PointClass> classes;
   for (int k = 0; k < turns; ++k) {
-    const int order = turns == kTurnsOfSinglePoints ? kOrder[static_cast<std::size_t>(k)] : k;
+    const int order = turns == kTurnsOfSinglePoints ? kOrder[k] : k;
     PointClass point{points == 1 ? Vec2(0.5) : pointInPatch(points, k % points, k / points), {}};
     for (int d = 0; d < sampling.directions; ++d) {
       const double angle = 2 * std::numbers::pi * (d + (order + 0.5) / turns) / sampling.directions;
@@ -205,8 +205,7 @@ void HeightLight::forEachRow(const LightOptions& options, std::span<const std::u
     return static_cast<int>(static_cast<std::int64_t>(patch) * far_->places / size_);
   };
   if (far_)
-    for (int column = 0; column < size_ + kMostLanes; ++column)
-      farPlace[static_cast<std::size_t>(column)] = placeOf(std::min(column, size_ - 1));
+    for (int column = 0; column < size_ + kMostLanes; ++column) farPlace[column] = placeOf(std::min(column, size_ - 1));
 
   parallelFor(static_cast<std::size_t>(size_), [&](std::size_t number) {
     const int row = static_cast<int>(number);
@@ -215,7 +214,7 @@ void HeightLight::forEachRow(const LightOptions& options, std::span<const std::u
     const auto first = static_cast<std::size_t>(row * stride_ + kPad);
     visit(row, parts, [&](const auto& with) {
       for (int point = 0; point < points * points; ++point) {
-        const PointClass& at = classes[static_cast<std::size_t>(points == 1 ? row % kTurnsOfSinglePoints : point)];
+        const PointClass& at = classes[points == 1 ? row % kTurnsOfSinglePoints : point];
         const Vec2 fromMiddle = (at.inPatch - 0.5) * patchMm_;
         LightRow in;
         in.height = &height_[first];
@@ -309,15 +308,14 @@ std::vector<float> HeightLight::luminance(const LightOptions& options, std::span
   const int points = options.sampling.points;
   forEachRow(fewer, {}, [&](int row, const auto& parts, const auto& forEachPoint) {
     std::vector<float> hidden(static_cast<std::size_t>(size_ + kMostLanes), 0.0f);
-    const float* const first = &seen[static_cast<std::size_t>(row * stride_ + kPad)];
+    const float* const first = &seen[row * stride_ + kPad];
     forEachPoint([&](const LightRow& in, Vec2) {
       for (const auto& [begin, end] : parts)
         addHidden(in, first, hasWalls ? first : nullptr, begin, end, hidden.data());
     });
     for (int column = 0; column < size_; ++column) {
       const auto patch = static_cast<std::size_t>(row * size_ + column);
-      const float reflected =
-          static_cast<float>(albedo) * hidden[static_cast<std::size_t>(column)] / static_cast<float>(points * points);
+      const float reflected = static_cast<float>(albedo) * hidden[column] / static_cast<float>(points * points);
       luminance[patch] = (light[patch].sky + light[patch].lamps) / open + reflected;
     }
   });

@@ -59,8 +59,8 @@ std::uint32_t Bvh::build(std::uint32_t begin, std::uint32_t end, int level, cons
   std::array<std::uint32_t, kBins> countOf{};
   for (std::uint32_t i = begin; i < end; ++i) {
     const int bin = binOf(order_[i]);
-    inBin[static_cast<std::size_t>(bin)].add(boxes[order_[i]].min, boxes[order_[i]].max);
-    ++countOf[static_cast<std::size_t>(bin)];
+    inBin[bin].add(boxes[order_[i]].min, boxes[order_[i]].max);
+    ++countOf[bin];
   }
   std::array<double, kBins> costAbove{};  // of all boxes from this bin on
   Bounds above;

@@ -17,7 +17,7 @@ std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
     const Vec3 p = mesh.corner(triangle, k);
     const Vec3 a = mesh.corner(triangle, (k + 1) % 3) - p;
     const Vec3 b = mesh.corner(triangle, (k + 2) % 3) - p;
-    angles[static_cast<std::size_t>(k)] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    angles[k] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
   }
   return angles;
 }

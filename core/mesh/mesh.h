@@ -22,9 +22,7 @@ struct Mesh {
   /// Triangle → body (mesh/prepare.h); bodies share no vertex. Empty: all triangles are of body 0.
   std::vector<std::uint32_t> bodyOf = {};
 
-  Vec3 corner(std::size_t triangle, int k) const {
-    return Vec3(positions[triangles[triangle][static_cast<std::size_t>(k)]]);
-  }
+  Vec3 corner(std::size_t triangle, int k) const { return Vec3(positions[triangles[triangle][k]]); }
   std::uint32_t body(std::size_t triangle) const { return bodyOf.empty() ? 0 : bodyOf[triangle]; }
 };
 

@@ -63,7 +63,7 @@ Adjacency buildAdjacency(std::span<const Triangle> triangles) {
 
 int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t triangle) {
   for (int k = 0; k < 3; ++k)
-    if (adjacency[across][static_cast<std::size_t>(k)] == triangle) return k;
+    if (adjacency[across][k] == triangle) return k;
   assert(false && "the triangles share no edge");
   return -1;
 }

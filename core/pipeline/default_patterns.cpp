@@ -45,7 +45,7 @@ bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>
       if (symbol.role(moduleRow, moduleColumn) != ModuleRole::Finder || !symbol.isDark(moduleRow, moduleColumn))
         continue;
       ++count;
-      shallow += limitsMm[static_cast<std::size_t>(row * edge + column)] < kWholeFinderDepthModules * moduleMm;
+      shallow += limitsMm[row * edge + column] < kWholeFinderDepthModules * moduleMm;
     }
   return shallow > kMostShallow * count;
 }

@@ -80,9 +80,7 @@ InlayPockets inlayPockets(const Symbol& symbol, double symbolMm, const std::vect
   std::vector<double> moduleLimit(symbol.dark.size(), 0);
   double depth = wantedMm;
   InlayPockets pockets{noPockets(symbol, symbolMm)};
-  const auto limitOf = [&](int row, int column) -> double& {
-    return moduleLimit[static_cast<std::size_t>(row * symbol.size + column)];
-  };
+  const auto limitOf = [&](int row, int column) -> double& { return moduleLimit[row * symbol.size + column]; };
   forDarkModules(symbol, [&](int row, int column) {
     double least = std::numeric_limits<double>::infinity();
     forSubmodules(symbol, row, column, [&](std::size_t i) { least = std::min(least, limitMm[i]); });

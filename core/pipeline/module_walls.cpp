@@ -66,7 +66,7 @@ double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int module
         const Vec2 module = (offset / sizeMm + 0.5) * static_cast<double>(modules);
         if (std::min(module.x, module.y) < 0 || std::max(module.x, module.y) > modules) continue;
         ++inside;
-        if (walls.limitMm[static_cast<std::size_t>(row * square.cells + column)] >= depth) continue;
+        if (walls.limitMm[row * square.cells + column] >= depth) continue;
         if (isInFinder(module, modules)) return false;
         ++thin;
       }

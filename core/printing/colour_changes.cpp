@@ -43,7 +43,7 @@ struct Upright {
   std::vector<std::array<Vec3, 3>> corners(const Mesh& mesh) const {
     std::vector<std::array<Vec3, 3>> corners(mesh.triangles.size());
     for (std::size_t t = 0; t < corners.size(); ++t)
-      for (int k = 0; k < 3; ++k) corners[t][static_cast<std::size_t>(k)] = (*this)(mesh.corner(t, k));
+      for (int k = 0; k < 3; ++k) corners[t][k] = (*this)(mesh.corner(t, k));
     return corners;
   }
 
@@ -188,7 +188,7 @@ ColourCost colourCost(const Mesh& body, const PaintedTriangles& painted, const C
     const auto planeAbove = [&](double z) {
       return std::clamp(static_cast<int>(std::ceil((z - planes.firstMm) / planes.stepMm - 1e-6)), 0, planes.count);
     };
-    for (int k = planeAbove(low); k < planeAbove(high); ++k) second[static_cast<std::size_t>(k)] = 1;
+    for (int k = planeAbove(low); k < planeAbove(high); ++k) second[k] = 1;
     areaMm2 +=
         glm::length(glm::cross(body.corner(t, 1) - body.corner(t, 0), body.corner(t, 2) - body.corner(t, 0))) / 2;
   }

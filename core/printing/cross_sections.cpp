@@ -64,7 +64,7 @@ CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const 
       // The winding numbers of all planes above it change by as much.
       const double beyond = std::ceil((piercing->height - planes.firstMm) / planes.stepMm);
       for (int k = static_cast<int>(std::clamp(beyond, 0.0, static_cast<double>(planes.count))); k < planes.count; ++k)
-        sections.windings[static_cast<std::size_t>(k)] += piercing->change;
+        sections.windings[k] += piercing->change;
     }
     // Planes with one corner above or in them, and another below.
     const double first = std::floor((least.z - planes.firstMm) / planes.stepMm) - 1;
@@ -73,8 +73,7 @@ CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const 
     const int end = static_cast<int>(std::clamp(last + 1, 0.0, static_cast<double>(planes.count)));
     for (int k = begin; k < end; ++k) {
       const double height = planes.heightMm(k);
-      if (least.z < height && most.z >= height)
-        sections.outlines[static_cast<std::size_t>(k)].push_back(cut(corners, height));
+      if (least.z < height && most.z >= height) sections.outlines[k].push_back(cut(corners, height));
     }
   }
   return sections;

@@ -153,7 +153,7 @@ std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, cons
   }
   int left = winding;
   for (int row = 0; row < window.rows; ++row) {
-    left += atRow[static_cast<std::size_t>(row)];
+    left += atRow[row];
     int number = left;
     for (int column = 0; column < window.columns; ++column) {
       number += numbers[index(column, row)];

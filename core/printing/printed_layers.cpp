@@ -191,7 +191,7 @@ void PrintedLayers::addToLayers(const Polygon& part, double marginMm) {
                            static_cast<int>(std::floor((most - bedMm_) / h + 1.5)) - firstLayer_ + 1);
   const TileRange all = tilesRound(part, marginMm);
   for (int layer = begin; layer < end; ++layer) {
-    Layer& of = layers_[static_cast<std::size_t>(layer)];
+    Layer& of = layers_[layer];
     if (all.count() <= kFewTiles) {
       addRange(of, all);
       continue;
@@ -217,7 +217,7 @@ void PrintedLayers::addRange(Layer& layer, const TileRange& range) const {
     layer.numbers.assign(static_cast<std::size_t>(tileColumns_) * static_cast<std::size_t>(tileRows_), kNoTile);
   for (int row = range.firstRow; row <= range.lastRow; ++row)
     for (int column = range.firstColumn; column <= range.lastColumn; ++column) {
-      int& number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)];
+      int& number = layer.numbers[row * tileColumns_ + column];
       if (number != kNoTile) continue;
       number = static_cast<int>(layer.tiles.size());
       layer.tiles.push_back({});
@@ -296,8 +296,8 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
     const int lastColumn = static_cast<int>(std::min(std::floor(high.x), tileColumns_ - 1.0));
     for (int row = static_cast<int>(std::max(0.0, std::ceil(low.y))); row <= lastRow; ++row)
       for (int column = static_cast<int>(std::max(0.0, std::ceil(low.x))); column <= lastColumn; ++column)
-        if (const int number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)]; number != kNoTile)
-          near[static_cast<std::size_t>(number)].push_back(segment);
+        if (const int number = layer.numbers[row * tileColumns_ + column]; number != kNoTile)
+          near[number].push_back(segment);
   }
   return near;
 }
@@ -306,10 +306,9 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
 const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
   const Vec2 place = (at - origin_) / tileMm_;
   if (!(place.x >= 0 && place.y >= 0 && place.x < tileColumns_ && place.y < tileRows_)) return nullptr;
-  const Layer& of = layers_[static_cast<std::size_t>(layer)];
-  const int number =
-      of.numbers[static_cast<std::size_t>(static_cast<int>(place.y) * tileColumns_ + static_cast<int>(place.x))];
-  return number == kNoTile ? nullptr : &of.tiles[static_cast<std::size_t>(number)];
+  const Layer& of = layers_[layer];
+  const int number = of.numbers[static_cast<int>(place.y) * tileColumns_ + static_cast<int>(place.x)];
+  return number == kNoTile ? nullptr : &of.tiles[number];
 }
 
 /// Returns the distance along a ray to the end of the tile that contains a point.
@@ -364,7 +363,7 @@ class PrintedLayers::RayInTile {
 };
 
 double PrintedLayers::hitInLayer(int layer, const Ray& ray, double begin, double end) const {
-  if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
+  if (layers_[layer].tiles.empty() || begin >= end) return 0;
   // The ray cannot hit plastic before it passes the outline. Between outline and flank, perFall bounds how fast the
   // distance falls along the ray; flanks are steeper only where the ray almost hits them.
   const double middleZ = topOf(layer) - process_.layerMm / 2;

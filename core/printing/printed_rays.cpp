@@ -45,7 +45,7 @@ PrintedRays::PrintedRays(const PrintedSurface& surface)
     for (int column = 0; column < texels_; ++column)
       for (int k = 0; k < 4; ++k) {  // for each block with a cell that has this corner
         const int r = std::max(0, row - k / 2) / kBlockTexels, c = std::max(0, column - k % 2) / kBlockTexels;
-        float& top = blockTops_[static_cast<std::size_t>(r * blocks_ + c)];
+        float& top = blockTops_[r * blocks_ + c];
         top = std::max(top, heightAt(column, row));
       }
 }
@@ -136,7 +136,7 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
   bool isFirst = true, wasAbove = true, isKnown = false;
   for (double s = begin; s < end;) {
     const int blockColumn = column / kBlockTexels, blockRow = row / kBlockTexels;
-    const double top = static_cast<double>(blockTops_[static_cast<std::size_t>(blockRow * blocks_ + blockColumn)]);
+    const double top = static_cast<double>(blockTops_[blockRow * blocks_ + blockColumn]);
     const double outX =
         exitDistance(ray.at.x, ray.step.x, blockColumn * kBlockTexels, (blockColumn + 1) * kBlockTexels);
     const double outY = exitDistance(ray.at.y, ray.step.y, blockRow * kBlockTexels, (blockRow + 1) * kBlockTexels);

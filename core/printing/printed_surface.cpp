@@ -56,7 +56,7 @@ std::vector<float> rolled(const std::vector<float>& distanceMm, int texels, doub
   parallelFor(static_cast<std::size_t>(texels), [&](std::size_t y) {
     const int row = static_cast<int>(y);
     for (int column = 0; column < texels; ++column) {
-      const auto at = [&](int c, int r) { return distanceMm[static_cast<std::size_t>(r * texels + c)]; };
+      const auto at = [&](int c, int r) { return distanceMm[r * texels + c]; };
       if (at(column, row) <= 0) continue;
       float highest = -std::numeric_limits<float>::infinity();
       for (const Step& step : steps) {
@@ -83,7 +83,7 @@ std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, 
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column) {
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(row) * texels;
-      least[static_cast<std::size_t>(column * texels + row)] =
+      least[column * texels + row] =
           *std::min_element(first + std::max(column - reach, 0), first + std::min(column + reach + 1, texels));
     }
   return least;
@@ -118,7 +118,7 @@ class NearestMaterial {
     const Vec2 place = (at / extentMm_ + 0.5) * static_cast<double>(texels_);
     const int column = std::clamp(static_cast<int>(place.x), 0, texels_ - 1);
     const int row = std::clamp(static_cast<int>(place.y), 0, texels_ - 1);
-    const float value = distance_[static_cast<std::size_t>(row * texels_ + column)];
+    const float value = distance_[row * texels_ + column];
     return std::isfinite(value) ? static_cast<double>(value) : 0;
   }
 
@@ -212,7 +212,7 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   const BuildSpace space(request.buildUp);
   std::vector<PrintedLayers::Corners> triangles(mesh.triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) triangles[t][static_cast<std::size_t>(k)] = space.to(mesh.corner(t, k));
+    for (int k = 0; k < 3; ++k) triangles[t][k] = space.to(mesh.corner(t, k));
   const ProjectionFrame frame = inBuildSpace(request.frame, space);
   const PrintedLayers layers(std::move(triangles), frame, request.extentMm, request.process, request.roughness);
 

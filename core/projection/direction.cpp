@@ -67,7 +67,7 @@ std::vector<Cell> sumCells(const NormalMap& map, int texels, int grid) {
   std::vector<Cell> cells(static_cast<std::size_t>(grid * grid));
   for (int row = 0; row < texels; ++row) {
     for (int column = 0; column < texels; ++column) {
-      Cell& cell = cells[static_cast<std::size_t>(row * grid / texels * grid + column * grid / texels)];
+      Cell& cell = cells[row * grid / texels * grid + column * grid / texels];
       cell.normals += map.normal(column, row);
       if (map.inside(column, row)) {
         cell.distances += map.distance(column, row);

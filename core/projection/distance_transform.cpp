@@ -48,15 +48,14 @@ class LowerEnvelope {
     for (int x = 0; x < texels; ++x) {
       while (current < last && begin_[current + 1] <= x) ++current;
       const int across = x - vertex_[current];
-      row[x] = across * across + height_[static_cast<std::size_t>(vertex_[current])];
+      row[x] = across * across + height_[vertex_[current]];
     }
   }
 
  private:
   /// Returns the least x ≥ 0 at which the parabola of q is not higher than the parabola of p < q.
   int firstLower(int p, int q) const {
-    const std::int32_t numerator =
-        q * q - p * p + height_[static_cast<std::size_t>(q)] - height_[static_cast<std::size_t>(p)];
+    const std::int32_t numerator = q * q - p * p + height_[q] - height_[p];
     const std::int32_t denominator = 2 * (q - p);
     return numerator <= 0 ? 0 : (numerator + denominator - 1) / denominator;
   }

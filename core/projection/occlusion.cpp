@@ -118,7 +118,7 @@ std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, con
   std::array<int, 2> inFront{0, 0};
   for (std::size_t end = 0; end < 2; ++end) {
     for (int k = 0; k < 3; ++k)
-      if (vertices[static_cast<std::size_t>(k)] == edge.vertices[end]) shared[end] = k;
+      if (vertices[k] == edge.vertices[end]) shared[end] = k;
     if (shared[end] < 0) inFront[end] = sideOfPlane(corners[0], corners[1], corners[2], edge.ends[end]);
   }
   if (inFront[0] <= 0 && inFront[1] <= 0) return {};  // an edge of the facet, or no part of it is nearer

@@ -38,7 +38,7 @@ bool OptimalDirection::chooseNext() {
       tried_ = 0;
       if (stepAngle_ < kLastStep * 0.99) return false;
     }
-    next_ = bestTurn_ + kSides[static_cast<std::size_t>((side_ + tried_) % 4)] * stepAngle_;
+    next_ = bestTurn_ + kSides[(side_ + tried_) % 4] * stepAngle_;
     if (glm::length(next_) <= kFarthestTurn) return true;
     ++tried_;
   }

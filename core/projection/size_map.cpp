@@ -115,7 +115,7 @@ double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared,
   const int column = std::clamp(static_cast<int>(at.x), 0, window.texels - 2);
   const int row = std::clamp(static_cast<int>(at.y), 0, window.texels - 2);
   const auto distance = [&](int dx, int dy) {
-    return std::sqrt(static_cast<double>(squared[static_cast<std::size_t>((row + dy) * window.texels + column + dx)]));
+    return std::sqrt(static_cast<double>(squared[(row + dy) * window.texels + column + dx]));
   };
   const Vec2 fraction = at - Vec2(column, row);
   return (1 - fraction.y) * ((1 - fraction.x) * distance(0, 0) + fraction.x * distance(1, 0)) +

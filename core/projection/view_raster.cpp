@@ -137,7 +137,7 @@ void ViewRaster::drawContour(const Seen& from, const Seen& to) {
     if (nearness < farthestAround(x, y) - depthSlack_) continue;
     const int column = std::clamp(static_cast<int>(x), 0, window_.texels - 1);
     const int row = std::clamp(static_cast<int>(y), 0, window_.texels - 1);
-    blocked_[static_cast<std::size_t>(row * window_.texels + column)] = 1;
+    blocked_[row * window_.texels + column] = 1;
   }
 }
 

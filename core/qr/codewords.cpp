@@ -104,7 +104,7 @@ CodewordLayout layoutCodewords(const Symbol& symbol) {
     if (codeword >= s.codewords) break;  // remainder bits
     const auto i = static_cast<std::size_t>(module);
     layout.codewordOfModule[i] = codeword;
-    if (!symbol.flipped.empty() && symbol.flipped[i]) layout.isSpoilt[static_cast<std::size_t>(codeword)] = 1;
+    if (!symbol.flipped.empty() && symbol.flipped[i]) layout.isSpoilt[codeword] = 1;
   }
   // Data codewords go to the blocks in turn, skipping blocks that are full; the check codewords follow.
   const int longest = s.codewordsOfBlock(s.blocks - 1) - s.checkCodewords;
@@ -119,16 +119,15 @@ CodewordLayout layoutCodewords(const Symbol& symbol) {
 std::vector<std::vector<std::uint8_t>> readBlocks(const Symbol& symbol, const CodewordLayout& layout) {
   std::vector<std::uint8_t> codewords(static_cast<std::size_t>(layout.structure.codewords), 0);
   for (const int module : dataModulesInOrder(symbol)) {
-    const int codeword = layout.codewordOfModule[static_cast<std::size_t>(module)];
+    const int codeword = layout.codewordOfModule[module];
     if (codeword < 0) continue;
     const int row = module / symbol.size, column = module % symbol.size;
     const bool bit = symbol.isDark(row, column) != invertsModule(symbol.mask, row, column);
-    auto& value = codewords[static_cast<std::size_t>(codeword)];
+    auto& value = codewords[codeword];
     value = static_cast<std::uint8_t>(value << 1 | static_cast<int>(bit));
   }
   std::vector<std::vector<std::uint8_t>> blocks(static_cast<std::size_t>(layout.structure.blocks));
-  for (std::size_t i = 0; i < codewords.size(); ++i)
-    blocks[static_cast<std::size_t>(layout.blockOfCodeword[i])].push_back(codewords[i]);
+  for (std::size_t i = 0; i < codewords.size(); ++i) blocks[layout.blockOfCodeword[i]].push_back(codewords[i]);
   return blocks;
 }
 

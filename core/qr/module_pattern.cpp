@@ -59,7 +59,7 @@ void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int colum
   constexpr int n = kSubmodulesPerModule;
   for (int k = 0; k < n; ++k) {
     for (int l = 0; l < n; ++l) {
-      if (picture[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)] != '#') continue;
+      if (picture[k][l] != '#') continue;
       const int y = row * n + k + shiftDown, x = column * n + l + shiftRight;
       mask.at(y, x) = 1;
     }

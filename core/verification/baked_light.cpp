@@ -48,7 +48,7 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int 
   // texel is a deficit in its neighbours, so a camera's blur removes most of the error.
   Random block(static_cast<std::uint64_t>(row / kBlock) * kBlocksApart + static_cast<std::uint64_t>(column / kBlock));
   const double shiftU = block.uniform(), shiftV = block.uniform();
-  const int first = kBlockOrder[static_cast<std::size_t>(row % kBlock * kBlock + column % kBlock)] * options_.paths;
+  const int first = kBlockOrder[row % kBlock * kBlock + column % kBlock] * options_.paths;
   Random random(static_cast<std::uint64_t>(row) * kBlocksApart + static_cast<std::uint64_t>(column));
   SurfaceLight sum;
   for (int i = 1; i <= options_.paths; ++i) {

@@ -64,7 +64,7 @@ bool isDarkIn(const Symbol& symbol, int pose, int row, int column) {
 SymbolPose nameOf(int pose) {
   constexpr std::array<SymbolPose, 4> kTurned = {SymbolPose::AsWanted, SymbolPose::Turned90, SymbolPose::Turned180,
                                                  SymbolPose::Turned270};
-  return pose >= 4 ? SymbolPose::Mirrored : kTurned[static_cast<std::size_t>(pose)];
+  return pose >= 4 ? SymbolPose::Mirrored : kTurned[pose];
 }
 
 /// The surface seen from the eye over symbol and quiet zone, one point per submodule.

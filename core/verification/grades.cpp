@@ -39,11 +39,9 @@ Grade graded(double value, const Levels& levels) { return {value, gradeFrom(valu
 double unusedCorrection(const CodewordLayout& layout, const std::vector<std::uint8_t>& wrongModules) {
   std::vector<std::uint8_t> wrong = layout.isSpoilt;
   for (std::size_t i = 0; i < wrongModules.size(); ++i)
-    if (wrongModules[i] && layout.codewordOfModule[i] >= 0)
-      wrong[static_cast<std::size_t>(layout.codewordOfModule[i])] = 1;
+    if (wrongModules[i] && layout.codewordOfModule[i] >= 0) wrong[layout.codewordOfModule[i]] = 1;
   std::vector<int> errors(static_cast<std::size_t>(layout.structure.blocks), 0);
-  for (std::size_t i = 0; i < wrong.size(); ++i)
-    errors[static_cast<std::size_t>(layout.blockOfCodeword[i])] += wrong[i];
+  for (std::size_t i = 0; i < wrong.size(); ++i) errors[layout.blockOfCodeword[i]] += wrong[i];
   const int worst = *std::max_element(errors.begin(), errors.end());
   return 1 - static_cast<double>(worst) / layout.structure.correctable();
 }
@@ -88,7 +86,7 @@ Grade fixedPatternDamage(const Symbol& symbol, const Grid<std::uint8_t>& wrong) 
       const ModuleRole role = symbol.role(row, column);
       const bool bad = wrong.at(row, column) != 0;
       for (int corner = 0; corner < 3; ++corner)
-        finder[static_cast<std::size_t>(corner)] += bad && isFinderOrSeparatorOf(symbol, corner, row, column);
+        finder[corner] += bad && isFinderOrSeparatorOf(symbol, corner, row, column);
       timing += role == ModuleRole::Timing;
       timingWrong += bad && role == ModuleRole::Timing;
       alignmentModules += role == ModuleRole::Alignment;
@@ -240,7 +238,7 @@ ModuleReflectances measureModules(const Symbol& symbol, const Grid<double>& subm
     for (int column = 0; column < edge; ++column) {
       double sum = 0, weights = 0;
       for (int k = 0; k < kN * kN; ++k) {
-        const double weight = kAperture[static_cast<std::size_t>(k / kN)] * kAperture[static_cast<std::size_t>(k % kN)];
+        const double weight = kAperture[k / kN] * kAperture[k % kN];
         sum += weight * submodules.at(row * kN + k / kN, column * kN + k % kN);
         weights += weight;
       }

@@ -29,8 +29,7 @@ std::vector<double> gaussianBlur(const std::vector<double>& image, int width, do
   std::vector<double> across(image.size()), out(image.size()), row(edge + 2 * static_cast<std::size_t>(reach));
   for (std::size_t y = 0; y < edge; ++y) {
     const double* const in = &image[y * edge];
-    for (std::size_t x = 0; x < row.size(); ++x)
-      row[x] = in[static_cast<std::size_t>(std::clamp(static_cast<int>(x) - reach, 0, width - 1))];
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = in[std::clamp(static_cast<int>(x) - reach, 0, width - 1)];
     double* const to = &across[y * edge];
     for (std::size_t k = 0; k < kernel.size(); ++k)
       for (std::size_t x = 0; x < edge; ++x) to[x] += kernel[k] * row[x + k];

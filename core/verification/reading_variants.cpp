@@ -36,8 +36,7 @@ GreyImage shrunk(const GreyImage& image, int factor) {
     for (int x = 0; x < small.width; ++x) {
       int sum = 0;
       for (int k = 0; k < factor * factor; ++k)
-        sum +=
-            image.pixels[static_cast<std::size_t>((y * factor + k / factor) * image.width + x * factor + k % factor)];
+        sum += image.pixels[(y * factor + k / factor) * image.width + x * factor + k % factor];
       small.pixels.push_back(static_cast<std::uint8_t>((sum + factor * factor / 2) / (factor * factor)));
     }
   }

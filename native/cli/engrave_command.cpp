@@ -132,7 +132,7 @@ void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
                              : asked.code.isText()        ? "the text would not have printed or read well"
                                                           : "the code or its print did not decode reliably";
   std::string flags;
-  for (const SettingChange& change : carved.tried[static_cast<std::size_t>(carved.attempt)].changes) {
+  for (const SettingChange& change : carved.tried[carved.attempt].changes) {
     if (change.setting == "mark")
       fmt::print("made as {}: as a shadow, {}\n", change.value, reason);
     else if (change.setting == "preset")

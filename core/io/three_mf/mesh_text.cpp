@@ -23,7 +23,7 @@ MeshText::TriangleText triangleFrom(const XmlTag& tag) {
   MeshText::TriangleText triangle{};
   for (const XmlTag::Attribute& a : tag.attributes()) {
     if (a.name == "v1" || a.name == "v2" || a.name == "v3")
-      triangle.corners[static_cast<std::size_t>(a.name[1] - '1')] = cornerFrom(a.value);
+      triangle.corners[a.name[1] - '1'] = cornerFrom(a.value);
     else
       triangle.attributes += fmt::format(" {}", tag.raw.substr(a.begin - tag.begin, a.end - a.begin));
   }
