@@ -8,8 +8,8 @@
 #include "math/angle.h"
 #include "mesh/flat_region.h"
 #include "message_codes/engine.h"
+#include "pipeline/coloured_code.h"
 #include "pipeline/label_pockets.h"
-#include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 
 namespace qrelief {

@@ -44,7 +44,7 @@ Json bodiesOf(const PreparedModel& prepared) {
   return bodies;
 }
 
-/// Lists what a carved model keeps only in its own 3MF file (pipeline/carved_file.h).
+/// Lists what a carved model keeps only in its own 3MF file (delivery/carved_file.h).
 Json only3mf(const PreparedModel& prepared) {
   Json contents = Json::array();
   if (!prepared.source || prepared.scaleToMm != prepared.source->unitMm) return contents;

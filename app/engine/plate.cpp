@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "batch/plate_layout.h"
+#include "delivery/carved_objects.h"
 #include "io/write_checked.h"
-#include "pipeline/carved_objects.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {

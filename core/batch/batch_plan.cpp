@@ -9,10 +9,10 @@
 
 #include "base/unicode.h"
 #include "batch/spreadsheet_traces.h"
+#include "delivery/carved_objects.h"
 #include "io/sniff_format.h"
 #include "io/write_files.h"
 #include "message_codes/batch.h"
-#include "pipeline/carved_objects.h"
 #include "pipeline/requested_symbol.h"
 #include "qr/link_advice.h"
 #include "settings/setting_text.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "pipeline/coloured_code.h"
 #include "pipeline/engravable_model.h"
-#include "pipeline/second_colour.h"
 #include "printing/build_direction.h"
 #include "projection/spot_candidates.h"
 #include "settings/engrave_request.h"

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "base/version.h"
+#include "delivery/second_colour.h"
 #include "io/three_mf/source.h"
 #include "math/angle.h"
 #include "pipeline/engrave.h"
 #include "pipeline/label_pockets.h"
-#include "pipeline/second_colour.h"
 #include "projection/flatness.h"
 #include "qr/codewords.h"
 #include "report/json_parts.h"

@@ -13,7 +13,7 @@
 
 namespace qrelief {
 
-/// A carving with the results of its checks. To save it, use encodeCarved() (pipeline/carved_file.h).
+/// A carving with the results of its checks. To save it, use encodeCarved() (delivery/carved_file.h).
 struct Engraved {
   EngraveRequest request;  ///< as carved, which may be deeper than requested
   EngraveResult result;

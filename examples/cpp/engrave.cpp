@@ -2,13 +2,13 @@
 // Engraves a link into a model: engrave IN OUT [X,Y,Z-of-the-centre-in-mm]. Without a centre it takes the best spot.
 #include <cstdio>
 #include <cstdlib>
+#include <qrelief/delivery/carved_file.h>
 #include <qrelief/io/read_model.h>
 #include <qrelief/messages/sentences.h>
 #include <qrelief/native/engrave.h>
 #include <qrelief/native/files.h>
 #include <qrelief/native/graphics.h>
 #include <qrelief/pipeline/best_spot.h>
-#include <qrelief/pipeline/carved_file.h>
 
 using namespace qrelief;
 

@@ -11,14 +11,14 @@
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "cli/unused_flags.h"
+#include "delivery/carved_file.h"
+#include "delivery/carved_objects.h"
 #include "io/write_checked.h"
 #include "message_codes/command.h"
 #include "messages/sentences.h"
 #include "native/files.h"
 #include "native/sha256.h"
 #include "native/zxing_decoder.h"
-#include "pipeline/carved_file.h"
-#include "pipeline/carved_objects.h"
 
 namespace qrelief {
 namespace {

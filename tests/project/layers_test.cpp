@@ -22,9 +22,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Layers, lowest first: a folder includes only itself and the folders listed before it.
-const std::vector<std::string> kLayers = {
-    "base",  "math",    "mesh",     "io",           "qr",       "light",    "gl",      "render", "projection", "label",
-    "depth", "carving", "printing", "verification", "settings", "pipeline", "verdict", "report", "batch"};
+const std::vector<std::string> kLayers = {"base",     "math",     "mesh",     "io",           "qr",
+                                          "light",    "gl",       "render",   "projection",   "label",
+                                          "depth",    "carving",  "printing", "verification", "settings",
+                                          "pipeline", "delivery", "verdict",  "report",       "batch"};
 
 /// Headers that the build generates from shaders/ and the font of labels; those of locales/ are in message_codes/.
 const std::vector<std::string> kGeneratedHeaders = {"shaders.h", "label_font.h"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/carved_objects.h"
+#include "delivery/carved_objects.h"
 
 #include <algorithm>
 #include <optional>

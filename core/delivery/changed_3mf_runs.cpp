@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/changed_3mf_runs.h"
+#include "delivery/changed_3mf_runs.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/carved_objects.h"
+#include "delivery/carved_objects.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {

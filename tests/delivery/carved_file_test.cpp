@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/carved_file.h"
+#include "delivery/carved_file.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "pipeline/placement.h"
-#include "printing/colour_changes.h"
 #include "settings/engrave_request.h"
 
 namespace qrelief {
 
-struct EngraveResult;
-
 /// Number of layers that slicers print in the paint's colour under a facet that faces up: one more than the usual five
 /// solid layers (PrusaSlicer 2.5, script/test-slicer).
 inline constexpr int kPaintedLayers = 6;
-
-/// Cost of a result's second colour on the request's printer.
-struct SecondColour {
-  ColourCost cost;
-  bool isPriced = false;  ///< true: the printer changes filaments, so that waste and minutes are known
-};
-
-/// Counts and prices the filament changes of a result. All zero for a result of one colour.
-///
-/// Cost: see colourCost().
-SecondColour secondColourOf(const EngraveResult& result);
 
 /// A code in a second colour, before it is made.
 struct ColouredCode {

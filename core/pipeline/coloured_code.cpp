@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/second_colour.h"
+#include "pipeline/coloured_code.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "label/label_layout.h"
-#include "pipeline/engrave.h"
 #include "pipeline/mark_depth.h"
 
 namespace qrelief {
@@ -31,21 +30,6 @@ double heightModules(const std::vector<Rectangle>& marked, Vec2 slope) {
 }
 
 }  // namespace
-
-SecondColour secondColourOf(const EngraveResult& result) {
-  const EngraveRequest& request = result.request;
-  const auto change = usualFilamentChange(request.print.printer);
-  const auto process = processOf(request.print.printer);
-  SecondColour second{{}, change.has_value()};
-  if (!process) return second;
-  const ColourPrint print{request.print.buildUp.resolve(result.placement.frame), *process,
-                          change.value_or(FilamentChange{})};
-  if (result.inlay)
-    second.cost = colourCost(result.mesh, *result.inlay, print);
-  else if (!result.painted.empty())
-    second.cost = colourCost(result.mesh, PaintedTriangles{result.painted, kPaintedLayers * process->layerMm}, print);
-  return second;
-}
 
 ColouredCode colouredCodeOf(const EngraveRequest& request) {
   const Mark mark = request.marking.mark == Mark::Paint ? Mark::Paint : Mark::Inlay;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/carved_file.h"
+#include "delivery/carved_file.h"
 
+#include "delivery/carved_objects.h"
+#include "delivery/changed_3mf_runs.h"
 #include "io/three_mf/rewrite_3mf.h"
 #include "io/write_checked.h"
 #include "message_codes/files.h"
-#include "pipeline/carved_objects.h"
-#include "pipeline/changed_3mf_runs.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/second_colour.h"
+#include "delivery/second_colour.h"
 
 #include "messages/sentences.h"
+#include "pipeline/coloured_code.h"
 #include "pipeline/engrave.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
