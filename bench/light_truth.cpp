@@ -12,10 +12,10 @@
 #include "bench/engraved_file.h"
 #include "light/height_light.h"
 #include "mesh/ray_tree.h"
-#include "printing/printed_rays.h"
 #include "render/surface_raster.h"
+#include "study/path_tracer.h"
+#include "study/printed_rays.h"
 #include "verification/lit_picture.h"
-#include "verification/path_tracer.h"
 #include "verification/reading_sweep.h"
 
 namespace qrelief {
@@ -51,14 +51,14 @@ void compare(const char* name, const Code& code, const HeightMap& map, const Ray
   std::vector<float> visible;
   for (const Received& r : received) visible.push_back(r.sky);
   const std::vector<double> sky = moduleMeans(litPicture(map, visible, grid, 1), code.modules);
-  std::vector<SeenCell> cells;
+  std::vector<study::SeenCell> cells;
   const double module = code.symbolMm / code.modules;
   for (int row = 0; row < code.modules; ++row)
     for (int column = 0; column < code.modules; ++column) {
       const Vec2 low((column - code.modules / 2.0) * module, (code.modules / 2.0 - row - 1) * module);
       cells.push_back({low, low + module});
     }
-  const auto traced = traceCells(surface, code.frame, cells, {.paths = kPaths, .albedo = kAlbedo});
+  const auto traced = study::traceCells(surface, code.frame, cells, {.paths = kPaths, .albedo = kAlbedo});
   std::vector<double> apart;
   double sum = 0, biased = 0, skySum = 0, noise = 0, skyBias = 0;
   for (std::size_t i = 0; i < traced.size(); ++i) {
@@ -112,7 +112,7 @@ int run(int argc, char** argv) {
     request.process = *processOf({});
     const auto printed = printSurface(*mesh, request);
     if (!printed) return 1;
-    compare(facing.c_str(), code, printed->heightMap(), PrintedRays(*printed));
+    compare(facing.c_str(), code, printed->heightMap(), study::PrintedRays(*printed));
   }
   return 0;
 }

@@ -26,7 +26,7 @@
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
 #include "study/methods/reading_search.h"
-#include "verification/path_tracer.h"
+#include "study/path_tracer.h"
 
 namespace qrelief {
 namespace {
@@ -41,10 +41,10 @@ struct Cell {
   bool carved = false;
   Received received = {};
   double luminance = 0;  // from the pass, at kAlbedo
-  std::array<CellLight, kFitAlbedos.size()> traced = {};
+  std::array<study::CellLight, kFitAlbedos.size()> traced = {};
   int model = 0;
 
-  const CellLight& reference() const { return traced[1]; }
+  const study::CellLight& reference() const { return traced[1]; }
 };
 
 /// Returns true for the places that are engraved by the study's search ReadingSearch.
@@ -115,14 +115,14 @@ std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model)
 void trace(const EngraveResult& engraved, int paths, std::vector<Cell>& cells) {
   const RayTree tree(engraved.mesh);
   const double edge = engraved.depths.submoduleMm();
-  std::vector<SeenCell> seen;
+  std::vector<study::SeenCell> seen;
   for (const Cell& cell : cells) {
     const Vec2 corner = engraved.depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
     seen.push_back({{corner.x, corner.y - edge}, {corner.x + edge, corner.y}});
   }
   for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
-    const auto traced =
-        traceCells(tree, engraved.placement.frame, seen, {.paths = paths, .albedo = kFitAlbedos[a], .seed = a + 1});
+    const auto traced = study::traceCells(tree, engraved.placement.frame, seen,
+                                          {.paths = paths, .albedo = kFitAlbedos[a], .seed = a + 1});
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i].traced[a] = traced[i];
   }
 }

@@ -32,8 +32,8 @@
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
 #include "render/luminance_pass.h"
+#include "study/path_tracer.h"
 #include "support/shapes.h"
-#include "verification/path_tracer.h"
 
 namespace qrelief {
 namespace {
@@ -118,7 +118,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
   const auto start = Clock::now();
   DepthField depths{spot.mask.rows(), spot.placement.symbolMm, std::vector<double>(spot.mask.size(), 0)};
   std::vector<std::uint32_t> dark;
-  std::vector<SeenCell> cells;
+  std::vector<study::SeenCell> cells;
   for (std::uint32_t i = 0; i < spot.mask.size(); ++i) {
     if (!spot.mask[i]) continue;
     dark.push_back(i);
@@ -133,11 +133,12 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     const auto mesh = carved(spot, depths);
     QRELIEF_TRY(mesh);
     const RayTree tree(*mesh);
-    const auto light = traceCells(tree, spot.placement.frame, cells,
-                                  {.paths = rays, .albedo = static_cast<double>(spot.request.depth.albedo)});
+    const auto light = study::traceCells(tree, spot.placement.frame, cells,
+                                         {.paths = rays, .albedo = static_cast<double>(spot.request.depth.albedo)});
     deepened = false;
     noise = 0;
-    for (const CellLight& cell : light) noise += cell.luminance.standardError / static_cast<double>(light.size());
+    for (const study::CellLight& cell : light)
+      noise += cell.luminance.standardError / static_cast<double>(light.size());
     for (std::size_t k = 0; k < dark.size(); ++k) {
       if (light[k].luminance.mean <= 1 - spot.request.depth.contrastAsked()) continue;
       double& depth = depths.depthMm[dark[k]];

@@ -10,7 +10,7 @@
 #include "study/carved_surface.h"
 #include "study/experiments/experiments.h"
 #include "study/methods/methods.h"
-#include "verification/path_tracer.h"
+#include "study/path_tracer.h"
 
 namespace qrelief::study {
 namespace {

@@ -9,8 +9,8 @@
 #include "light/height_maps.h"
 #include "math/angle.h"
 #include "mesh/ray_tree.h"
+#include "study/path_tracer.h"
 #include "support/shapes.h"
-#include "verification/path_tracer.h"
 
 namespace qrelief {
 namespace {
@@ -158,7 +158,7 @@ TEST(HeightLight, APocketIsAsBrightAsByPathTracing) {
     return std::max(std::abs(x), std::abs(y)) < half - grid / 2 ? -depth : 0.0;
   });
   const RayTree tree(carved);
-  std::vector<SeenCell> cells;
+  std::vector<study::SeenCell> cells;
   for (int row = -4; row < 4; ++row)
     for (int column = -4; column < 4; ++column) {
       const Vec2 min(column * patch, row * patch);  // leaves out the foot of the walls
@@ -170,8 +170,8 @@ TEST(HeightLight, APocketIsAsBrightAsByPathTracing) {
     light.carve(
         depthsOf(kSize, patch, depth, [&](double x, double y) { return std::abs(x) < half && std::abs(y) < half; }));
     const std::vector<Received> received = measured(light, {.lamps = lamps});
-    const auto traced =
-        traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells, {.paths = 1024, .lights = lamps});
+    const auto traced = study::traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells,
+                                          {.paths = 1024, .lights = lamps});
     double skyError = 0, error = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Received& r = received[(kSize / 2 - 4 + i / 8) * kSize + kSize / 2 - 4 + i % 8];

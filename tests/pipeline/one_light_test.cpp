@@ -12,9 +12,9 @@
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "report/verify_report.h"
+#include "study/path_tracer.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
-#include "verification/path_tracer.h"
 
 namespace qrelief {
 namespace {
@@ -90,22 +90,22 @@ TEST_F(OneLightTest, TracedLightConfirmsThatCarvedSubmodulesAreDarkUnderTheLamp)
     const Sample& sample = isBall ? ball : onPlate();
     const EngraveResult& result = sample.result;
     const DepthField& depths = result.depths;
-    std::vector<SeenCell> dark, light;
+    std::vector<study::SeenCell> dark, light;
     for (int row = 0; row < result.symbol.size; ++row)
       for (int column = 0; column < result.symbol.size; ++column) {
         const Vec2 topLeft = depths.corner(5 * row, 5 * column),
                    bottomRight = depths.corner(5 * row + 5, 5 * column + 5);
-        const SeenCell module{{topLeft.x, bottomRight.y}, {bottomRight.x, topLeft.y}};
+        const study::SeenCell module{{topLeft.x, bottomRight.y}, {bottomRight.x, topLeft.y}};
         const Vec2 in = 0.2 * (module.max - module.min);  // the middle nine submodules; they are carved
         if (result.symbol.isDark(row, column))
           dark.push_back({module.min + in, module.max - in});
         else
           light.push_back(module);
       }
-    const auto meanOf = [&](const std::vector<SeenCell>& cells) {
+    const auto meanOf = [&](const std::vector<study::SeenCell>& cells) {
       double sum = 0;
-      for (const CellLight& cell : traceCells(RayTree(result.mesh), result.placement.frame, cells,
-                                              {.paths = 64, .lights = sample.request.lamps()}))
+      for (const study::CellLight& cell : study::traceCells(RayTree(result.mesh), result.placement.frame, cells,
+                                                            {.paths = 64, .lights = sample.request.lamps()}))
         sum += cell.luminance.mean / static_cast<double>(cells.size());
       return sum;
     };

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "mesh/ray_tree.h"
+#include "study/path_tracer.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
-#include "verification/path_tracer.h"
 
 namespace qrelief {
 namespace {
@@ -162,7 +162,7 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsByPathTracing) {
   });
   const RayTree tree(carved);
   const std::vector<DirectionalLight> lamp = {{.azimuthDeg = 20, .elevationDeg = 35, .strength = 0.5}};
-  std::vector<SeenCell> cells;
+  std::vector<study::SeenCell> cells;
   for (int row = -4; row < 4; ++row)
     for (int column = -4; column < 4; ++column) {
       // Leaves out the foot of the walls.
@@ -176,8 +176,8 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsByPathTracing) {
     pass_.run();
     const std::vector<float> luminance = pass_.readLuminance();
     const std::vector<Received> received = pass_.readReceived();
-    const auto traced =
-        traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells, {.paths = 1024, .lights = lights});
+    const auto traced = study::traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells,
+                                          {.paths = 1024, .lights = lights});
     double skyError = 0, error = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto at = (kCells / 2 - 4 + i / 8) * kCells + kCells / 2 - 4 + i % 8;

@@ -8,9 +8,9 @@
 #include "mesh/ray_tree.h"
 #include "pipeline/engrave.h"
 #include "study/methods/shaped_floor_search.h"
+#include "study/path_tracer.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
-#include "verification/path_tracer.h"
 
 namespace qrelief::study {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "printing/printed_rays.h"
+#include "study/printed_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kBlockTexels = 8;         // along the edge
@@ -207,4 +207,4 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
   return std::nullopt;
 }
 
-}  // namespace qrelief
+}  // namespace qrelief::study

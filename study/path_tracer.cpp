@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/path_tracer.h"
+#include "study/path_tracer.h"
 
 #include <array>
 #include <cassert>
@@ -10,7 +10,7 @@
 #include "base/random.h"
 #include "verification/light_path.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kEstimates = 8;
@@ -79,4 +79,4 @@ std::vector<CellLight> traceCells(const RaySurface& surface, const ProjectionFra
   return light;
 }
 
-}  // namespace qrelief
+}  // namespace qrelief::study

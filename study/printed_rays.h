@@ -6,7 +6,7 @@
 #include "mesh/ray_surface.h"
 #include "printing/printed_surface.h"
 
-namespace qrelief {
+namespace qrelief::study {
 
 /// Four neighbouring texels, and the two triangles between them.
 struct TexelCell {
@@ -60,4 +60,4 @@ class PrintedRays final : public RaySurface {
   std::vector<float> blockTops_;  // greatest height of a block's texels and of those that border on it
 };
 
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "printing/printed_rays.h"
+#include "study/printed_rays.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "mesh/ray_tree.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 /// Returns a made-up surface: hills, a pit with steep walls, and a hole.
@@ -123,4 +123,4 @@ TEST(PrintedRays, IgnoresHitsNearerThanTheMinimum) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

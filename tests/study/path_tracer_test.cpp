@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/path_tracer.h"
+#include "study/path_tracer.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "mesh/ray_tree.h"
 #include "support/shapes.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr double kFar = 20000;
@@ -118,4 +118,4 @@ TEST(PathTracer, IsDeterministicForASeed) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

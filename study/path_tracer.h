@@ -9,7 +9,7 @@
 #include "math/frame.h"
 #include "mesh/ray_surface.h"
 
-namespace qrelief {
+namespace qrelief::study {
 
 /// A rectangle on the QR plane, mm, that the frame's eye sees projected onto the surface.
 struct SeenCell {
@@ -45,4 +45,4 @@ struct CellLight {
 std::vector<CellLight> traceCells(const RaySurface& surface, const ProjectionFrame& frame,
                                   std::span<const SeenCell> cells, const PathTraceOptions& options);
 
-}  // namespace qrelief
+}  // namespace qrelief::study
