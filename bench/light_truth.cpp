@@ -15,8 +15,8 @@
 #include "render/surface_raster.h"
 #include "study/path_tracer.h"
 #include "study/printed_rays.h"
-#include "verification/lit_picture.h"
 #include "verification/reading_sweep.h"
+#include "verification/resample.h"
 
 namespace qrelief {
 namespace {

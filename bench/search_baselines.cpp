@@ -22,8 +22,8 @@
 
 #include "base/clock.h"
 #include "carving/embed.h"
+#include "depth/light_neighbours.h"
 #include "depth/paper_step_search.h"
-#include "depth/submodule_luminances.h"
 #include "depth/wall_limit.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"

@@ -8,13 +8,12 @@
 #include <fmt/format.h>
 
 #include "depth/fast_search.h"
-#include "depth/search_aim.h"
 #include "depth/shader_search.h"
 #include "gl/pass_timings.h"
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
-#include "pipeline/choose_depth_solver.h"
+#include "pipeline/depth_search_run.h"
 #include "pipeline/engrave.h"
 #include "support/shapes.h"
 

@@ -5,7 +5,7 @@ precision highp float;
 precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
 precision highp sampler2D;
 
-#include "floors.glsl"
+#include "depth_search.glsl"
 
 uniform sampler2D u_solved;
 uniform sampler2D u_luminance;

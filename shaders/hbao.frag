@@ -32,7 +32,7 @@ uniform int u_stride;              // distance between computed texels, texels
 uniform float u_cellsPerPixel;     // 1 / u_computedTexels
 uniform sampler2D u_list;          // columns and rows of the listed cells
 uniform int u_listed;              // how many there are; 0: all
-uniform int u_onlyDue;             // 1: of these, only floors that are due; u_depth then holds floors (floors.glsl)
+uniform int u_onlyDue;             // 1: of these, only floors that are due; u_depth then holds floors (depth_search.glsl)
 
 uniform int u_lampCount;
 uniform vec4 u_lamps[2];           // unit vector to the lamp, strength

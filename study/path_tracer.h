@@ -7,7 +7,7 @@
 
 #include "light/directional_light.h"
 #include "math/frame.h"
-#include "mesh/ray_surface.h"
+#include "mesh/ray.h"
 
 namespace qrelief::study {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/ray_surface.h"
+#include "mesh/ray.h"
 #include "printing/printed_surface.h"
 
 namespace qrelief::study {

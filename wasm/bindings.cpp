@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/answers.h"
 #include "engine/facts.h"
-#include "engine/guarded.h"
 #include "engine/planned_batch.h"
 #include "engine/printed_code.h"
 #include "engine/tracked_batch.h"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/answers.h"
 
+#include <exception>
 #include <limits>
+#include <new>
 
 #include "message_codes/engine.h"
 
 namespace qrelief {
+
 namespace {
 
 const char* nameOf(ErrorKind kind) {
@@ -69,6 +72,16 @@ Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings
   for (const Finding& finding : findings)
     list.push_back(besides({{"severity", severityName(finding.severity)}}, finding.message));
   return list;
+}
+
+std::string guarded(const std::function<std::string()>& verb) {
+  try {
+    return verb();
+  } catch (const std::bad_alloc&) {
+    return answer(ErrorKind::Internal, message<"out-of-memory">());
+  } catch (const std::exception& exception) {
+    return answer(ErrorKind::Internal, message<"internal-fault">(with::term<"detail">(exception.what())));
+  }
 }
 
 }  // namespace qrelief

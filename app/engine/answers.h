@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -39,5 +40,9 @@ extern const Error kNoModel, kNoCode, kNoResult;
 
 /// Lists the parser's warnings, then the findings about the model, each as {"severity", "code", "values"}.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);
+
+/// Returns a verb's answer. If an exception ends the verb, returns an error with the code out-of-memory or
+/// internal-fault.
+std::string guarded(const std::function<std::string()>& verb);
 
 }  // namespace qrelief

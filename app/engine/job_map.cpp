@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/job_map.h"
 
-#include "depth/search_record.h"
+#include "depth/depth_solver.h"
 #include "pipeline/engrave.h"
 #include "qr/module_pattern.h"
 #include "render/geometry_pass.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "inspector/inspector.h"
-#include "inspector/map_picture.h"
+#include "inspector/value_map.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {

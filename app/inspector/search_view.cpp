@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "depth/light_neighbours.h"
-#include "depth/submodule_luminances.h"
 
 namespace qrelief {
 namespace {

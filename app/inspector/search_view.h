@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "depth/search_record.h"
+#include "depth/depth_solver.h"
 #include "inspector/value_map.h"
 #include "qr/symbol.h"
 

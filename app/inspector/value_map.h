@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "gl/objects.h"
 #include "math/vec.h"
+#include "viewer/colour_scale.h"
 
 namespace qrelief {
 
@@ -35,5 +38,18 @@ std::optional<ValueRange> rangeOf(std::span<const float> values, double cutShare
 /// Counts the values in each of equal parts of a range. Values outside it count towards the nearest part; NaN is not
 /// counted.
 std::vector<int> histogramOf(std::span<const float> values, ValueRange range, int parts);
+
+/// The mapping from numbers to colours.
+struct MapColours {
+  ColourScale scale = ColourScale::Viridis;
+  ValueRange range;
+  bool showsDirections = false;  ///< if the map has directions: right, up, towards the viewer as red, green, blue
+};
+
+/// Returns four bytes per value, row 0 at the top; transparent for NaN.
+std::vector<std::uint8_t> colouredRgba(const ValueMap& map, const MapColours& colours);
+
+/// Returns the same picture as a texture, RGBA8, row 0 at the top.
+gl::Texture mapPicture(const ValueMap& map, const MapColours& colours);
 
 }  // namespace qrelief

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "base/result.h"
+#include "carving/mark.h"
 #include "carving/outlined_pockets.h"
-#include "carving/surface_mode.h"
 #include "depth/depth_field.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "carving/depth_levels.h"
+#include "carving/outline.h"
 #include "carving/outlined_pockets.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"

@@ -20,4 +20,15 @@ constexpr std::string_view markName(Mark mark) {
   return kNames[static_cast<std::size_t>(mark)];
 }
 
+/// Surface of the symbol's square, carved and uncarved [Papp 2022, §5].
+enum class SurfaceMode : std::uint8_t {
+  Preserved,  ///< the model's own facets, cut by the pockets' outlines; only facets under a pocket change
+  Resampled   ///< a grid through the submodules' corners, projected on the surface and joined to the facets it cuts
+};
+
+/// Returns the name used on the command line.
+constexpr std::string_view surfaceModeName(SurfaceMode mode) {
+  return mode == SurfaceMode::Preserved ? "preserved" : "resampled";
+}
+
 }  // namespace qrelief

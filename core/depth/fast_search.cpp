@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "depth/search_aim.h"
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 
 namespace qrelief {
 namespace {

@@ -5,9 +5,31 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "qr/module_pattern.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
+
+/// Modules rendered beyond the quiet zone on each side, so that the quiet zone's own occlusion is complete.
+inline constexpr int kOcclusionMarginModules = 1;
+
+/// Returns the luminance of a submodule of the symbol.
+/// @param luminance    of the submodules of symbol and quiet zone
+/// @param row, column  from the symbol's top left
+inline double luminanceOf(const Grid<double>& luminance, int row, int column) {
+  return luminance.at(row + kQuietZoneSubmodules, column + kQuietZoneSubmodules);
+}
+
+/// Returns the means of the modules of symbol and quiet zone.
+/// @param luminance  of their submodules
+inline Grid<double> moduleMeans(const Grid<double>& luminance) {
+  constexpr int kN = kSubmodulesPerModule;
+  Grid<double> means(luminance.rows() / kN, luminance.columns() / kN);
+  for (int row = 0; row < luminance.rows(); ++row)
+    for (int column = 0; column < luminance.columns(); ++column)
+      means.at(row / kN, column / kN) += luminance.at(row, column) / (kN * kN);
+  return means;
+}
 
 /// The surroundings of each dark module for comparing luminances [Papp 2022, §7: AL]. The paper says "neighbours". Here
 /// these are the light modules (quiet zone included) in the 8-neighbourhood, widened ring by ring until it holds four.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 #include "math/angle.h"
 
 namespace qrelief {

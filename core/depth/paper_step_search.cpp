@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 #include "math/tolerance.h"
 
 namespace qrelief {

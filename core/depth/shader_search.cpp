@@ -6,10 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "depth/fast_search.h"
 #include "depth/light_neighbours.h"
 #include "depth/pocket_sky.h"
-#include "depth/search_aim.h"
-#include "depth/submodule_luminances.h"
 
 namespace qrelief {
 namespace {

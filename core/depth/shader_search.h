@@ -7,7 +7,6 @@
 #include "base/result.h"
 #include "depth/depth_solver.h"
 #include "depth/fast_search.h"
-#include "depth/search_record.h"
 #include "render/floor_passes.h"
 
 namespace qrelief {

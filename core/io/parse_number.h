@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string_view>
 
@@ -20,5 +23,17 @@ std::string_view withoutBlanks(std::string_view text);
 
 /// Parses a decimal integer with an optional sign; empty if the token is not one or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view token);
+
+/// Loads a number of type T from its bytes. Assumes a little-endian machine (x86, ARM and WebAssembly, the only
+/// targets).
+template <class T>
+T loadBytes(const std::uint8_t* bytes, bool bigEndian = false) {
+  std::array<std::uint8_t, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if (bigEndian) std::reverse(raw.begin(), raw.end());
+  T value;
+  std::memcpy(&value, raw.data(), sizeof(T));
+  return value;
+}
 
 }  // namespace qrelief

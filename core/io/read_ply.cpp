@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "io/load_bytes.h"
 #include "io/parse_number.h"
 #include "io/ply_header.h"
 #include "io/polygon_list.h"

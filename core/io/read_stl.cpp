@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/load_bytes.h"
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"

@@ -99,4 +99,14 @@ constexpr std::optional<Slicer> slicerByName(std::string_view name) {
   return {};
 }
 
+/// Makes a name safe for a line of text: control characters become blanks. Trailing backslashes are removed, because in
+/// OBJ they would join the next line.
+inline std::string oneLine(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if ((c >= 0 && c < ' ') || c == 127) c = ' ';
+  while (!line.empty() && (line.back() == '\\' || line.back() == ' ')) line.pop_back();
+  return line;
+}
+
 }  // namespace qrelief

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "io/one_line.h"
+#include "io/write_model.h"
 
 namespace qrelief {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fmt/format.h>
 
-#include "io/one_line.h"
+#include "io/write_model.h"
 
 namespace qrelief {
 namespace {

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-#include "io/one_line.h"
+#include "io/write_model.h"
 
 namespace qrelief {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 #include <zlib.h>
 
-#include "io/load_bytes.h"
+#include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "message_codes/files.h"
 

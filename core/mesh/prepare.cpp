@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "mesh/report_findings.h"
-#include "mesh/soup_mesh.h"
 #include "mesh/upright.h"
+#include "mesh/weld.h"
 #include "message_codes/model.h"
 
 namespace qrelief {

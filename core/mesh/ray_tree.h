@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "mesh/ray_surface.h"
+#include "mesh/ray.h"
 #include "mesh/wide_bvh.h"
 
 namespace qrelief {

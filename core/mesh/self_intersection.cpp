@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
-#include "mesh/pieces.h"
+#include "mesh/topology.h"
 #include "mesh/triangle_separation.h"
 #include "message_codes/model.h"
 

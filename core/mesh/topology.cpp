@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace qrelief {
+
 namespace {
 
 std::uint32_t countVertices(std::span<const Triangle> triangles) {
@@ -66,6 +68,44 @@ int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t t
     if (adjacency[across][k] == triangle) return k;
   assert(false && "the triangles share no edge");
   return -1;
+}
+
+std::vector<std::uint32_t> piecesOf(const Mesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t other : {t[1], t[2]}) {
+      const std::uint32_t a = find(t[0]), b = find(other);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = find(v);
+  return parent;
+}
+
+CornerFans::CornerFans(const Mesh& mesh) : mesh_(mesh), parent_(3 * mesh.triangles.size()) {
+  std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+std::uint32_t CornerFans::find(std::uint32_t corner) {
+  while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+  return corner;
+}
+
+std::uint32_t CornerFans::cornerAt(std::uint32_t halfEdge, std::uint32_t vertex) const {
+  const Triangle& t = mesh_.triangles[halfEdge / 3];
+  return halfEdge - halfEdge % 3 + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
+}
+
+void CornerFans::joinAlong(std::uint32_t halfEdge, std::uint32_t other) {
+  const Triangle& t = mesh_.triangles[halfEdge / 3];
+  for (const std::uint32_t vertex : {t[halfEdge % 3], t[(halfEdge + 1) % 3]}) {
+    const std::uint32_t a = find(cornerAt(halfEdge, vertex)), b = find(cornerAt(other, vertex));
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
 }
 
 }  // namespace qrelief

@@ -41,4 +41,27 @@ Adjacency buildAdjacency(std::span<const Triangle> triangles, const EdgeTable& e
 /// Returns the edge of `across` that it shares with `triangle`. Precondition: they share an edge.
 int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t triangle);
 
+/// Returns the piece of each vertex: the lowest vertex that can be reached over triangles. Cost: O(T).
+std::vector<std::uint32_t> piecesOf(const Mesh& mesh);
+
+/// The fans of a mesh: triangles round a vertex that are joined along edges. Corner k of triangle t has number 3·t + k;
+/// corners of one fan have one representative.
+class CornerFans {
+ public:
+  /// Starts with every corner alone.
+  explicit CornerFans(const Mesh& mesh);
+
+  /// Joins the triangles of two half-edges of the same edge, at both of its ends.
+  void joinAlong(std::uint32_t halfEdge, std::uint32_t other);
+
+  /// Returns the lowest corner of a corner's fan.
+  std::uint32_t find(std::uint32_t corner);
+
+ private:
+  std::uint32_t cornerAt(std::uint32_t halfEdge, std::uint32_t vertex) const;
+
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> parent_;
+};
+
 }  // namespace qrelief

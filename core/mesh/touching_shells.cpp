@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "math/orientation.h"
-#include "mesh/corner_fans.h"
+#include "mesh/topology.h"
 
 namespace qrelief {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "mesh/polygon_soup.h"
 
 namespace qrelief {
 
@@ -31,5 +32,10 @@ Mesh weldedByGroup(std::span<const Vec3f> corners, std::span<const std::uint32_t
 
 /// Drops positions that no triangle uses, keeping the order, and renumbers the triangles.
 void dropUnused(Mesh& mesh);
+
+/// Scales a file's triangles to mm, rounds them to 32-bit floats and welds equal positions within each body. Leaves out
+/// positions that no triangle uses. Cost: O(T).
+/// @param soup  finite after scaling
+Mesh meshOfSoup(const PolygonSoup& soup, double scaleToMm);
 
 }  // namespace qrelief

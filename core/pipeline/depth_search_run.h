@@ -7,9 +7,8 @@
 
 #include "base/result.h"
 #include "depth/depth_solver.h"
-#include "depth/search_record.h"
+#include "depth/fast_search.h"
 #include "depth/shader_search.h"
-#include "pipeline/cell_layout.h"
 #include "pipeline/placement_light.h"
 
 namespace qrelief {
@@ -74,5 +73,21 @@ class DepthSearchRun {
   std::unique_ptr<ShaderSearch> onGpu_;
   Grid<double> luminance_;
 };
+
+/// Makes the depth search for a request's objective and solver, on the CPU.
+/// @param request  checked (checkSettings)
+std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target);
+
+/// Returns true if FastSearch (on a GPU, ShaderSearch) serves the request's objective and solver.
+bool usesFastSearch(const EngraveRequest& request);
+
+/// Returns the search options for such a request. If the request is carved for its print (EngraveRequest::isForPrint),
+/// this is the first of two searches: it stops after a few passes, because the rough print needs only approximate
+/// depths.
+FastSearchOptions fastSearchOptions(const EngraveRequest& request);
+
+/// Returns the options of the second search, which begins with the first search's result.
+/// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
+FastSearchOptions fastSearchOptionsAfterPrint(const EngraveRequest& request, std::vector<double> contrastOfModule);
 
 }  // namespace qrelief

@@ -11,7 +11,6 @@
 #include "message_codes/stages.h"
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/default_patterns.h"
-#include "pipeline/depth_limits.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/requested_symbol.h"

@@ -5,7 +5,7 @@
 #include "base/clock.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
-#include "mesh/pieces.h"
+#include "mesh/topology.h"
 #include "mesh/weld.h"
 #include "message_codes/place.h"
 #include "pipeline/add_inlay.h"

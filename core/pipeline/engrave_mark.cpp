@@ -2,7 +2,6 @@
 // Implements what EngraveJob (engrave.h) does for codes in colour and for text in place of a depth search.
 #include "base/clock.h"
 #include "message_codes/pipeline.h"
-#include "pipeline/depth_limits.h"
 #include "pipeline/engrave_state.h"
 #include "pipeline/mark_depth.h"
 

@@ -9,8 +9,8 @@
 
 #include "base/job_stages.h"
 #include "carving/embed.h"
-#include "pipeline/cell_layout.h"
 #include "pipeline/engrave.h"
+#include "pipeline/placement_light.h"
 #include "pipeline/printed_view.h"
 
 namespace qrelief {

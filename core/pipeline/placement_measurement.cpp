@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "depth/wall_limit.h"
 #include "pipeline/engrave.h"
 
 namespace qrelief {
@@ -131,6 +132,15 @@ void PlacementMeasurement::measureThickness(std::span<const float> front, std::s
       }
       thicknessMm_.push_back(least);
     }
+}
+
+std::vector<double> depthLimits(const Mesh& mesh, const Placement& placement, const SubmoduleMask& mask,
+                                std::span<const double> thicknessMm, const DepthLimitOptions& options) {
+  std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
+                                          {placement.symbolMm, options.maxDepthMm, options.minWallMm});
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    limits[i] = std::max(0.0, std::min(limits[i], thicknessMm[i] - options.minWallMm));
+  return limits;
 }
 
 }  // namespace qrelief

@@ -3,11 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
-#include "pipeline/cell_layout.h"
 #include "pipeline/engravable_model.h"
+#include "pipeline/placement.h"
 #include "pipeline/placement_light.h"
 
 namespace qrelief {
@@ -59,5 +60,18 @@ class PlacementMeasurement {
   std::vector<double> thicknessMm_;
   std::unique_ptr<PlacementLight> light_;
 };
+
+struct DepthLimitOptions {
+  double maxDepthMm = 0;  ///< limit for every pocket, > 0
+  double minWallMm = 0;   ///< material that must remain behind every floor, ≥ 0
+};
+
+/// Returns the greatest depth of every submodule, mm; 0 where nothing can be carved. It is the least of three limits:
+/// the requested depth; the distance to the other side of the material in any direction (depth/wall_limit.h); and the
+/// thickness along every texel's ray, which catches features too fine for the samples of the second limit.
+/// @param thicknessMm  see PlacementMeasurement::thicknessMm()
+/// @returns one value for each submodule of the mask, row-major from the symbol's top left
+std::vector<double> depthLimits(const Mesh& mesh, const Placement& placement, const SubmoduleMask& mask,
+                                std::span<const double> thicknessMm, const DepthLimitOptions& options);
 
 }  // namespace qrelief

@@ -15,8 +15,8 @@
 #include "printing/printed_ink.h"
 #include "verification/baked_light.h"
 #include "verification/inlaid_surface.h"
-#include "verification/lit_picture.h"
 #include "verification/reading_sweep.h"
+#include "verification/resample.h"
 
 namespace qrelief {
 namespace {

@@ -15,7 +15,6 @@
 #include "math/tolerance.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/ray_tree.h"
-#include "mesh/soup_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/touching_shells.h"
 #include "mesh/weld.h"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "mesh/mesh.h"
-#include "render/map_window.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 

@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kDirections = 16;  // as in floors.glsl
+constexpr int kDirections = 16;  // as in depth_search.glsl
 
 std::size_t square(int edge) { return static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge); }
 

@@ -21,7 +21,7 @@ struct FloorTarget {
   float limitMm = 0;           ///< greatest depth, a multiple of the quantum, ≥ 0
 };
 
-/// Parameters of a pass that moves the floors: see depth/search_aim.h.
+/// Parameters of a pass that moves the floors: see depth/fast_search.h.
 struct FloorMove {
   int sweeps = 1;  ///< over all floors, towards the solution on a plane
   float aim = 0, aimForTooBright = 0;

@@ -5,7 +5,7 @@
 #include "gl/objects.h"
 #include "math/frame.h"
 #include "render/gpu_mesh.h"
-#include "render/map_window.h"
+#include "render/surface_renderer.h"
 
 namespace qrelief {
 

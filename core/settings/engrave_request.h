@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "carving/mark.h"
-#include "carving/surface_mode.h"
 #include "label/label_layout.h"
 #include "light/directional_light.h"
 #include "printing/build_direction.h"

@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "light/directional_light.h"
 #include "math/frame.h"
-#include "mesh/ray_surface.h"
+#include "mesh/ray.h"
 
 namespace qrelief {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace qrelief {
+
 namespace {
 
 /// Averages the rows of `picture` over cells and writes them as columns, so that two passes resample both directions.
@@ -45,5 +46,15 @@ Grid<float, kOrder> resampled(const Grid<float, kOrder>& picture, double step, V
 template BottomUp<float> areaMeans(const BottomUp<float>&, double, Vec2, int);
 template BottomUp<float> resampled(const BottomUp<float>&, double, Vec2);
 template Grid<float> resampled(const Grid<float>&, double, Vec2);
+
+BottomUp<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid, float missing) {
+  for (std::size_t patch = 0; patch < luminance.size(); ++patch)
+    if (!map.isSurface(patch)) luminance[patch] = missing;
+  const double step = grid.pixelMm / map.patchMm;
+  const double before = (map.size - grid.pixels * step) / 2;  // patches before the first pixel
+  BottomUp<float> patches(map.size, map.size, std::move(luminance));
+  if (grid.pixels == map.size && std::abs(before) < 1e-9) return patches;
+  return areaMeans(patches, step, Vec2(before), grid.pixels);
+}
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/grid.h"
+#include "light/height_map.h"
 #include "math/vec.h"
 
 namespace qrelief {
@@ -20,5 +21,16 @@ Grid<float, kOrder> resampled(const Grid<float, kOrder>& picture, double step, V
 /// @param cells  along the edge
 template <RowOrder kOrder>
 Grid<float, kOrder> areaMeans(const Grid<float, kOrder>& picture, double step, Vec2 first, int cells);
+
+/// Grid of a square picture of a lit height map, seen from the eye and centred on the map.
+struct PictureGrid {
+  double pixelMm = 0.1;  ///< on the QR plane, > 0
+  int pixels = 400;      ///< along the edge
+};
+
+/// Returns the luminance of the pixels, averaged over their areas. 1 = an unoccluded surface.
+/// @param luminance  of every patch
+/// @param missing    luminance where there is no surface
+BottomUp<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid, float missing);
 
 }  // namespace qrelief

@@ -5,9 +5,9 @@
 
 #include "mesh/clean.h"
 #include "mesh/collinear.h"
-#include "mesh/corner_fans.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
+#include "mesh/topology.h"
 #include "message_codes/model.h"
 
 namespace qrelief {

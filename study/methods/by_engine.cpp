@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/methods/by_engine.h"
 
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 
 namespace qrelief::study {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 
 namespace qrelief::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "depth/light_neighbours.h"
 #include "depth/paper_step_search.h"
-#include "depth/submodule_luminances.h"
 #include "support/pocket_light.h"
 
 namespace qrelief {

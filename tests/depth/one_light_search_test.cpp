@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "depth/submodule_luminances.h"
+#include "depth/light_neighbours.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
 #include "support/symbols.h"

@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "depth/fast_search.h"
 #include "depth/light_neighbours.h"
 #include "depth/pocket_sky.h"
-#include "depth/search_aim.h"
-#include "depth/submodule_luminances.h"
 #include "render/geometry_pass.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "inspector/map_picture.h"
 #include "viewer/colour_scale.h"
 
 namespace qrelief {

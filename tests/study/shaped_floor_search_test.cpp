@@ -4,8 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "depth/light_neighbours.h"
 #include "depth/pocket_sky.h"
-#include "depth/submodule_luminances.h"
 #include "math/tolerance.h"
 #include "support/pocket_light.h"
 

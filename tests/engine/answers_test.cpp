@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/guarded.h"
+#include "engine/answers.h"
 
 #include <gtest/gtest.h>
 #include <new>
