@@ -106,7 +106,7 @@ function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePan
     client,
     prepareReader: () => {
       prepareReader();
-      void messageWords.come();
+      void messageWords.load();
     },
     isBusy: () => jobs.busy || carving.isPrinting,
     isLive: () => toolbar.liveShown,

@@ -68,7 +68,7 @@ export class BatchStore {
    */
   async save({ rows, files }, lineOf) {
     for (const { name, bytes } of files) await this.folder_.write(name, bytes);
-    await messageWords.come();
+    await messageWords.load();
     /** @type {string[]} */ const lines = [];
     for (const { entry, why } of rows) {
       const hint = why ? plainHintOf(why) : '';

@@ -8,7 +8,7 @@ import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { fileKeys, looksLikeSettings, readSettingsFile as readFile, writeSettingsFile } from './settings_file.js';
 
-await messageWords.come();
+await messageWords.load();
 
 /** Settings that have a control on the page. @type {import('../generated/settings.js').SettingKey[]} */
 const kControls = [

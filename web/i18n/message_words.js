@@ -10,7 +10,7 @@ const kRetryMs = 10_000; // least time between a failed fetch and the next try
 const kPatienceMs = 8_000; // a message waits so long for its words and is then shown without them, until they arrive
 
 /** The catalogue while the first words are loading. @type {Catalogue} */
-export const kComing = {};
+export const kLoading = {};
 /** The catalogue if no words could be loaded. @type {Catalogue} */
 export const kNoWords = {};
 
@@ -20,10 +20,10 @@ export class MessageWords {
    * @param {() => void} onChange  words have arrived or failed, so messages shown without them need writing again
    */
   constructor(fetch, onChange) {
-    this.load_ = fetch;
+    this.request_ = fetch;
     this.onChange_ = onChange;
     /** @type {Map<string, Catalogue>} */ this.there_ = new Map();
-    /** @type {Map<string, Promise<void>>} */ this.coming_ = new Map();
+    /** @type {Map<string, Promise<void>>} */ this.loading_ = new Map();
     /** @type {Map<string, number>} */ this.failed_ = new Map(); // when its fetch failed, ms
     this.isMissed_ = false;
   }
@@ -38,34 +38,34 @@ export class MessageWords {
     const there = this.there_.get(language);
     if (there) return there;
     this.isMissed_ = true;
-    if (Date.now() - (this.failed_.get(language) ?? -Infinity) >= kRetryMs) void this.come(language);
+    if (Date.now() - (this.failed_.get(language) ?? -Infinity) >= kRetryMs) void this.load(language);
     const [other] = this.there_.values();
-    return other ?? (this.coming_.has(language) ? kComing : kNoWords);
+    return other ?? (this.loading_.has(language) ? kLoading : kNoWords);
   }
 
-  /** @param {string} [language] @returns {Promise<void>}  settles once the words have arrived or failed */
-  come(language = currentLanguage()) {
-    const coming = this.coming_.get(language) ?? this.fetch_(language);
-    this.coming_.set(language, coming);
-    return coming;
+  /** @param {string} [language] @returns {Promise<void>}  settles once the words have loaded or failed */
+  load(language = currentLanguage()) {
+    const loading = this.loading_.get(language) ?? this.fetch_(language);
+    this.loading_.set(language, loading);
+    return loading;
   }
 
   /** @param {string} language */
   async fetch_(language) {
-    const arrived = this.load_(language).then((catalogue) => {
+    const arrived = this.request_(language).then((catalogue) => {
       this.there_.set(language, catalogue);
-      this.tellAgain_();
+      this.notify_();
     });
     try {
       await inTime(arrived);
     } catch {
       this.failed_.set(language, Date.now());
-      this.coming_.delete(language);
-      this.tellAgain_();
+      this.loading_.delete(language);
+      this.notify_();
     }
   }
 
-  tellAgain_() {
+  notify_() {
     if (!this.isMissed_) return;
     this.isMissed_ = false;
     this.onChange_();

@@ -69,9 +69,9 @@ test('A message shown before its words arrive is written again; an empty place s
 
   sentences = [];
   const others = new MessageWords((language) => fetches.of(language), show);
-  const coming = others.come();
+  const loading = others.load();
   fetches.arrive[1]();
-  await coming;
+  await loading;
   assert.deepEqual(sentences, []);
   assert.equal(sentenceOf(kTold, others.now), kSentence.en);
 });
@@ -120,9 +120,9 @@ test('If the words cannot be fetched, code and advice are shown, and the next me
 
 test('Late words are shown once they arrive, and the wait for them is limited', async () => {
   show();
-  const coming = words.come();
+  const loading = words.load();
   mock.timers.tick(8_000);
-  await coming;
+  await loading;
   assert.deepEqual(sentences, ['', 'no-such-spot index=7']);
   fetches.arrive[0]();
   await settled();
@@ -142,10 +142,10 @@ test('If another language cannot be fetched, the sentence stays in the previous 
 });
 
 test('Waiting ends when the words arrive or cannot be fetched', async () => {
-  const [first, second] = [words.come(), words.come()];
+  const [first, second] = [words.load(), words.load()];
   fetches.fail[0]();
   await Promise.all([first, second]);
-  const third = words.come();
+  const third = words.load();
   fetches.arrive[1]();
   await third;
   assert.deepEqual(fetches.asked, ['en', 'en']);
@@ -156,7 +156,7 @@ test('The words of the current language load by themselves and notify listeners'
   let heard = 0;
   onLanguage(() => void (heard += 1));
   assert.equal(sentenceOf(kTold), '');
-  await messageWords.come();
+  await messageWords.load();
   assert.equal(sentenceOf(kTold), kSentence.en);
   assert.equal(heard, 1);
 });

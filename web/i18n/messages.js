@@ -2,7 +2,7 @@
 // Makes sentences from messages in the current language (sentences.js). A sentence may be requested before its words
 // have loaded, so code that shows it writes it again in its `onLanguage` listener.
 import { appTexts, currentLanguage, text } from './catalogue.js';
-import { kComing, kNoWords, messageWords } from './message_words.js';
+import { kLoading, kNoWords, messageWords } from './message_words.js';
 import { hintIn, sentenceIn, writtenIn } from './sentences.js';
 import { withUnitsKept } from './units.js';
 
@@ -19,7 +19,7 @@ const wordingWith = (words) => ({ language: currentLanguage(), words, names: app
  * @param {Catalogue} [words]
  */
 export const plainSentenceOf = (message, words = messageWords.now) =>
-  words === kComing ? '' : sentenceIn(message, wordingWith(words));
+  words === kLoading ? '' : sentenceIn(message, wordingWith(words));
 
 /**
  * Returns the message's advice, or else the advice of its cause; '' if there is none. For files.
@@ -28,7 +28,7 @@ export const plainSentenceOf = (message, words = messageWords.now) =>
  * @returns {string}
  */
 export function plainHintOf(message, words = messageWords.now) {
-  if (words === kComing) return '';
+  if (words === kLoading) return '';
   return words === kNoWords ? text('page.noWords') : hintIn(message, wordingWith(words));
 }
 

@@ -174,7 +174,7 @@ test('Lists are distinguished from models by name', () => {
 });
 
 test('Text or settings that make no code are explained in their own words', async () => {
-  await messageWords.come();
+  await messageWords.load();
   store.update({ batch: undefined, text: 'fine' });
   await batching.explainMissingCode();
   assert.deepEqual(messages.said, []);

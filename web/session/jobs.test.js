@@ -44,7 +44,7 @@ test('Jobs run one after the other and return their results', async () => {
 
 test('A stage is shown in words once they arrive, with its progress', async () => {
   jobs.showProgress({ stage: message('finding-depth'), fraction: 0.4 });
-  await messageWords.come();
+  await messageWords.load();
   jobs.showProgress({ stage: message('finding-depth'), fraction: 0.5 });
   assert.deepEqual(panel.calls, ['update 0.4 Preparing', 'update 0.5 Finding the depth']);
   assert.match(messages.said[1], /Finding the depth/);

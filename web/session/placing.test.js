@@ -50,7 +50,7 @@ beforeEach(() => {
 afterEach(() => setLanguage('en'));
 
 test('After a search without a spot, the status says why and what to do', async () => {
-  await messageWords.come();
+  await messageWords.load();
   placing.explain(message('larger-or-flatter'));
   assert.equal(
     messages.said.at(-1),
@@ -142,11 +142,11 @@ test('A model that cannot be engraved says why, in the chosen language', async (
       { severity: 'blocking', ...message('no-such-spot', { index: { count: 7 } }) },
     ],
   };
-  await messageWords.come();
+  await messageWords.load();
   await placing.begin();
   assert.equal(problem().found(), 'The spot index 7 is out of range');
   await setLanguage('de');
-  await messageWords.come();
+  await messageWords.load();
   assert.equal(problem().found(), 'Der Index 7 einer Stelle ist zu groß');
 });
 

@@ -78,7 +78,7 @@ test('After three replacements in a short time the page gives up and gives advic
 });
 
 test('A module that hangs or runs out of memory is replaced, with the matching message', async () => {
-  await messageWords.come();
+  await messageWords.load();
   const error = hung(120_000);
   await recovery.recoverFrom({ event: 'failure', error });
   assert.equal(replacements, 1);

@@ -54,7 +54,7 @@ export async function carvedSource(client, carved) {
 
 /** @param {Carved} carved */
 export async function saveReport(carved) {
-  await messageWords.come();
+  await messageWords.load();
   const json = JSON.stringify(worded(carved.report), null, 2);
   saveFile(new Blob([json], { type: 'application/json' }), nameOf(carved, 'json', 'report'));
 }
