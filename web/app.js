@@ -139,7 +139,7 @@ function connect(notices) {
   const store = new WorkStore({ ...kNoWork, text: code.initialText, settings: defaults });
   showWork(store, { form, code, place: placePanel, batch: batchPanel });
 
-  const jobs = new Jobs({ panel: workPanel, messages, onBusy: () => session.allow() });
+  const jobs = new Jobs({ panel: workPanel, messages, onBusy: () => session.updateControls() });
   const base = { client, store, defaults, messages, notices, jobs, guard };
   const batching = new Batching({ ...base, panel: batchPanel, isLocked: () => batchCarving.isOpen });
   const model = new ModelSession({
@@ -147,7 +147,7 @@ function connect(notices) {
     panel: panels.modelPanel,
     onReplacing: () => carving.abort(),
     onLoaded: () => session.useModel(),
-    onFailed: () => session.allow(),
+    onFailed: () => session.updateControls(),
   });
   const placing = new Placing({ ...base, model, batching, panel: placePanel });
   const carving = new Carving({

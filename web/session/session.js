@@ -15,7 +15,7 @@
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'reveal'>} batchPanel
  * @property {import('../ui/work_panel.js').WorkPanel} workPanel
  * @property {import('../view/view_tools.js').ViewTools} tools
- * @property {Pick<import('../ui/face_picker.js').FacePicker, 'allow'>} picker
+ * @property {Pick<import('../ui/face_picker.js').FacePicker, 'setDisabled'>} picker
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
@@ -41,22 +41,22 @@ export class Session {
   /** Enables work on the model, and places the code on it. */
   async begin() {
     const { spots, placing } = this.options_;
-    this.allow();
+    this.updateControls();
     spots.clear();
     await placing.begin();
     spots.begin();
   }
 
   /** Enables the controls that need a model and no running job. */
-  allow() {
+  updateControls() {
     const { jobs, model, undo, workPanel, spots, tools, picker } = this.options_;
     const { busy } = jobs;
     const { engravable, info } = model;
     const why = busy ? 'page.whyBusy' : engravable ? undefined : info ? 'page.notEngravable' : 'page.whyNoModel';
-    undo.allow();
-    workPanel.allowEngrave(why);
-    spots.allow(why);
-    picker.allow(why);
+    undo.updateButtons();
+    workPanel.setEngraveDisabled(why);
+    spots.setDisabled(why);
+    picker.setDisabled(why);
     tools.set({ engravable, busy });
   }
 

@@ -48,25 +48,25 @@ beforeEach(() => {
 test('A new model drops the carving before placing the code', async () => {
   await session.useModel();
   assert.deepEqual(order, ['dropped', 'applied', 'placed']);
-  assert.deepEqual(parts.spots.calls, ['allow ', 'clear', 'begin']);
+  assert.deepEqual(parts.spots.calls, ['setDisabled ', 'clear', 'begin']);
 });
 
 test('Engraving is disabled without a model, during jobs and on unsuitable models, and says why', () => {
-  session.allow();
+  session.updateControls();
   parts.jobs.busy = true;
-  session.allow();
+  session.updateControls();
   Object.assign(parts, { jobs: { busy: false }, model: { engravable: false, info: {} } });
-  session.allow();
+  session.updateControls();
   parts.model.info = undefined;
-  session.allow();
+  session.updateControls();
   const why = ['', 'page.whyBusy', 'page.notEngravable', 'page.whyNoModel'];
   assert.deepEqual(
     parts.workPanel.calls.slice(1),
-    why.map((key) => `allowEngrave ${key}`),
+    why.map((key) => `setEngraveDisabled ${key}`),
   );
   assert.deepEqual(
     parts.picker.calls,
-    why.map((key) => `allow ${key}`),
+    why.map((key) => `setDisabled ${key}`),
   );
 });
 

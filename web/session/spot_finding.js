@@ -127,9 +127,9 @@ export class SpotFinding {
     }
   }
 
-  /** @param {import('../dom/allow.js').Key} [why]  the search is disabled; absent: enabled */
-  allow(why) {
-    this.panel_.allow(why);
+  /** @param {import('../dom/set_disabled.js').Key} [why]  the search is disabled; absent: enabled */
+  setDisabled(why) {
+    this.panel_.setDisabled(why);
   }
 
   /** Drops the spots of another model. */

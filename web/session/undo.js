@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo of all inputs of the carving, and of the carving itself.
 import { text } from '../i18n/catalogue.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 import { History } from './history.js';
 import { sameCentre, sameModel, sameWork } from './work.js';
@@ -40,7 +40,7 @@ export class Undo {
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
     this.redo_.addEventListener('click', () => this.redo());
-    this.allow();
+    this.updateButtons();
     options.store.applied.on((field) => this.record(field));
     options.carving.finished.on(() => this.record());
     options.placing.proposed.on(() => this.amend_());
@@ -77,11 +77,11 @@ export class Undo {
   }
 
   /** Enables the buttons when idle. */
-  allow() {
+  updateButtons() {
     const isBusy = this.options_.jobs.busy || this.pauses_ > 0;
     const { canUndo, canRedo } = this.history_;
-    allow(this.undo_, !canUndo ? 'page.whyNoUndo' : isBusy ? 'page.whyBusy' : undefined);
-    allow(this.redo_, !canRedo ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
+    setDisabled(this.undo_, !canUndo ? 'page.whyNoUndo' : isBusy ? 'page.whyBusy' : undefined);
+    setDisabled(this.redo_, !canRedo ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
   }
 
   undo() {
@@ -96,7 +96,7 @@ export class Undo {
   record_(field) {
     const { store, carving } = this.options_;
     this.history_.record({ ...store.work, carved: carving.latest }, field);
-    this.allow();
+    this.updateButtons();
   }
 
   /** Adds a proposal to the current state: nothing that the user did, so nothing to undo. */
@@ -110,7 +110,7 @@ export class Undo {
     if (!state) return;
     this.restoring_ = true;
     this.pauses_ += 1;
-    this.allow();
+    this.updateButtons();
     const restored = this.options_
       .guard(() => this.apply_(state))
       .finally(() => {
@@ -118,7 +118,7 @@ export class Undo {
         this.pauses_ -= 1;
         if (this.editedMeanwhile_) this.record();
         this.editedMeanwhile_ = false;
-        this.allow();
+        this.updateButtons();
         this.options_.continuing.note();
       });
     void restored;

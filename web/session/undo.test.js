@@ -195,11 +195,11 @@ test('The buttons are disabled during jobs and while a state is restored', async
   assert.equal(elements.undo.disabled, false);
   assert.equal(elements.undo.title, '');
   busy = true;
-  undo.allow();
+  undo.updateButtons();
   assert.equal(elements.undo.disabled, true);
   assert.match(elements.undo.title, /^Wait until/);
   busy = false;
-  undo.allow();
+  undo.updateButtons();
   const placed = new Pending();
   placing.answers.place = () => placed.promise;
   elements.undo.dispatchEvent(new Event('click'));

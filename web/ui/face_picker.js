@@ -2,7 +2,7 @@
 // The mode in which the next click in the view picks the face of the model that lies on the build plate.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 
 /** @typedef {{ onPick: (picking: boolean) => void }} FacePickerListener  the mode began or ended */
@@ -13,7 +13,7 @@ export class FacePicker {
     /** @type {FacePickerListener | undefined} */ this.listener_ = undefined;
     this.view_ = view;
     this.button_ = byId('lay-face', HTMLButtonElement);
-    allow(this.button_, 'page.whyNoModel');
+    setDisabled(this.button_, 'page.whyNoModel');
     this.hint_ = byId('lay-hint', HTMLElement);
     this.words_ = byId('lay-words', HTMLElement);
     this.isPicking = false;
@@ -35,9 +35,9 @@ export class FacePicker {
     this.listener_ = listener;
   }
 
-  /** @param {import('../dom/allow.js').Key} [why]  no face can be picked; absent: one can */
-  allow(why) {
-    allow(this.button_, why);
+  /** @param {import('../dom/set_disabled.js').Key} [why]  no face can be picked; absent: one can */
+  setDisabled(why) {
+    setDisabled(this.button_, why);
     if (why && this.isPicking) this.pick_(false);
   }
 

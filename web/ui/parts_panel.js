@@ -2,7 +2,7 @@
 // All parts of a batch: starting them, their progress and their download.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 import { PartsTable } from './parts_table.js';
 import { showStep } from './steps.js';
@@ -67,8 +67,8 @@ export class PartsPanel {
       [this.discard_, 'onDiscard'],
     ]))
       button.addEventListener('click', () => this.listener_?.[act]());
-    allow(this.begin_, 'batch.listMissing');
-    allow(this.download_, 'batch.whyNoneDone');
+    setDisabled(this.begin_, 'batch.listMissing');
+    setDisabled(this.download_, 'batch.whyNoneDone');
     onLanguage(() => this.renew_());
   }
 
@@ -88,7 +88,7 @@ export class PartsPanel {
     byId('parts-begin', HTMLElement).hidden = false;
     byId('parts-run', HTMLElement).hidden = true;
     const whyNot = /** @type {const} */ ({ none: 'batch.askForFirst', bad: 'batch.firstDoesNotPass', good: undefined });
-    allow(this.begin_, count === 0 ? 'batch.listMissing' : whyNot[first]);
+    setDisabled(this.begin_, count === 0 ? 'batch.listMissing' : whyNot[first]);
     const { atMost_: atMost } = this;
     this.begin_.textContent =
       atMost < count ? text('batch.carveFirst', { count: atMost }) : text('batch.carveAll', { count });
@@ -112,12 +112,12 @@ export class PartsPanel {
     this.progress_.hidden = phase === 'over';
     const focused = document.activeElement;
     this.pause_.hidden = !isUnderWay;
-    allow(this.pause_, phase === 'pausing' ? 'batch.whyPausing' : undefined);
+    setDisabled(this.pause_, phase === 'pausing' ? 'batch.whyPausing' : undefined);
     this.resume_.hidden = phase !== 'paused' && phase !== 'stopped';
     this.stop_.hidden = phase === 'stopped' || phase === 'over';
     this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || failures === 0;
     this.download_.textContent = downloadWords({ done, count });
-    allow(this.download_, done === 0 ? 'batch.whyNoneDone' : this.isSaving_ ? 'batch.whySaving' : undefined);
+    setDisabled(this.download_, done === 0 ? 'batch.whyNoneDone' : this.isSaving_ ? 'batch.whySaving' : undefined);
     if (focused instanceof HTMLElement && focused.hidden)
       [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
     const failed = failures > 0 ? text('batch.failedCount', { count: failures }) : '';

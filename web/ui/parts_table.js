@@ -3,7 +3,7 @@
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { formatNumber } from '../i18n/format.js';
 import { localise } from '../i18n/catalogue.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { make } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').BatchRowName} BatchRowName */
@@ -99,8 +99,8 @@ export class PartsTable {
             to: formatNumber(first + rows.length),
             count: formatNumber(count),
           });
-    allow(this.previous_, first === 0 ? 'batch.whyFirstPage' : undefined);
-    allow(this.next_, first + kRows >= count ? 'batch.whyLastPage' : undefined);
+    setDisabled(this.previous_, first === 0 ? 'batch.whyFirstPage' : undefined);
+    setDisabled(this.next_, first + kRows >= count ? 'batch.whyLastPage' : undefined);
     this.pages_.hidden = this.rows_ <= kRows;
   }
 

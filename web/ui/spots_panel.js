@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Suggested spots for the code, and the possible sizes as colours on the model.
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId, make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
 import { sentenceOf } from '../i18n/messages.js';
@@ -26,8 +26,8 @@ export class SpotsPanel {
     this.legend_ = legend;
     this.topMm_ = 0;
     /** @type {Spots['spots']} */ this.spots_ = [];
-    allow(this.suggest_, 'page.whyNoModel');
-    allow(this.sizes_, 'page.whyNoSizes');
+    setDisabled(this.suggest_, 'page.whyNoModel');
+    setDisabled(this.sizes_, 'page.whyNoSizes');
     onLanguage(() => this.nameSpots_());
     this.suggest_.addEventListener('click', () => this.listener_?.onSuggest());
     this.sizes_.addEventListener('click', () => {
@@ -42,9 +42,9 @@ export class SpotsPanel {
     this.listener_ = listener;
   }
 
-  /** @param {import('../dom/allow.js').Key} [why]  the search does not start; absent: it may */
-  allow(why) {
-    allow(this.suggest_, why);
+  /** @param {import('../dom/set_disabled.js').Key} [why]  the search does not start; absent: it may */
+  setDisabled(why) {
+    setDisabled(this.suggest_, why);
   }
 
   /**
@@ -66,7 +66,7 @@ export class SpotsPanel {
     );
     this.nameSpots_();
     this.topMm_ = topMm;
-    allow(this.sizes_);
+    setDisabled(this.sizes_);
     this.setSizesShown(withSizes);
     if (withSizes) this.list_.scrollIntoView({ block: 'nearest' });
   }
@@ -99,7 +99,7 @@ export class SpotsPanel {
   clear() {
     this.list_.replaceChildren();
     this.note_.hidden = true;
-    allow(this.sizes_, 'page.whyNoSizes');
+    setDisabled(this.sizes_, 'page.whyNoSizes');
     this.setSizesShown(false);
   }
 

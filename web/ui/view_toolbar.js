@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons over the 3D view: viewing directions, and the parts of the model to show.
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 import { recall, remember } from '../storage/remembered.js';
 
@@ -137,10 +137,10 @@ export class ViewToolbar {
    * @param {boolean} isRelief  whether it has depths to show
    */
   setCarved(exists, isShown, isRelief) {
-    allow(this.carved_, exists ? undefined : 'page.whyNotEngraved');
+    setDisabled(this.carved_, exists ? undefined : 'page.whyNotEngraved');
     this.carved_.setAttribute('aria-pressed', String(isShown));
-    allow(this.before_, isShown ? undefined : exists ? 'page.whyNotShown' : 'page.whyNotEngraved');
-    allow(this.depths_, !exists ? 'page.whyNotEngraved' : isRelief ? undefined : 'page.whyNoDepths');
+    setDisabled(this.before_, isShown ? undefined : exists ? 'page.whyNotShown' : 'page.whyNotEngraved');
+    setDisabled(this.depths_, !exists ? 'page.whyNotEngraved' : isRelief ? undefined : 'page.whyNoDepths');
     if (this.depths_.disabled) this.depths_.setAttribute('aria-pressed', 'false');
     this.live_.hidden = isShown; // it is carved
   }
@@ -151,8 +151,8 @@ export class ViewToolbar {
    */
   setPlaced(placed, forPhone) {
     const why = placed ? undefined : 'page.whyNoPlace';
-    allow(this.reader_, why ?? (forPhone ? undefined : 'page.whyForPeople'));
-    allow(this.section_, why);
+    setDisabled(this.reader_, why ?? (forPhone ? undefined : 'page.whyForPeople'));
+    setDisabled(this.section_, why);
     this.hint_.hidden = placed;
     if (!placed && isPressed(this.section_)) this.showSection(false);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons Engrave, Engrave again and Cancel, and the progress bar.
 import { text } from '../i18n/catalogue.js';
-import { allow } from '../dom/allow.js';
+import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 
 /** @typedef {{ onEngrave: () => void, onCancel: () => void }} WorkListener */
@@ -17,7 +17,7 @@ export class WorkPanel {
       event.preventDefault();
       if (!this.engrave_.disabled) this.listener_?.onEngrave();
     });
-    this.allowEngrave('page.whyNoModel');
+    this.setEngraveDisabled('page.whyNoModel');
     this.cancel_.addEventListener('click', () => this.listener_?.onCancel());
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape' && !this.cancel_.hidden && !document.querySelector('dialog[open]'))
@@ -36,15 +36,15 @@ export class WorkPanel {
     this.engrave_.textContent = text(key);
   }
 
-  /** @param {import('../dom/allow.js').Key} [why]  the buttons do nothing; absent: they engrave */
-  allowEngrave(why) {
-    for (const button of [this.engrave_, this.again_]) allow(button, why);
+  /** @param {import('../dom/set_disabled.js').Key} [why]  the buttons do nothing; absent: they engrave */
+  setEngraveDisabled(why) {
+    for (const button of [this.engrave_, this.again_]) setDisabled(button, why);
   }
 
   /** @param {string} stage  without a fraction, since the duration is unknown */
   begin(stage) {
     this.focusReturns_ = [this.engrave_, this.again_].some((button) => button === document.activeElement);
-    this.allowEngrave('page.whyBusy');
+    this.setEngraveDisabled('page.whyBusy');
     this.cancel_.hidden = false;
     this.progress_.hidden = false;
     this.progress_.removeAttribute('value');

@@ -60,7 +60,7 @@ export class CodeEditor {
     this.chip_ = chip;
     this.listener_ = listener;
     this.handles_ = new CodeHandles(overlay);
-    this.allowed_ = false;
+    this.isEnabled_ = false;
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
@@ -82,10 +82,10 @@ export class CodeEditor {
     };
   }
 
-  /** @param {boolean} allowed  a code may be placed and no job runs */
-  allow(allowed) {
-    this.allowed_ = allowed;
-    this.handles_.show(allowed ? this.code_ : null);
+  /** @param {boolean} isEnabled  a code may be placed and no job runs */
+  setEnabled(isEnabled) {
+    this.isEnabled_ = isEnabled;
+    this.handles_.show(isEnabled ? this.code_ : null);
   }
 
   /** @param {CodeOnScreen | null} code  as shown now */
@@ -93,7 +93,7 @@ export class CodeEditor {
     const { code_: before } = this;
     if (code?.rotationDeg !== before?.rotationDeg || code?.symbolMm !== before?.symbolMm) this.committed_ = {};
     this.code_ = code;
-    if (this.allowed_) this.handles_.show(code);
+    if (this.isEnabled_) this.handles_.show(code);
   }
 
   /**
@@ -104,7 +104,7 @@ export class CodeEditor {
    */
   turn(notches, x, y) {
     const { code_: code } = this;
-    if (!code || !this.allowed_) return;
+    if (!code || !this.isEnabled_) return;
     const { rotateDeg, symbolMm } = this.soFar_(code);
     this.pending_.rotateDeg = wrapped(rotateDeg + notches * kWheelStepDeg);
     this.adjust_(this.pending_.rotateDeg, symbolMm, [x, y]);

@@ -14,21 +14,21 @@ export class HoverPreview {
     this.client_ = client;
     this.chip_ = chip;
     this.shown_ = false;
-    this.allowed_ = false;
+    this.isEnabled_ = false;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.rest_ = undefined;
     this.queue_ = new NewestOnly((/** @type {{ x: number, y: number }} */ at) => this.update_(at));
     this.latest_ = 0;
   }
 
-  /** @param {boolean} allowed  a code may be placed and no job runs */
-  allow(allowed) {
-    this.allowed_ = allowed;
-    if (!allowed) this.end();
+  /** @param {boolean} isEnabled  a code may be placed and no job runs */
+  setEnabled(isEnabled) {
+    this.isEnabled_ = isEnabled;
+    if (!isEnabled) this.end();
   }
 
   /** @param {number} x @param {number} y */
   move(x, y) {
-    if (!this.allowed_) return;
+    if (!this.isEnabled_) return;
     this.latest_ += 1;
     this.shown_ = true;
     clearTimeout(this.rest_);

@@ -73,7 +73,7 @@ export class ViewTools {
     if (action.kind === 'readerView' && !this.placed_) return;
     if (action.kind === 'readerView') this.reader.enter();
     else if (action.kind !== 'pointer') this.reader.leave();
-    this.allow_();
+    this.enable_();
     if (action.kind !== 'pointer' && action.kind !== 'key') this.onMoved?.();
     this.listener_?.onAct(action);
   }
@@ -115,13 +115,13 @@ export class ViewTools {
     this.busy_ = busy;
     this.carved_ = carved;
     this.placed_ = placed;
-    this.allow_();
+    this.enable_();
   }
 
-  allow_() {
-    const allowed = this.engravable_ && !this.busy_ && !this.carved_ && !this.picking_;
-    this.hover_.allow(allowed);
-    this.editor_.allow(allowed && !this.reader.shown);
+  enable_() {
+    const isEnabled = this.engravable_ && !this.busy_ && !this.carved_ && !this.picking_;
+    this.hover_.setEnabled(isEnabled);
+    this.editor_.setEnabled(isEnabled && !this.reader.shown);
   }
 
   /** @param {number} x @param {number} y */

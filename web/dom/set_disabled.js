@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enables buttons, or disables them and says why.
+// Disables buttons and says why.
 import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
@@ -8,11 +8,12 @@ import { text } from '../i18n/catalogue.js';
 const usual = new WeakMap();
 
 /**
- * Enables a button, or disables it. Then its title, which screen readers read as its description, says why.
+ * Disables a button, or enables it. While it is disabled, its title, which screen readers read as its description, says
+ * why.
  * @param {HTMLButtonElement} button
  * @param {Key} [why]  what is missing; absent: the button is enabled
  */
-export function allow(button, why) {
+export function setDisabled(button, why) {
   if (!usual.has(button)) usual.set(button, /** @type {Key | undefined} */ (button.dataset.textTitle));
   button.disabled = why !== undefined;
   const key = why ?? usual.get(button);
