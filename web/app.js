@@ -114,7 +114,7 @@ function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePan
     user: window,
     isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
   });
-  placing.placed.on((placement) => preparing.note(placement !== undefined));
+  placing.placed.on((placement) => preparing.setPlaced(placement !== undefined));
   carving.printed.on(() => preparing.plan()); // planning had to wait for the print
 }
 

@@ -21,7 +21,7 @@ export class Continuing {
     this.editing_ = editing;
     this.guard_ = guard;
     this.watching_ = false;
-    store.changed.on(() => this.note()); // not only complete edits: the page may close while the user types
+    store.changed.on(() => this.save()); // not only complete edits: the page may close while the user types
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.last_.flush(); // the page may never become visible again
     });
@@ -48,9 +48,9 @@ export class Continuing {
   }
 
   /** Stores the work if it has changed. */
-  note() {
+  save() {
     const work = this.watching_ && this.stored_();
-    if (work) this.last_.note(work);
+    if (work) this.last_.save(work);
   }
 
   stored_() {

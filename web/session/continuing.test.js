@@ -8,7 +8,7 @@ import { Editing } from './editing.js';
 import { fake, storeOf } from './testing.js';
 
 const { document: realDocument, location: realLocation } = globalThis;
-/** @type {any} */ let noted;
+/** @type {any} */ let saved;
 /** @type {any} */ let last;
 /** @type {any} */ let notices;
 /** @type {import('./work_store.js').WorkStore} */ let store;
@@ -18,9 +18,9 @@ const { document: realDocument, location: realLocation } = globalThis;
 beforeEach(() => {
   page = new EventTarget();
   Object.assign(globalThis, { document: page, location: { search: '?sample=vase' } });
-  noted = [];
+  saved = [];
   last = fake(LastWork, {
-    note: (/** @type {any} */ work) => void noted.push(work),
+    save: (/** @type {any} */ work) => void saved.push(work),
     recall: async () => ({ fileName: 'vase.stl', address: '?sample=vase', text: 'kept' }),
   });
   notices = fake(Notices);
@@ -29,12 +29,12 @@ beforeEach(() => {
 });
 after(() => void Object.assign(globalThis, { document: realDocument, location: realLocation }));
 
-test('Every typed letter is noted with the address, and kept at once when the page is hidden', async () => {
+test('Every typed letter is saved with the address, and kept at once when the page is hidden', async () => {
   store.update({ text: 'b' });
-  assert.equal(noted.length, 0, 'not before the page has opened its model');
+  assert.equal(saved.length, 0, 'not before the page has opened its model');
   await continuing.begin('never');
   store.update({ text: 'bc' });
-  assert.deepEqual([noted.at(-1).text, noted.at(-1).address], ['bc', '?sample=vase']);
+  assert.deepEqual([saved.at(-1).text, saved.at(-1).address], ['bc', '?sample=vase']);
   page.visibilityState = 'hidden';
   page.dispatchEvent(new Event('visibilitychange'));
   assert.equal(last.calls.at(-1), 'flush');

@@ -79,7 +79,7 @@ export class Editing {
     await this.batching_.ready();
     await this.spots_.forget();
     await this.placing_.place();
-    this.spots_.again();
+    this.spots_.proposeAgain();
     if (!this.placing_.placement) await this.batching_.explainMissingCode();
   }
 

@@ -97,7 +97,7 @@ test('A change that helps at the place is made', async () => {
 
 test('Once a change is applied, a best spot is proposed again', async () => {
   await code.user.onChange();
-  assert.deepEqual(spots.calls, ['forget', 'again']);
+  assert.deepEqual(spots.calls, ['forget', 'proposeAgain']);
 });
 
 test('A complete edit of a setting changes its dependent settings', async () => {
@@ -111,7 +111,7 @@ test('A complete edit of a setting changes its dependent settings', async () => 
 test('The handles set the size and drop the suggested spots', async () => {
   await editing.adjust({ symbolMm: 21.5 });
   assert.deepEqual([store.work.settings.size, store.work.settings.maxSizeMm], [21.5, 21.5]);
-  assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'again'], ['place']]);
+  assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'proposeAgain'], ['place']]);
 });
 
 test('A code that was turned to fit keeps its turn when it is resized', async () => {

@@ -67,14 +67,14 @@ export class Opening {
   /** @param {File} file */
   async useSettings_(file) {
     if (!this.model_.source) await this.model_.openSample();
-    this.undo_.keep();
+    this.undo_.recordNow();
     await this.undo_.asOne(() => this.exporting_.useSettings(file));
   }
 
   /** Returns to the state in which the page opened. Can be undone. */
   async startOver() {
     this.jobs_.abort();
-    this.undo_.keep();
+    this.undo_.recordNow();
     await this.undo_.asOne(async () => {
       this.code_.leaveBuilder();
       this.editing_.restore({ text: this.code_.initialText, settings: this.defaults_, batch: undefined });

@@ -82,6 +82,6 @@ test('Starting over restores the first text and the defaults as one change', asy
   await opening.startOver();
   assert.deepEqual(restored, { text: 'first', settings: { preset: 'balanced' }, batch: undefined });
   assert.deepEqual(opened, ['sample']);
-  assert.deepEqual(parts.undo.calls, ['keep', 'asOne']);
+  assert.deepEqual(parts.undo.calls, ['recordNow', 'asOne']);
   assert.deepEqual(parts.code.calls, ['leaveBuilder']);
 });

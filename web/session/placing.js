@@ -47,8 +47,8 @@ export class Placing {
     return !this.jobs_.busy;
   }
 
-  /** Reports a failed placement as an error from now on, even at a proposed centre. */
-  insist() {
+  /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
+  confirmCentre() {
     this.store_.update({ centreIsGuess: false });
   }
 
@@ -76,7 +76,7 @@ export class Placing {
    * @param {Point | undefined} centreMm
    * @param {boolean} isGuess
    */
-  async put(centreMm, isGuess) {
+  async restoreCentre(centreMm, isGuess) {
     if (!centreMm) return;
     await this.client_.setCentre({ mm: centreMm });
     this.store_.update(centredAt(centreMm, isGuess));

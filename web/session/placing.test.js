@@ -97,7 +97,7 @@ test('A proposed centre is the user’s only once chosen', async () => {
 
 test('Insisting on the proposal reports the error', async () => {
   await placing.begin();
-  placing.insist();
+  placing.confirmCentre();
   client.answers.placement = async () => {
     throw noRoom();
   };

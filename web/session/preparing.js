@@ -37,7 +37,7 @@ export class Preparing {
   }
 
   /** Notes a new placement. @param {boolean} isPlaced  false: there is no placement any more */
-  note(isPlaced) {
+  setPlaced(isPlaced) {
     this.isDue_ = isPlaced;
     this.plan();
   }

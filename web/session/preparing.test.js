@@ -66,7 +66,7 @@ afterEach(() => {
 });
 
 test('A placed code is prepared once the page has been used and is quiet', async () => {
-  make().note(true);
+  make().setPlaced(true);
   await wait(5000);
   assert.deepEqual(done, [], 'nobody is there');
   use();
@@ -83,7 +83,7 @@ test('A placed code is prepared once the page has been used and is quiet', async
 });
 
 test('A pointer beside the model does not delay it', async () => {
-  make().note(true);
+  make().setPlaced(true);
   use();
   overModel = false;
   for (let i = 0; i < 5; i += 1) {
@@ -97,12 +97,12 @@ test('Each new place is prepared, but not during quick successions', async () =>
   const preparing = make();
   use();
   for (let i = 0; i < 5; i += 1) {
-    preparing.note(true);
+    preparing.setPlaced(true);
     await wait(250);
   }
   assert.deepEqual(done, []);
   await wait(100);
-  preparing.note(true);
+  preparing.setPlaced(true);
   await wait(400);
   assert.deepEqual(done, ['carving', 'reader', 'carving', 'reader']);
 });
@@ -114,7 +114,7 @@ test('The depths are searched ahead if codes are shown as carved, but not where 
   use();
   const prepareNext = async () => {
     done = [];
-    preparing.note(true);
+    preparing.setPlaced(true);
     await wait(400);
     return done;
   };
@@ -132,9 +132,9 @@ test('Depths are not shown for a code that has moved on', async () => {
   live = true;
   const preparing = make();
   use();
-  preparing.note(true);
+  preparing.setPlaced(true);
   const searched = wait(400);
-  preparing.note(true);
+  preparing.setPlaced(true);
   await searched;
   assert.ok(done.includes('search'));
   assert.ok(!done.includes('0.5 mm'));
@@ -143,10 +143,10 @@ test('Depths are not shown for a code that has moved on', async () => {
 test('Nothing is prepared without a place or during other work', async () => {
   const preparing = make();
   use();
-  preparing.note(true);
-  preparing.note(false);
+  preparing.setPlaced(true);
+  preparing.setPlaced(false);
   await wait(5000);
-  preparing.note(true);
+  preparing.setPlaced(true);
   busy = true;
   await wait(5000);
   assert.deepEqual(done, []);
@@ -163,6 +163,6 @@ test('Errors are left for the carving to report', async () => {
     isOverModel: () => true,
   });
   use();
-  preparing.note(true);
+  preparing.setPlaced(true);
   await wait(700); // an unhandled rejection would fail the test
 });

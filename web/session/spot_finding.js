@@ -212,7 +212,7 @@ export class SpotFinding {
   }
 
   /** Looks again with the new settings, if the proposal had not come before they changed. */
-  again() {
+  proposeAgain() {
     this.propose_();
   }
 }

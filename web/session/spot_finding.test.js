@@ -88,7 +88,7 @@ test('A click during the search ends it', async () => {
   search.resolve(undefined);
   await spots.proposed;
   assert.deepEqual(placing.calls, []);
-  spots.again();
+  spots.proposeAgain();
   assert.deepEqual(client.calls, ['configure', 'findSpots']);
 });
 
@@ -110,12 +110,12 @@ test('A change of settings during the search begins it again, once', async () =>
   const first = search;
   search = new Pending();
   first.resolve(undefined);
-  spots.again();
+  spots.proposeAgain();
   await settled();
   search.resolve(kFound);
   await spots.proposed;
   assert.deepEqual(placing.calls.filter((/** @type {string} */ call) => call === 'propose').length, 1);
-  spots.again();
+  spots.proposeAgain();
   await settled();
   assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call === 'findSpots').length, 2);
 });
@@ -128,8 +128,8 @@ test('Two edits during the search leave one search, whose best spot is proposed'
   const first = search;
   search = new Pending();
   first.resolve(undefined);
-  spots.again();
-  spots.again();
+  spots.proposeAgain();
+  spots.proposeAgain();
   await settled();
   search.resolve(kFound);
   await spots.proposed;
@@ -148,7 +148,7 @@ test('An edit while the best spot is being placed proposes the best spot for the
   search.resolve(kFound);
   await settled();
   await spots.forget();
-  spots.again();
+  spots.proposeAgain();
   placing.answers.propose = async () => messages.say(() => 'Ready.');
   placed.resolve();
   await spots.proposed;

@@ -14,7 +14,7 @@ import { sameCentre, sameModel, sameWork } from './work.js';
  * @typedef {object} UndoOptions
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('./editing.js').Editing, 'restore'>} editing
- * @property {Pick<import('./continuing.js').Continuing, 'note'>} continuing
+ * @property {Pick<import('./continuing.js').Continuing, 'save'>} continuing
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
@@ -57,7 +57,7 @@ export class Undo {
   }
 
   /** Records the current state before it is replaced, even amid an incomplete change. */
-  keep() {
+  recordNow() {
     if (!this.restoring_) this.record_();
   }
 
@@ -119,7 +119,7 @@ export class Undo {
         if (this.editedMeanwhile_) this.record();
         this.editedMeanwhile_ = false;
         this.updateButtons();
-        this.options_.continuing.note();
+        this.options_.continuing.save();
       });
     void restored;
   }
@@ -135,7 +135,8 @@ export class Undo {
     } else {
       if (state.source && before.source?.upAxis !== state.source.upAxis) await model.turnUp(state.source.upAxis);
       await spots.forget();
-      if (!sameCentre(before.centreMm, state.centreMm)) await placing.put(state.centreMm, state.centreIsGuess);
+      if (!sameCentre(before.centreMm, state.centreMm))
+        await placing.restoreCentre(state.centreMm, state.centreIsGuess);
       await placing.place();
     }
     if (!(await carving.restore(state.carved)) && state.carved) messages.say(() => text('page.carvingGone'));

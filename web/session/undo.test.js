@@ -56,7 +56,10 @@ beforeEach(() => {
   });
   placing = fake(
     Placing,
-    { put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => store.update(centredAt(mm, isGuess)) },
+    {
+      restoreCentre: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) =>
+        store.update(centredAt(mm, isGuess)),
+    },
     { proposed: new Signal() },
   );
   carving = fake(
@@ -177,7 +180,7 @@ test('A state replaced during another change can be restored', async () => {
     store.update({ text: 'b' });
     await placed.promise;
   });
-  undo.keep();
+  undo.recordNow();
   const startingOver = undo.asOne(async () => {
     store.update({ text: 'fresh' });
     await placed.promise;

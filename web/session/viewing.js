@@ -44,7 +44,7 @@ export class Viewing {
       guard(() => placing.move(() => client.setCentre({ at: [x, y], exact })));
     const lay = async (/** @type {number} */ x, /** @type {number} */ y) => {
       const { hit, buildUp } = await client.layFace([x, y]);
-      picker.note(hit);
+      picker.handlePick(hit);
       if (hit) await editing.editSettings({ buildUp: rounded(buildUp) });
     };
     view.listen({

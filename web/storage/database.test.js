@@ -24,7 +24,7 @@ test('Without browser storage nothing is kept, silently', async () => {
   assert.equal(await database.get('a'), undefined);
   const last = new LastWork(database, holdsSecret);
   last.openedWith(undefined);
-  last.note({ fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: 'z', text: 'a', settings: {} });
+  last.save({ fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: 'z', text: 'a', settings: {} });
   await last.flush();
   assert.equal(await last.recall(), undefined);
 });
@@ -34,7 +34,7 @@ test('The password of a network is not stored', async () => {
   const store = { get: async () => undefined, put: async (/** @type {any} */ values) => written.push(values) > 0 };
   const last = new LastWork(store, holdsSecret);
   last.openedWith(undefined);
-  last.note({
+  last.save({
     fileName: 'bunny.stl',
     sampleId: 'bunny',
     scaleToMm: 1,

@@ -73,7 +73,7 @@ export class LastWork {
   }
 
   /** Stores the work if it has changed, kPauseMs after the last change. @param {Work} work */
-  note(work) {
+  save(work) {
     const now = brief(work);
     if (now === this.seen_ && work.bytes === this.seenBytes_ && work.batch?.list === this.seenList_) return;
     this.seen_ = now;
@@ -84,7 +84,7 @@ export class LastWork {
     this.pause_ = setTimeout(() => void this.flush(), kPauseMs);
   }
 
-  /** Stores the noted work immediately. */
+  /** Stores the work to be saved immediately. */
   flush() {
     clearTimeout(this.pause_);
     const work = this.next_;

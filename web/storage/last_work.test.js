@@ -59,7 +59,7 @@ function visit({ store = new MemoryStore(), isSecret = noSecrets, start = true }
 
 /** @param {LastWork} last @param {import('./last_work.js').Work} work */
 async function keep(last, work) {
-  last.note(work);
+  last.save(work);
   await last.flush();
 }
 
@@ -95,7 +95,7 @@ test('a change of settings does not write the file again', async () => {
 
 test('only the last of several quick changes is written', async () => {
   const { store, last } = visit();
-  for (const text of ['b', 'bc', 'bcd']) last.note({ ...opened, text });
+  for (const text of ['b', 'bc', 'bcd']) last.save({ ...opened, text });
   assert.equal(store.values.size, 0);
   await last.flush();
   assert.equal((await last.recall())?.text, 'bcd');

@@ -42,7 +42,7 @@ export class FacePicker {
   }
 
   /** Ends the mode if a click hit the model, else says that it missed. @param {boolean} hit */
-  note(hit) {
+  handlePick(hit) {
     if (hit) this.pick_(false);
     else write(this.words_, () => text('view.layMissed'));
   }
