@@ -83,7 +83,7 @@ export class Carving {
   async engrave(overrides) {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
-    this.placing_.insist();
+    this.placing_.confirmCentre();
     this.clickedMs_ = performance.now();
     this.isOwed_ = overrides === undefined; // a lost module's inspector is closed
     try {
