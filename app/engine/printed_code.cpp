@@ -33,7 +33,7 @@ PrintedViewRequest requestOf(const Json& order) {
   request.frame = {vectorOf(frame["centre"]), vectorOf(frame["right"]), vectorOf(frame["up"]),
                    vectorOf(frame["normal"]), frame["eyeDistanceMm"]};
   request.symbol.size = order["modules"];
-  request.symbol.dark = order["dark"].get<std::vector<std::uint8_t>>();
+  request.symbol.dark = {request.symbol.size, request.symbol.size, order["dark"].get<std::vector<std::uint8_t>>()};
   request.symbolMm = order["symbolMm"];
   request.buildUp = vectorOf(order["buildUp"]);
   request.albedo = order["albedo"];

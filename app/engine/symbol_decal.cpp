@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "depth/search_record.h"
+#include "depth/depth_solver.h"
 #include "label/ring_coverage.h"
 #include "pipeline/default_patterns.h"
 #include "settings/engrave_request.h"

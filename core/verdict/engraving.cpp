@@ -99,7 +99,7 @@ void Engraving::carve() {
 
 std::vector<GreyImage> Engraving::pictures() const {
   const ReaderView& seen = current_->result.readerView;
-  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+  return frontalPictures(seen.luminance, seen.pixelsPerModule);
 }
 
 /// Keeps what the plan keeps, and brings it up to date with the plan.
