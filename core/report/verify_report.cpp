@@ -160,7 +160,7 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
 
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) {
   const auto size = static_cast<std::size_t>(symbol.size);
-  std::vector<std::uint8_t> flipped(size * size, 0);
+  Grid<std::uint8_t> flipped(symbol.size, symbol.size);
   if (rows.size() != size)
     return badInput(message<"report-rows">(with::count<"rows">(rows.size()), with::count<"wanted">(size)));
   for (std::size_t row = 0; row < size; ++row) {
