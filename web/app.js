@@ -3,7 +3,7 @@
 // with its panel and with the parts before it; this file connects it with later ones.
 import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './payloads/secrets.js';
-import { Continuing } from './session/continuing.js';
+import { Autosave } from './session/autosave.js';
 import { Database } from './storage/database.js';
 import { Folder } from './storage/folder.js';
 import { LastWork } from './storage/last_work.js';
@@ -12,23 +12,23 @@ import { BatchStore } from './batch/batch_store.js';
 import { BatchCarving } from './session/batch_carving.js';
 import { Batching } from './session/batching.js';
 import { Carving } from './session/carving.js';
-import { Editing } from './session/editing.js';
+import { WorkEditor } from './session/work_editor.js';
 import { Facing } from './session/facing.js';
-import { Exporting } from './session/exporting.js';
-import { Inspecting } from './session/inspecting.js';
+import { Exporter } from './session/exporter.js';
+import { InspectorControl } from './session/inspector_control.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
-import { Opening } from './session/opening.js';
+import { FileOpener } from './session/file_opener.js';
 import { Placing } from './session/placing.js';
-import { Preparing } from './session/preparing.js';
+import { IdlePreparation } from './session/idle_preparation.js';
 import { Printing } from './session/printing.js';
 import { Recovery } from './session/recovery.js';
 import { Session } from './session/session.js';
-import { showWork } from './session/showing.js';
-import { SpotFinding } from './session/spot_finding.js';
-import { Starting } from './session/starting.js';
+import { showWork } from './session/show_work.js';
+import { SpotSearch } from './session/spot_search.js';
+import { Startup } from './session/startup.js';
 import { Undo } from './session/undo.js';
-import { Viewing } from './session/viewing.js';
+import { ViewControl } from './session/view_control.js';
 import { WorkStore } from './session/work_store.js';
 import { kNoWork } from './session/work.js';
 import { text } from './i18n/catalogue.js';
@@ -93,7 +93,7 @@ function makeEngine({ view, inspector, toolbar }, guard, { onEvent, onReplaced }
   });
   const overlays = byId('view-overlays', HTMLElement);
   const tools = new ViewTools({ client, stage: byId('view', HTMLElement), overlays });
-  return { client, tools, inspecting: new Inspecting({ client, view, window: inspector, toolbar, guard }) };
+  return { client, tools, inspectorControl: new InspectorControl({ client, view, window: inspector, toolbar, guard }) };
 }
 
 /**
@@ -102,7 +102,7 @@ function makeEngine({ view, inspector, toolbar }, guard, { onEvent, onReplaced }
  * @param {ReturnType<typeof makePanels>} panels
  */
 function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePanel }) {
-  const preparing = new Preparing({
+  const preparation = new IdlePreparation({
     client,
     prepareReader: () => {
       prepareReader();
@@ -114,11 +114,11 @@ function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePan
     user: window,
     isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
   });
-  placing.placed.on((placement) => preparing.setPlaced(placement !== undefined));
-  carving.printed.on(() => preparing.plan()); // planning had to wait for the print
+  placing.placed.on((placement) => preparation.setPlaced(placement !== undefined));
+  carving.printed.on(() => preparation.plan()); // planning had to wait for the print
 }
 
-/** Creates all parts of the page. @param {import('./ui/notices.js').Notices} notices @returns {Starting} */
+/** Creates all parts of the page. @param {import('./ui/notices.js').Notices} notices @returns {Startup} */
 function connect(notices) {
   const panels = makePanels();
   const { messages, form, batchPanel, placePanel, spotsPanel, workPanel } = panels;
@@ -126,9 +126,9 @@ function connect(notices) {
   const recovery = new Recovery(messages, () => client.replace());
   const guard = recovery.guard.bind(recovery);
   const theme = new Theme((dark) => guard(() => client.show({ dark })));
-  const { client, tools, inspecting } = makeEngine(panels, guard, {
+  const { client, tools, inspectorControl } = makeEngine(panels, guard, {
     onEvent: (event) => guard(() => recovery.recoverFrom(event)),
-    onReplaced: () => guard(() => starting.restore()),
+    onReplaced: () => guard(() => startup.restore()),
   });
   const code = new CodePanel({
     settings: (content) => batching.settings(content),
@@ -155,39 +155,39 @@ function connect(notices) {
     ...{ model, batching, placing },
     panel: panels.resultPanel,
     printing: new Printing({ client }),
-    onRemedy: (remedy, label) => editing.remedy(remedy, label),
-    onAnother: (source) => editing.goOnWith(source),
+    onRemedy: (remedy, label) => editor.remedy(remedy, label),
+    onAnother: (source) => editor.goOnWith(source),
   });
   const carved = { ...base, model, batching, placing, carving };
-  const spots = new SpotFinding({ ...carved, code, panel: spotsPanel });
-  const editing = new Editing({ ...carved, spots, form, code, batchPanel, placePanel });
+  const spots = new SpotSearch({ ...carved, code, panel: spotsPanel });
+  const editor = new WorkEditor({ ...carved, spots, form, code, batchPanel, placePanel });
   const storage = new BatchStore(new Folder('batch'));
-  const batchCarving = new BatchCarving({ ...carved, editing, storage, panel: panels.partsPanel });
-  const exporting = new Exporting({ ...carved, editing, panel: panels.exportPanel });
-  const continuing = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
-  const undo = new Undo({ ...carved, spots, editing, continuing });
-  new Viewing({ ...carved, ...panels, tools, inspecting, editing });
+  const batchCarving = new BatchCarving({ ...carved, editor, storage, panel: panels.partsPanel });
+  const exporter = new Exporter({ ...carved, editor, panel: panels.exportPanel });
+  const autosave = new Autosave({ ...base, last: new LastWork(new Database(), holdsSecret), editor });
+  const undo = new Undo({ ...carved, spots, editor, autosave });
+  new ViewControl({ ...carved, ...panels, tools, inspectorControl, editor });
   new Facing({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
   const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
-  const opening = new Opening({ ...carved, editing, exporting, undo, code, tools, panel: panels.modelPanel });
+  const opener = new FileOpener({ ...carved, editor, exporter, undo, code, tools, panel: panels.modelPanel });
   const { view, toolbar } = panels;
-  const parts = { view, toolbar, theme, inspecting, batchCarving, exporting, continuing, opening, session };
-  const starting = new Starting({ ...carved, ...parts });
+  const parts = { view, toolbar, theme, inspectorControl, batchCarving, exporter, autosave, opener, session };
+  const startup = new Startup({ ...carved, ...parts });
   prepareCarvings(carved, panels);
-  byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opening.startOver()));
-  return starting;
+  byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opener.startOver()));
+  return startup;
 }
 
 export class App {
   /** @param {import('./ui/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
-    this.starting_ = connect(notices);
+    this.startup_ = connect(notices);
     this.help_ = new HelpSheet();
   }
 
   /** @param {URLSearchParams} address */
   start(address) {
-    return this.starting_.start(address);
+    return this.startup_.start(address);
   }
 }

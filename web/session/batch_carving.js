@@ -41,7 +41,7 @@ const kRoomLeft = 0.95; // usable share of the browser's free storage
  * @property {import('../ui/parts_panel.js').PartsPanel} panel
  * @property {import('../ui/notices.js').Notices} notices
  * @property {import('../ui/messages.js').Messages} messages
- * @property {Pick<import('./editing.js').Editing, 'continueWith'>} editing
+ * @property {Pick<import('./work_editor.js').WorkEditor, 'continueWith'>} editor
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  * @property {(job: BatchJob) => RowEngine} [makeEngine]
  */
@@ -315,10 +315,10 @@ export class BatchCarving {
 
   /** @param {BatchRecord} record @param {Tracker} tracker @param {() => void} release */
   async goOn_(record, tracker, release) {
-    const { storage, client, editing, batching, panel } = this.options_;
+    const { storage, client, editor, batching, panel } = this.options_;
     const { model: bytes, list } = await storage.files();
     const { work } = record;
-    await editing.continueWith({
+    await editor.continueWith({
       ...work,
       ...(work.sampleId === undefined && { bytes }),
       ...(work.batch && { batch: { ...work.batch, list } }),

@@ -7,7 +7,7 @@
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./batching.js').Batching} batching
- * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./spot_search.js').SpotSearch} spots
  * @property {import('./placing.js').Placing} placing
  * @property {import('./carving.js').Carving} carving
  * @property {import('./undo.js').Undo} undo

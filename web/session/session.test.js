@@ -11,7 +11,7 @@ import { Carving } from './carving.js';
 import { Placing } from './placing.js';
 import { Session } from './session.js';
 import { Signal } from './signal.js';
-import { SpotFinding } from './spot_finding.js';
+import { SpotSearch } from './spot_search.js';
 import { Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 
@@ -31,7 +31,7 @@ beforeEach(() => {
     batching,
     model: { engravable: true },
     jobs: { busy: false, cancel: noted('cancelled') },
-    spots: fake(SpotFinding, {}, { proposed: Promise.resolve() }),
+    spots: fake(SpotSearch, {}, { proposed: Promise.resolve() }),
     placing: fake(Placing, { begin: noted('placed') }),
     carving: fake(Carving, { drop: noted('dropped'), engrave: noted('carved') }),
     undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),

@@ -13,12 +13,12 @@ import { sameCentre, sameModel, sameWork } from './work.js';
 /**
  * @typedef {object} UndoOptions
  * @property {import('./work_store.js').WorkStore} store
- * @property {Pick<import('./editing.js').Editing, 'restore'>} editing
- * @property {Pick<import('./continuing.js').Continuing, 'save'>} continuing
+ * @property {Pick<import('./work_editor.js').WorkEditor, 'restore'>} editor
+ * @property {Pick<import('./autosave.js').Autosave, 'save'>} autosave
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
- * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./spot_search.js').SpotSearch} spots
  * @property {import('./carving.js').Carving} carving
  * @property {import('../ui/messages.js').Messages} messages
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
@@ -119,17 +119,17 @@ export class Undo {
         if (this.editedMeanwhile_) this.record();
         this.editedMeanwhile_ = false;
         this.updateButtons();
-        this.options_.continuing.save();
+        this.options_.autosave.save();
       });
     void restored;
   }
 
   /** @param {State} state */
   async apply_(state) {
-    const { editing, model, placing, spots, carving, messages, store } = this.options_;
+    const { editor, model, placing, spots, carving, messages, store } = this.options_;
     const before = store.work;
     messages.clearError();
-    editing.restore(state);
+    editor.restore(state);
     if (!sameModel(before.source, state.source) && state.source) {
       await model.load(state.source, state.centreIsGuess ? undefined : state.centreMm);
     } else {

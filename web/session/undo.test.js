@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
 import { Carving } from './carving.js';
-import { Continuing } from './continuing.js';
+import { Autosave } from './autosave.js';
 import { ModelSession } from './model_session.js';
 import { Placing } from './placing.js';
 import { Signal } from './signal.js';
-import { SpotFinding } from './spot_finding.js';
+import { SpotSearch } from './spot_search.js';
 import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 import { centredAt, chosenCentre } from './work.js';
@@ -77,7 +77,7 @@ beforeEach(() => {
     model,
     placing,
     carving,
-    spots: fake(SpotFinding),
+    spots: fake(SpotSearch),
     messages: /** @type {any} */ (messages),
     jobs: /** @type {any} */ ({
       get busy() {
@@ -85,8 +85,8 @@ beforeEach(() => {
       },
     }),
     store,
-    editing: { restore: ({ text, settings }) => store.update({ text, settings }) },
-    continuing: fake(Continuing),
+    editor: { restore: ({ text, settings }) => store.update({ text, settings }) },
+    autosave: fake(Autosave),
     guard: (action) => action().then(() => {}),
   });
   undo.record();

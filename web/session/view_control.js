@@ -4,7 +4,7 @@
 const kVectorDigits = 5;
 
 /**
- * @typedef {object} ViewingOptions
+ * @typedef {object} ViewControlOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../view/view_tools.js').ViewTools} tools
@@ -12,16 +12,16 @@ const kVectorDigits = 5;
  * @property {import('../ui/face_picker.js').FacePicker} picker
  * @property {import('../view/legend.js').Legend} legend
  * @property {import('../view/inspector_view.js').InspectorView} inspector
- * @property {import('./inspecting.js').Inspecting} inspecting
+ * @property {import('./inspector_control.js').InspectorControl} inspectorControl
  * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
  * @property {import('./placing.js').Placing} placing
  * @property {import('./carving.js').Carving} carving
- * @property {import('./editing.js').Editing} editing
+ * @property {import('./work_editor.js').WorkEditor} editor
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class Viewing {
-  /** @param {ViewingOptions} options */
+export class ViewControl {
+  /** @param {ViewControlOptions} options */
   constructor({ client, toolbar, tools, legend, spotsPanel, carving, guard, ...options }) {
     this.client_ = client;
     this.toolbar_ = toolbar;
@@ -36,8 +36,8 @@ export class Viewing {
     carving.printed.on(() => this.notePrinted_());
   }
 
-  /** @param {Pick<ViewingOptions, 'view' | 'picker' | 'inspector' | 'inspecting' | 'placing' | 'editing'>} options */
-  listen_({ view, picker, inspector, inspecting, placing, editing }) {
+  /** @param {Pick<ViewControlOptions, 'view' | 'picker' | 'inspector' | 'inspectorControl' | 'placing' | 'editor'>} options */
+  listen_({ view, picker, inspector, inspectorControl, placing, editor }) {
     const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
     const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
     const place = (/** @type {number} */ x, /** @type {number} */ y, exact = false) =>
@@ -45,7 +45,7 @@ export class Viewing {
     const lay = async (/** @type {number} */ x, /** @type {number} */ y) => {
       const { hit, buildUp } = await client.layFace([x, y]);
       picker.handlePick(hit);
-      if (hit) await editing.editSettings({ buildUp: rounded(buildUp) });
+      if (hit) await editor.editSettings({ buildUp: rounded(buildUp) });
     };
     view.listen({
       onAct: (action) => tools.act(action),
@@ -57,13 +57,13 @@ export class Viewing {
       onResize: (size) =>
         guard(async () => {
           await client.resize(size);
-          await inspecting.makeRoom();
+          await inspectorControl.makeRoom();
         }),
     });
     tools.listen({
       onPlace: place,
       onPrint: (picture) => guard(() => client.showPrint(picture?.pixels ?? new Uint8Array(), picture?.width ?? 0)),
-      onAdjust: (change) => guard(() => editing.adjust(change)),
+      onAdjust: (change) => guard(() => editor.adjust(change)),
       onCancel: () => guard(() => placing.place()),
       onAct: act,
     });
@@ -75,8 +75,8 @@ export class Viewing {
     });
   }
 
-  /** @param {Pick<ViewingOptions, 'inspecting' | 'placing'>} options */
-  listenToToolbar_({ inspecting, placing }) {
+  /** @param {Pick<ViewControlOptions, 'inspectorControl' | 'placing'>} options */
+  listenToToolbar_({ inspectorControl, placing }) {
     const { client_: client, tools_: tools, guard_: guard } = this;
     this.toolbar_.listen({
       onCarved: (carved) => guard(() => this.showCarved_(carved)),
@@ -89,7 +89,7 @@ export class Viewing {
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
       onLive: () => guard(() => placing.place()),
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
-      onInspector: (isShown) => guard(() => inspecting.show(isShown)),
+      onInspector: (isShown) => guard(() => inspectorControl.show(isShown)),
     });
   }
 

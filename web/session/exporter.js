@@ -15,7 +15,7 @@ import { keysOf, requestedSettings, restoredSettings } from '../settings/work_se
 /** @typedef {import('../export/settings_file.js').ModelChoice} ModelChoice */
 
 /**
- * @typedef {object} ExportingOptions
+ * @typedef {object} ExporterOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./work_store.js').WorkStore} store
@@ -24,15 +24,15 @@ import { keysOf, requestedSettings, restoredSettings } from '../settings/work_se
  * @property {import('../settings/work_settings.js').WorkSettings} defaults  of the settings that have a control
  * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
  * @property {import('../ui/export_panel.js').ExportPanel} panel
- * @property {Pick<import('./editing.js').Editing, 'apply'>} editing
+ * @property {Pick<import('./work_editor.js').WorkEditor, 'apply'>} editor
  * @property {Pick<import('./carving.js').Carving, 'abort'>} carving
  * @property {Pick<import('./jobs.js').Jobs, 'untilIdle'>} jobs
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class Exporting {
-  /** @param {ExportingOptions} options */
-  constructor({ client, model, store, placing, messages, defaults, batching, panel, editing, carving, jobs, guard }) {
+export class Exporter {
+  /** @param {ExporterOptions} options */
+  constructor({ client, model, store, placing, messages, defaults, batching, panel, editor, carving, jobs, guard }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
@@ -40,7 +40,7 @@ export class Exporting {
     this.messages_ = messages;
     this.defaults_ = defaults;
     this.batching_ = batching;
-    this.editing_ = editing;
+    this.editor_ = editor;
     this.carving_ = carving;
     this.jobs_ = jobs;
     panel.listen({
@@ -132,7 +132,7 @@ export class Exporting {
     this.write_(settings);
     const onItsModel = !model || (await this.openModelOf_(model));
     const centre = onItsModel ? model?.centreMm : undefined;
-    await this.editing_.apply();
+    await this.editor_.apply();
     if (centre) await this.placing_.move(() => this.client_.setCentre({ mm: centre }));
     const words = onItsModel
       ? () => text('exports.settingsUsed', { file: file.name })

@@ -10,7 +10,7 @@ import { changeByHandles, withChanges } from './work.js';
 /** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
 
 /**
- * @typedef {object} EditingOptions
+ * @typedef {object} WorkEditorOptions
  * @property {import('./work_store.js').WorkStore} store
  * @property {WorkSettings} defaults  of the settings that have a control
  * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'listen'>} form
@@ -18,15 +18,15 @@ import { changeByHandles, withChanges } from './work.js';
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'listen'>} batchPanel
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./batching.js').Batching} batching
- * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./spot_search.js').SpotSearch} spots
  * @property {import('./placing.js').Placing} placing
  * @property {Pick<import('../ui/place_panel.js').PlacePanel, 'listenToRemedies'>} placePanel
  * @property {import('../ui/messages.js').Messages} messages
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class Editing {
-  /** @param {EditingOptions} options */
+export class WorkEditor {
+  /** @param {WorkEditorOptions} options */
   constructor({
     store,
     defaults,

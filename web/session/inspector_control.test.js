@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Inspecting } from './inspecting.js';
+import { InspectorControl } from './inspector_control.js';
 
 test('A frame drawn while the inspector closes leaves no state behind', async () => {
   /** @type {unknown} */ let state = 'shown';
@@ -16,7 +16,7 @@ test('A frame drawn while the inspector closes leaves no state behind', async ()
     toolbar: { inspectorShown: false },
     guard: (/** @type {() => Promise<void>} */ action) => action(),
   });
-  await new Inspecting(options).show(false);
+  await new InspectorControl(options).show(false);
   assert.equal(state, undefined);
   assert.equal(options.view.reportsPointer, false);
 });

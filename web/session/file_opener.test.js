@@ -4,18 +4,18 @@ import { beforeEach, test } from 'node:test';
 import { CodePanel } from '../ui/code_panel.js';
 import { ModelPanel } from '../ui/model_panel.js';
 import { Batching } from './batching.js';
-import { Editing } from './editing.js';
-import { Exporting } from './exporting.js';
+import { WorkEditor } from './work_editor.js';
+import { Exporter } from './exporter.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
-import { Opening } from './opening.js';
+import { FileOpener } from './file_opener.js';
 import { Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
 /** @type {string[]} */ let opened;
 /** @type {any} */ let restored;
-/** @type {Opening} */ let opening;
+/** @type {FileOpener} */ let opener;
 
 beforeEach(() => {
   opened = [];
@@ -28,58 +28,58 @@ beforeEach(() => {
     store: storeOf({ text: 'of the sample' }),
     model: fake(ModelSession, { source: {}, openFile: opens('model'), openSample: opens('sample') }),
     batching: fake(Batching, { openList: opens('list') }),
-    editing: fake(Editing, { restore: (/** @type {any} */ state) => void (restored = state) }),
-    exporting: fake(Exporting, { useSettings: opens('settings') }),
+    editor: fake(WorkEditor, { restore: (/** @type {any} */ state) => void (restored = state) }),
+    exporter: fake(Exporter, { useSettings: opens('settings') }),
     undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
     jobs: fake(Jobs),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
-  opening = new Opening(parts);
-  opening.started = Promise.resolve(true);
+  opener = new FileOpener(parts);
+  opener.started = Promise.resolve(true);
 });
 
 test('The name of a file decides how it is opened', async () => {
-  for (const name of ['a.stl', 'a.csv', 'a.json']) await opening.openFile(new File([''], name));
+  for (const name of ['a.stl', 'a.csv', 'a.json']) await opener.openFile(new File([''], name));
   assert.deepEqual(opened, ['model', 'list', 'settings']);
 });
 
 test('Settings without a model open the first sample', async () => {
   parts.model.answers.source = undefined;
-  await opening.openFile(new File([''], 'a.json'));
+  await opener.openFile(new File([''], 'a.json'));
   assert.deepEqual(opened, ['sample', 'settings']);
 });
 
 test('An early file waits for the module; without a module it is not opened', async () => {
   const started = new Pending();
-  opening.started = started.promise;
-  const opens = opening.openFile(new File([''], 'a.stl'));
-  assert.equal(opening.fileChosen, true);
+  opener.started = started.promise;
+  const opens = opener.openFile(new File([''], 'a.stl'));
+  assert.equal(opener.fileChosen, true);
   await settled();
   assert.deepEqual(opened, []);
   started.resolve(true);
   await opens;
   assert.deepEqual(opened, ['model']);
-  opening.started = Promise.resolve(false);
-  await opening.openFile(new File([''], 'b.stl'));
+  opener.started = Promise.resolve(false);
+  await opener.openFile(new File([''], 'b.stl'));
   assert.deepEqual(opened, ['model']);
 });
 
 test('A text that came with a sample does not follow to the user’s model, any other text does', async () => {
   const open = async () => {
-    await opening.openFile(new File([''], 'a.stl'));
+    await opener.openFile(new File([''], 'a.stl'));
     return parts.store.work.text;
   };
   assert.equal(await open(), 'of the sample', 'the address gave the text to no sample');
-  opening.sampleText = 'of the sample';
+  opener.sampleText = 'of the sample';
   parts.store.update({ text: 'typed' });
   assert.equal(await open(), 'typed');
   parts.store.update({ text: 'of the sample' });
   assert.equal(await open(), 'first');
-  assert.deepEqual(parts.editing.calls, ['apply text']);
+  assert.deepEqual(parts.editor.calls, ['apply text']);
 });
 
 test('Starting over restores the first text and the defaults as one change', async () => {
-  await opening.startOver();
+  await opener.startOver();
   assert.deepEqual(restored, { text: 'first', settings: { preset: 'balanced' }, batch: undefined });
   assert.deepEqual(opened, ['sample']);
   assert.deepEqual(parts.undo.calls, ['recordNow', 'asOne']);

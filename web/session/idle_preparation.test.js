@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
-import { Preparing } from './preparing.js';
+import { IdlePreparation } from './idle_preparation.js';
 
 const { setTimeout: realSetTimeout, clearTimeout: realClearTimeout } = globalThis;
 /** @type {string[]} */ let done = [];
@@ -12,7 +12,7 @@ let overModel = true;
 /** @type {EventTarget} */ let user;
 
 const make = () =>
-  new Preparing({
+  new IdlePreparation({
     client: {
       prepareEngrave: async (search) => {
         done.push(search ? 'search' : 'carving');
@@ -94,15 +94,15 @@ test('A pointer beside the model does not delay it', async () => {
 });
 
 test('Each new place is prepared, but not during quick successions', async () => {
-  const preparing = make();
+  const preparation = make();
   use();
   for (let i = 0; i < 5; i += 1) {
-    preparing.setPlaced(true);
+    preparation.setPlaced(true);
     await wait(250);
   }
   assert.deepEqual(done, []);
   await wait(100);
-  preparing.setPlaced(true);
+  preparation.setPlaced(true);
   await wait(400);
   assert.deepEqual(done, ['carving', 'reader', 'carving', 'reader']);
 });
@@ -110,11 +110,11 @@ test('Each new place is prepared, but not during quick successions', async () =>
 test('The depths are searched ahead if codes are shown as carved, but not where that takes long', async (t) => {
   t.mock.method(performance, 'now', () => now);
   live = true;
-  const preparing = make();
+  const preparation = make();
   use();
   const prepareNext = async () => {
     done = [];
-    preparing.setPlaced(true);
+    preparation.setPlaced(true);
     await wait(400);
     return done;
   };
@@ -130,30 +130,30 @@ test('The depths are searched ahead if codes are shown as carved, but not where 
 
 test('Depths are not shown for a code that has moved on', async () => {
   live = true;
-  const preparing = make();
+  const preparation = make();
   use();
-  preparing.setPlaced(true);
+  preparation.setPlaced(true);
   const searched = wait(400);
-  preparing.setPlaced(true);
+  preparation.setPlaced(true);
   await searched;
   assert.ok(done.includes('search'));
   assert.ok(!done.includes('0.5 mm'));
 });
 
 test('Nothing is prepared without a place or during other work', async () => {
-  const preparing = make();
+  const preparation = make();
   use();
-  preparing.setPlaced(true);
-  preparing.setPlaced(false);
+  preparation.setPlaced(true);
+  preparation.setPlaced(false);
   await wait(5000);
-  preparing.setPlaced(true);
+  preparation.setPlaced(true);
   busy = true;
   await wait(5000);
   assert.deepEqual(done, []);
 });
 
 test('Errors are left for the carving to report', async () => {
-  const preparing = new Preparing({
+  const preparation = new IdlePreparation({
     client: { prepareEngrave: () => Promise.reject(new Error('no memory')) },
     prepareReader: () => {},
     isBusy: () => false,
@@ -163,6 +163,6 @@ test('Errors are left for the carving to report', async () => {
     isOverModel: () => true,
   });
   use();
-  preparing.setPlaced(true);
+  preparation.setPlaced(true);
   await wait(700); // an unhandled rejection would fail the test
 });

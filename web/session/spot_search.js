@@ -10,7 +10,7 @@ const kPicturePx = 84; // height of a spot's picture
 const kPictureAspect = 1.5;
 
 /**
- * @typedef {object} SpotFindingOptions
+ * @typedef {object} SpotSearchOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./work_store.js').WorkStore} store
@@ -24,8 +24,8 @@ const kPictureAspect = 1.5;
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class SpotFinding {
-  /** @param {SpotFindingOptions} options */
+export class SpotSearch {
+  /** @param {SpotSearchOptions} options */
   constructor({ client, jobs, store, model, placing, messages, panel, batching, carving, code, guard }) {
     this.client_ = client;
     this.jobs_ = jobs;

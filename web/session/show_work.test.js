@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
-import { showWork } from './showing.js';
+import { showWork } from './show_work.js';
 import { storeOf } from './testing.js';
 import { centredAt } from './work.js';
 

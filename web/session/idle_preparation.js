@@ -6,7 +6,7 @@ const kPatienceMs = 1000; // where a search takes longer, the next code is shown
 // Events of a user. Nothing is prepared before the first one.
 const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];
 
-export class Preparing {
+export class IdlePreparation {
   /**
    * @param {object} options
    * @param {Pick<import('../engine/client.js').EngineClient, 'prepareEngrave'>} options.client

@@ -4,31 +4,31 @@ import { looksLikeSettings } from '../export/settings_file.js';
 import { looksLikeList } from './batching.js';
 
 /**
- * @typedef {object} OpeningOptions
+ * @typedef {object} FileOpenerOptions
  * @property {Pick<import('../ui/model_panel.js').ModelPanel, 'listen'>} panel
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'initialText' | 'leaveBuilder'>} code
  * @property {import('../settings/work_settings.js').WorkSettings} defaults
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./batching.js').Batching} batching
- * @property {import('./editing.js').Editing} editing
- * @property {import('./exporting.js').Exporting} exporting
+ * @property {import('./work_editor.js').WorkEditor} editor
+ * @property {import('./exporter.js').Exporter} exporter
  * @property {import('./undo.js').Undo} undo
  * @property {import('./jobs.js').Jobs} jobs
  * @property {Pick<import('../view/view_tools.js').ViewTools, 'act'>} tools
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class Opening {
-  /** @param {OpeningOptions} options */
-  constructor({ panel, code, defaults, store, model, batching, editing, exporting, undo, jobs, tools, guard }) {
+export class FileOpener {
+  /** @param {FileOpenerOptions} options */
+  constructor({ panel, code, defaults, store, model, batching, editor, exporter, undo, jobs, tools, guard }) {
     this.code_ = code;
     this.store_ = store;
     this.defaults_ = defaults;
     this.model_ = model;
     this.batching_ = batching;
-    this.editing_ = editing;
-    this.exporting_ = exporting;
+    this.editor_ = editor;
+    this.exporter_ = exporter;
     this.undo_ = undo;
     this.jobs_ = jobs;
     /** Resolves when the module has started; false: it did not. @type {Promise<boolean>} */
@@ -40,7 +40,7 @@ export class Opening {
       onSample: (id) => guard(() => model.openSample(id)),
       onFile: (file) => guard(() => this.openFile(file)),
       onScale: (scaleToMm) => guard(() => model.rescale(scaleToMm)),
-      onUpAxis: (upAxis) => guard(() => editing.turnUp(upAxis)),
+      onUpAxis: (upAxis) => guard(() => editor.turnUp(upAxis)),
       onBody: (index) => tools.act({ kind: 'body', index }),
     });
   }
@@ -61,14 +61,14 @@ export class Opening {
     if (!isSampleText || this.model_.source?.sampleId !== undefined) return;
     this.sampleText = undefined;
     this.store_.update({ text: this.code_.initialText });
-    await this.editing_.apply('text');
+    await this.editor_.apply('text');
   }
 
   /** @param {File} file */
   async useSettings_(file) {
     if (!this.model_.source) await this.model_.openSample();
     this.undo_.recordNow();
-    await this.undo_.asOne(() => this.exporting_.useSettings(file));
+    await this.undo_.asOne(() => this.exporter_.useSettings(file));
   }
 
   /** Returns to the state in which the page opened. Can be undone. */
@@ -77,7 +77,7 @@ export class Opening {
     this.undo_.recordNow();
     await this.undo_.asOne(async () => {
       this.code_.leaveBuilder();
-      this.editing_.restore({ text: this.code_.initialText, settings: this.defaults_, batch: undefined });
+      this.editor_.restore({ text: this.code_.initialText, settings: this.defaults_, batch: undefined });
       await this.model_.openSample();
     });
   }

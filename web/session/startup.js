@@ -9,7 +9,7 @@ import { fetchJson } from './fetch_file.js';
 const kAsked = ['sample', 'at', 'text', 'engrave']; // address parameters
 
 /**
- * @typedef {object} StartingOptions
+ * @typedef {object} StartupOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../ui/preferences.js').Theme} theme
@@ -20,30 +20,30 @@ const kAsked = ['sample', 'at', 'text', 'engrave']; // address parameters
  * @property {import('./batching.js').Batching} batching
  * @property {import('./batch_carving.js').BatchCarving} batchCarving
  * @property {import('./carving.js').Carving} carving
- * @property {import('./continuing.js').Continuing} continuing
- * @property {import('./exporting.js').Exporting} exporting
- * @property {import('./inspecting.js').Inspecting} inspecting
- * @property {import('./opening.js').Opening} opening
+ * @property {import('./autosave.js').Autosave} autosave
+ * @property {import('./exporter.js').Exporter} exporter
+ * @property {import('./inspector_control.js').InspectorControl} inspectorControl
+ * @property {import('./file_opener.js').FileOpener} opener
  * @property {import('./session.js').Session} session
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
-export class Starting {
-  /** @param {StartingOptions} options */
+export class Startup {
+  /** @param {StartupOptions} options */
   constructor(options) {
     this.options_ = options;
   }
 
   /** @param {URLSearchParams} address */
   async start(address) {
-    const { opening, batchCarving, continuing, guard } = this.options_;
-    if (address.has('sample')) opening.sampleText = address.get('text') ?? undefined;
-    opening.started = this.startModule_(address);
-    if (!(await opening.started)) return;
-    if (opening.fileChosen) {
+    const { opener, batchCarving, autosave, guard } = this.options_;
+    if (address.has('sample')) opener.sampleText = address.get('text') ?? undefined;
+    opener.started = this.startModule_(address);
+    if (!(await opener.started)) return;
+    if (opener.fileChosen) {
       // the user opened a file before the module was ready
       await batchCarving.offer();
-      await continuing.begin('never');
+      await autosave.begin('never');
       return;
     }
     await guard(() => this.open_(address));
@@ -51,13 +51,13 @@ export class Starting {
 
   /** Opens the page's first model, and does what the address asks for. @param {URLSearchParams} address */
   async open_(address) {
-    const { exporting, model, batchCarving, continuing, carving } = this.options_;
-    const { asksForSettings, refusal } = exporting.useAddress(address);
+    const { exporter, model, batchCarving, autosave, carving } = this.options_;
+    const { asksForSettings, refusal } = exporter.useAddress(address);
     const centreMm = spotFromAddress(address);
     await model.openSample(address.get('sample') ?? undefined, centreMm ? { centreMm } : {});
     const isOffered = await batchCarving.offer();
     const asks = asksForSettings || kAsked.some((name) => address.has(name));
-    await continuing.begin(isOffered ? 'never' : asks ? 'same-address' : 'always');
+    await autosave.begin(isOffered ? 'never' : asks ? 'same-address' : 'always');
     if (refusal) throw refusal;
     if (address.get('engrave') === '1') await carving.engrave();
   }
@@ -92,11 +92,11 @@ export class Starting {
 
   /** Restores the work in a new module. */
   async restore() {
-    const { carving, batching, inspecting, messages, model, session } = this.options_;
+    const { carving, batching, inspectorControl, messages, model, session } = this.options_;
     await carving.dropForGood();
     batching.forget();
     await this.prepareView_();
-    await inspecting.restore();
+    await inspectorControl.restore();
     messages.say(() => text('page.chooseModel'));
     await model.reload();
     if (model.source) await session.begin();

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
 import { LastWork } from '../storage/last_work.js';
 import { Notices } from '../ui/notices.js';
-import { Continuing } from './continuing.js';
-import { Editing } from './editing.js';
+import { Autosave } from './autosave.js';
+import { WorkEditor } from './work_editor.js';
 import { fake, storeOf } from './testing.js';
 
 const { document: realDocument, location: realLocation } = globalThis;
@@ -13,7 +13,7 @@ const { document: realDocument, location: realLocation } = globalThis;
 /** @type {any} */ let notices;
 /** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {EventTarget & { visibilityState?: string }} */ let page;
-/** @type {Continuing} */ let continuing;
+/** @type {Autosave} */ let autosave;
 
 beforeEach(() => {
   page = new EventTarget();
@@ -25,14 +25,14 @@ beforeEach(() => {
   });
   notices = fake(Notices);
   store = storeOf({ source: /** @type {any} */ ({ sampleId: 'vase', fileName: 'vase.stl' }), text: 'a' });
-  continuing = new Continuing({ last, notices, store, editing: fake(Editing), guard: async () => {} });
+  autosave = new Autosave({ last, notices, store, editor: fake(WorkEditor), guard: async () => {} });
 });
 after(() => void Object.assign(globalThis, { document: realDocument, location: realLocation }));
 
 test('Every typed letter is saved with the address, and kept at once when the page is hidden', async () => {
   store.update({ text: 'b' });
   assert.equal(saved.length, 0, 'not before the page has opened its model');
-  await continuing.begin('never');
+  await autosave.begin('never');
   store.update({ text: 'bc' });
   assert.deepEqual([saved.at(-1).text, saved.at(-1).address], ['bc', '?sample=vase']);
   page.visibilityState = 'hidden';
@@ -42,15 +42,15 @@ test('Every typed letter is saved with the address, and kept at once when the pa
 
 test('The last work is offered, at an address that asks for something only if it was done there', async () => {
   const offers = () => notices.calls.filter((/** @type {string} */ call) => call.startsWith('show')).length;
-  await continuing.begin('never');
+  await autosave.begin('never');
   assert.equal(offers(), 0);
-  await continuing.begin('always');
+  await autosave.begin('always');
   assert.equal(offers(), 1);
-  await continuing.begin('same-address');
+  await autosave.begin('same-address');
   assert.equal(offers(), 2);
   location.search = '?sample=vase&engrave=1';
-  await continuing.begin('same-address');
+  await autosave.begin('same-address');
   assert.equal(offers(), 2);
-  await continuing.begin('always');
+  await autosave.begin('always');
   assert.equal(offers(), 3);
 });

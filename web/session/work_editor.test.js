@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { Batching } from './batching.js';
-import { Editing } from './editing.js';
+import { WorkEditor } from './work_editor.js';
 import { ModelSession } from './model_session.js';
 import { Placing } from './placing.js';
 import { Signal } from './signal.js';
-import { SpotFinding } from './spot_finding.js';
+import { SpotSearch } from './spot_search.js';
 import { FakeMessages, fake, settled, storeOf } from './testing.js';
 
 /** @type {import('../settings/work_settings.js').WorkSettings} */
@@ -50,7 +50,7 @@ class FakePanel {
 /** @type {any} */ let placing;
 /** @type {FakeMessages} */ let messages;
 /** @type {(string | undefined)[]} */ let applied;
-/** @type {Editing} */ let editing;
+/** @type {WorkEditor} */ let editor;
 
 beforeEach(() => {
   store = storeOf({ text: 'a', settings: kDefaults });
@@ -59,10 +59,10 @@ beforeEach(() => {
   [form, code, batchPanel] = [new FakePanel(), new FakePanel(), new FakePanel()];
   model = fake(ModelSession);
   batching = fake(Batching, { ready: async () => {}, isLocked: false }, { changed: new Signal() });
-  spots = fake(SpotFinding);
+  spots = fake(SpotSearch);
   placing = fake(Placing, {}, { placed: new Signal(), placement: { symbolMm: 20 } });
   messages = new FakeMessages();
-  editing = new Editing({
+  editor = new WorkEditor({
     store,
     defaults: kDefaults,
     form,
@@ -109,16 +109,16 @@ test('A complete edit of a setting changes its dependent settings', async () => 
 });
 
 test('The handles set the size and drop the suggested spots', async () => {
-  await editing.adjust({ symbolMm: 21.5 });
+  await editor.adjust({ symbolMm: 21.5 });
   assert.deepEqual([store.work.settings.size, store.work.settings.maxSizeMm], [21.5, 21.5]);
   assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'proposeAgain'], ['place']]);
 });
 
 test('A code that was turned to fit keeps its turn when it is resized', async () => {
   placing.placement = { symbolMm: 30, rotationDeg: 36.43 };
-  await editing.adjust({ symbolMm: 21.5 });
+  await editor.adjust({ symbolMm: 21.5 });
   assert.deepEqual([store.work.settings.size, store.work.settings.rotateDeg], [21.5, 36.4]);
-  await editing.adjust({ rotateDeg: 0 });
+  await editor.adjust({ rotateDeg: 0 });
   assert.equal(store.work.settings.rotateDeg, 0);
 });
 
@@ -134,29 +134,29 @@ test('A remedy changes its settings and reports it; a remedy without a setting s
   const deeper = /** @type {any} */ ({ changes: [{ setting: 'preset', value: 'robust' }] });
   let said = 0;
   messages.say = () => void (said += 1);
-  await editing.remedy(deeper, 'Carve deeper');
+  await editor.remedy(deeper, 'Carve deeper');
   assert.deepEqual([store.work.settings.preset, said], ['robust', 1]);
   const both = [
     { setting: 'nozzleMm', value: '0.15' },
     { setting: 'layerMm', value: '0.1' },
   ];
-  await editing.remedy({ changes: both }, 'Print finer');
+  await editor.remedy({ changes: both }, 'Print finer');
   const { nozzleMm, layerMm } = store.work.settings;
   assert.deepEqual([nozzleMm, layerMm, said, applied.length], [0.15, 0.1, 2, 2], 'both in one step');
   placing.placement = undefined;
-  await editing.remedy({ ...deeper, changes: [{ setting: 'preset', value: 'shallow' }] }, 'Carve shallower');
+  await editor.remedy({ ...deeper, changes: [{ setting: 'preset', value: 'shallow' }] }, 'Carve shallower');
   assert.deepEqual([store.work.settings.preset, said], ['shallow', 2]);
-  await editing.remedy({ ...deeper, changes: undefined }, 'Find a spot');
+  await editor.remedy({ ...deeper, changes: undefined }, 'Find a spot');
   assert.equal(spots.calls.at(-1), 'suggest');
   assert.deepEqual([applied.length, said], [3, 2]);
 });
 
 test('Restoring a work does not apply it, and keeps a list whose parts are carved', () => {
-  editing.restore({ text: 'b', settings: { preset: 'robust' }, batch: kBatch });
+  editor.restore({ text: 'b', settings: { preset: 'robust' }, batch: kBatch });
   assert.deepEqual(store.work.settings, { ...kDefaults, preset: 'robust' });
   assert.deepEqual([store.work.text, store.work.batch, applied], ['b', kBatch, []]);
   batching.answers.isLocked = true;
-  editing.restore({ text: 'c', settings: {}, batch: undefined });
+  editor.restore({ text: 'c', settings: {}, batch: undefined });
   assert.deepEqual([store.work.text, store.work.batch], ['c', kBatch]);
 });
 
@@ -165,10 +165,10 @@ test('A stored work restores its sample or file, and keeps the current text if i
   model.answers.openSample = async (/** @type {any[]} */ ...options) => void opened.push(options);
   model.answers.load = async (/** @type {any[]} */ ...options) => void opened.push(options);
   const place = { fileName: 'a.stl', scaleToMm: 1, upAxis: /** @type {const} */ ('z') };
-  await editing.continueWith({ ...place, sampleId: 'saddle', settings: {}, centreMm: [1, 2, 3] });
+  await editor.continueWith({ ...place, sampleId: 'saddle', settings: {}, centreMm: [1, 2, 3] });
   assert.equal(store.work.text, 'a');
   const bytes = new Uint8Array([1]);
-  await editing.continueWith({ ...place, bytes, text: 'b', settings: {}, centreMm: [4, 5, 6] });
+  await editor.continueWith({ ...place, bytes, text: 'b', settings: {}, centreMm: [4, 5, 6] });
   assert.equal(store.work.text, 'b');
   assert.deepEqual(opened, [
     ['saddle', { ...place, centreMm: [1, 2, 3] }],
@@ -185,11 +185,11 @@ test('The code panel shows the placement', () => {
 test('An edit removes an error only if there is a model, and says why there is no code', async () => {
   const problem = { found: () => 'There is no sample “foo”', help: () => '' };
   messages.showError(problem);
-  await editing.apply('text');
+  await editor.apply('text');
   assert.equal(messages.problem, problem);
   model.answers.engravable = true;
   placing.placement = undefined;
-  await editing.apply('text');
+  await editor.apply('text');
   assert.equal(messages.problem, undefined);
   assert.ok(batching.calls.includes('explainMissingCode'));
 });
@@ -201,7 +201,7 @@ test('A carved model that becomes the model stands as it is printed', async () =
     loaded = source;
   };
   const carved = /** @type {any} */ ({ fileName: 'carved.3mf' });
-  await editing.goOnWith(carved);
+  await editor.goOnWith(carved);
   assert.equal(loaded, carved);
   assert.equal(store.work.settings.buildUp, 'as-modelled');
 });

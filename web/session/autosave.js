@@ -5,20 +5,20 @@ import { storedWork } from './work.js';
 
 const kNotice = 'continue';
 
-export class Continuing {
+export class Autosave {
   /**
    * @param {object} options
    * @param {import('../storage/last_work.js').LastWork} options.last
    * @param {import('../ui/notices.js').Notices} options.notices
    * @param {import('./work_store.js').WorkStore} options.store
-   * @param {Pick<import('./editing.js').Editing, 'continueWith'>} options.editing
+   * @param {Pick<import('./work_editor.js').WorkEditor, 'continueWith'>} options.editor
    * @param {(action: () => Promise<unknown>) => Promise<void>} options.guard
    */
-  constructor({ last, notices, store, editing, guard }) {
+  constructor({ last, notices, store, editor, guard }) {
     this.last_ = last;
     this.notices_ = notices;
     this.store_ = store;
-    this.editing_ = editing;
+    this.editor_ = editor;
     this.guard_ = guard;
     this.watching_ = false;
     store.changed.on(() => this.save()); // not only complete edits: the page may close while the user types
@@ -41,7 +41,7 @@ export class Continuing {
       { label: text('autosave.discard'), run: () => void this.last_.discard() },
       {
         label: text('autosave.continue'),
-        run: () => void this.guard_(() => this.editing_.continueWith(work)),
+        run: () => void this.guard_(() => this.editor_.continueWith(work)),
         primary: true,
       },
     ]);

@@ -3,7 +3,7 @@
 import { onLanguage } from '../i18n/catalogue.js';
 
 /**
- * @typedef {object} InspectingOptions
+ * @typedef {object} InspectorControlOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../view/inspector_view.js').InspectorView} window
@@ -11,8 +11,8 @@ import { onLanguage } from '../i18n/catalogue.js';
  * @property {(action: () => Promise<void>) => Promise<void>} guard
  */
 
-export class Inspecting {
-  /** @param {InspectingOptions} options */
+export class InspectorControl {
+  /** @param {InspectorControlOptions} options */
   constructor({ client, view, window, toolbar, guard }) {
     this.client_ = client;
     this.view_ = view;

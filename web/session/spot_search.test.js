@@ -9,7 +9,7 @@ import { Carving } from './carving.js';
 import { Jobs } from './jobs.js';
 import { Placing } from './placing.js';
 import { Signal } from './signal.js';
-import { SpotFinding } from './spot_finding.js';
+import { SpotSearch } from './spot_search.js';
 import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
 import { centredAt } from './work.js';
 
@@ -22,7 +22,7 @@ const kFound = { spots: [{ centre: [1, 2, 3], sizeMm: 20, aimToleranceDeg: 30, c
 /** @type {FakeMessages} */ let messages;
 /** @type {Jobs} */ let jobs;
 /** @type {import('./work_store.js').WorkStore} */ let store;
-/** @type {SpotFinding} */ let spots;
+/** @type {SpotSearch} */ let spots;
 /** @type {Pending} */ let search;
 /** @type {Pending} */ let shown; // the carving's answer
 /** @type {AbortSignal | undefined} */ let signal;
@@ -48,7 +48,7 @@ beforeEach(() => {
   messages = new FakeMessages();
   const said = /** @type {any} */ (messages);
   jobs = new Jobs({ panel: fake(WorkPanel), messages: said, onBusy: () => {} });
-  spots = new SpotFinding({
+  spots = new SpotSearch({
     ...{ client, jobs, store, model, placing, messages: said, panel },
     batching: { settings: () => /** @type {any} */ ({}), plannedSettings: async () => /** @type {any} */ ({}) },
     carving: fake(Carving, { show: () => shown.promise }, { started: new Signal() }),
