@@ -13,8 +13,8 @@ import { BatchCarving } from './session/batch_carving.js';
 import { Batching } from './session/batching.js';
 import { Carving } from './session/carving.js';
 import { WorkEditor } from './session/work_editor.js';
-import { Facing } from './session/facing.js';
 import { Exporter } from './session/exporter.js';
+import { faceNewCodes } from './session/face_new_code.js';
 import { InspectorControl } from './session/inspector_control.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
@@ -167,7 +167,7 @@ function connect(notices) {
   const autosave = new Autosave({ ...base, last: new LastWork(new Database(), holdsSecret), editor });
   const undo = new Undo({ ...carved, spots, editor, autosave });
   new ViewControl({ ...carved, ...panels, tools, inspectorControl, editor });
-  new Facing({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
+  faceNewCodes({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
   const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
   const opener = new FileOpener({ ...carved, editor, exporter, undo, code, tools, panel: panels.modelPanel });
   const { view, toolbar } = panels;

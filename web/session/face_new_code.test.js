@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
-import { Facing } from './facing.js';
+import { faceNewCodes } from './face_new_code.js';
 import { Signal } from './signal.js';
 
 /** @type {any[]} */ let acts;
@@ -14,7 +14,7 @@ beforeEach(() => {
   carving = { started: new Signal(), finished: new Signal() };
   tools = { seesCode: false, reader: { shown: false } };
   prefersStill = false;
-  new Facing({
+  faceNewCodes({
     client: { act: async (/** @type {any} */ action) => void acts.push(action) },
     carving,
     tools,
