@@ -67,9 +67,9 @@ EngraveRequest requestFor(const bench::Centre& centre, int number) {
 
 Result<EngraveResult> engraveBy(const MakeSearch& makeSearch, const std::shared_ptr<const EngravableModel>& model,
                                 const EngraveRequest& request) {
-  EngraveJob::Known known;
+  CarveJob::Known known;
   known.makeSearch = makeSearch;
-  auto job = EngraveJob::create(model, request, known);
+  auto job = CarveJob::create(model, request, known);
   QRELIEF_TRY(job);
   return runToEnd(**job);
 }

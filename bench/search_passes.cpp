@@ -75,13 +75,13 @@ std::size_t dueBetween(const SearchRecord& record, std::size_t pass, int size) {
 Result<Counts> count(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request, bool onGpu) {
   Counts counts;
   request.depth.recordSearch = true;
-  EngraveJob::Known known;
+  CarveJob::Known known;
   known.device = Device::Gpu;
   if (!onGpu)
     known.makeSearch = [&](CarvingTarget target) {
       return std::make_unique<Counted>(std::move(target), fastSearchOptions(request), counts.measured);
     };
-  auto job = EngraveJob::create(model, request, known);
+  auto job = CarveJob::create(model, request, known);
   QRELIEF_TRY(job);
   gl::PassTimings timings(false);
   for (bool done = false; !done;) {

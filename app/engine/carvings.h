@@ -33,7 +33,7 @@ class Carvings {
   /// @returns true if nothing is left to do
   bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch);
   /// Returns the job of that work; null: there is none.
-  const EngraveJob* prepared() const { return engraver_ ? engraver_->prepared() : nullptr; }
+  const CarveJob* prepared() const { return engraver_ ? engraver_->prepared() : nullptr; }
   /// Starts another engraving. Keeps the current carving, if there is one.
   /// @param placed  the request's place, if known
   void start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,
@@ -106,7 +106,7 @@ class Carvings {
   gl::PassTimings* passTimings() const { return passTimings_.get(); }
   int started() const { return started_; }  ///< number of attempts so far
   const EngraveRequest& request() const;    ///< requires an engraving or a carving
-  const EngraveJob* job() const { return engraving_ ? engraving_->job() : nullptr; }
+  const CarveJob* job() const { return engraving_ ? engraving_->job() : nullptr; }
   /// Returns the record of the depth search, or its symbol; null before the search has recorded anything.
   const SearchRecord* search() const;
   const Symbol* symbol() const;

@@ -79,7 +79,7 @@ std::string Engine::advancePreparation(const std::string& options) {
   if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
     const EngraveRequest request = wanted_.request(scene_.camera().modelUp());
     isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()), withSearch);
-    if (const EngraveJob* const job = carvings_.prepared(); job && isDone && withSearch && job->hasSearched()) {
+    if (const CarveJob* const job = carvings_.prepared(); job && isDone && withSearch && job->hasSearched()) {
       const SearchRecord& search = *job->inspectorMaps().search;
       preview_.show(search, *wanted_.symbol());
       updateView();

@@ -23,7 +23,7 @@ std::optional<JobMap> searchMap(const SearchRecord& search, int modules, std::st
 
 }  // namespace
 
-std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name) {
+std::optional<JobMap> jobMap(const CarveJob& job, std::string_view name) {
   const InspectorMaps maps = job.inspectorMaps();
   if (name.starts_with("search-"))
     return maps.search && maps.symbol ? searchMap(*maps.search, maps.symbol->size, name) : std::nullopt;

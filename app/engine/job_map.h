@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-class EngraveJob;
+class CarveJob;
 
 /// A map that an engraving job worked on, as numbers; row 0 at the bottom.
 struct JobMap {
@@ -21,6 +21,6 @@ struct JobMap {
 ///              and "search-depths": luminance and depths in the newest pass of the depth search, one texel per
 ///              submodule, without the GPU, the luminance with the quiet zone
 /// @returns none for another name, and before the job has that map
-std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name);
+std::optional<JobMap> jobMap(const CarveJob& job, std::string_view name);
 
 }  // namespace qrelief

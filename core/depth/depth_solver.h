@@ -21,21 +21,10 @@ struct CarvingTarget {
   std::vector<double> limitMm;  ///< greatest depth of each submodule, row-major from the symbol's top left
 };
 
-/// A search for carving depths that does no rendering: it takes luminances and returns depths.
-///
-///     while (!solver.finished()) solver.update(luminances(solver.depths(), solver.due()));
-class DepthSolver {
+/// A search for carving depths, pass by pass.
+class DepthSearch {
  public:
-  virtual ~DepthSolver() = default;
-
-  /// Runs one pass.
-  /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
-  ///                   edge = 5·(modules + 8)
-  virtual void update(const Grid<double>& luminance) = 0;
-
-  /// Returns the carved submodules whose luminance the next `update` reads, as indices in the mask; the luminance of
-  /// the others may be outdated. Empty: all carved submodules.
-  virtual std::span<const std::uint32_t> due() const { return {}; }
+  virtual ~DepthSearch() = default;
 
   virtual bool finished() const = 0;
   virtual int iterations() const = 0;
@@ -47,6 +36,21 @@ class DepthSolver {
   virtual std::size_t limitedCount() const = 0;
   /// Returns the number of submodules that the end of a finished search left too bright, although they may be deeper.
   virtual std::size_t unfinishedCount() const = 0;
+};
+
+/// A search that does no rendering: it takes luminances and returns depths.
+///
+///     while (!solver.finished()) solver.update(luminances(solver.depths(), solver.due()));
+class DepthSolver : public DepthSearch {
+ public:
+  /// Runs one pass.
+  /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
+  ///                   edge = 5·(modules + 8)
+  virtual void update(const Grid<double>& luminance) = 0;
+
+  /// Returns the carved submodules whose luminance the next `update` reads, as indices in the mask; the luminance of
+  /// the others may be outdated. Empty: all carved submodules.
+  virtual std::span<const std::uint32_t> due() const { return {}; }
 };
 
 /// Record of a depth search, pass by pass, for display. Only carved submodules change between passes; the lists of a

@@ -20,7 +20,7 @@ std::vector<glm::vec4> floorSteps(int size, double submoduleMm);
 /// It differs from FastSearch in three ways. The solver on the plane moves all floors at once, with more sweeps.
 /// Between the passes that measure all floors, a pass measures only floors that moved, or that touch one that did. The
 /// search measures all floors at the end of a batch, and ends only there.
-class ShaderSearch {
+class ShaderSearch final : public DepthSearch {
  public:
   /// The place whose floors are carved.
   struct Place {
@@ -46,16 +46,15 @@ class ShaderSearch {
   /// @returns the record of each pass, without times
   std::vector<SearchRecord::Pass> advance();
 
-  bool finished() const { return finished_; }
-  int iterations() const { return iterations_; }  ///< since the last restart()
+  bool finished() const override { return finished_; }
+  int iterations() const override { return iterations_; }  ///< since the last restart()
   int readBacks() const { return readBacks_; }    ///< since the last restart()
-  double doneFraction() const { return doneFraction_; }
-  const DepthField& depths() const { return depths_; }
+  double doneFraction() const override { return doneFraction_; }
+  const DepthField& depths() const override { return depths_; }
   /// Returns the luminances at depths(), of symbol and quiet zone; see DepthSolver::update.
   const Grid<double>& luminance() const { return place_.luminance; }
-  /// See DepthSolver.
-  std::size_t limitedCount() const { return limited_ + unfinishedCount(); }
-  std::size_t unfinishedCount() const { return finished_ ? tooBright_ : 0; }
+  std::size_t limitedCount() const override { return limited_ + unfinishedCount(); }
+  std::size_t unfinishedCount() const override { return finished_ ? tooBright_ : 0; }
 
  private:
   ShaderSearch(CarvingTarget target, Place place);

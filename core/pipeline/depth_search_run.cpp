@@ -83,7 +83,7 @@ double DepthSearchRun::reachMm(double deepestMm) const {
 std::vector<float> DepthSearchRun::depthsOfCells() const {
   std::vector<float> cells(
       static_cast<std::size_t>(place_.layout.cells()) * static_cast<std::size_t>(place_.layout.cells()), 0.0f);
-  for (const std::uint32_t i : carved_) cells[cellOf(i)] = static_cast<float>(depths().depthMm[i]);
+  for (const std::uint32_t i : carved_) cells[cellOf(i)] = static_cast<float>(found().depths().depthMm[i]);
   return cells;
 }
 
@@ -121,7 +121,7 @@ void DepthSearchRun::stepOnGpu(SearchRecord* record) {
   const auto start = Clock::now();
   std::vector<SearchRecord::Pass> passes = onGpu_->advance();
   luminance_ = onGpu_->luminance();
-  if (finished()) place_.light->shaders()->setDepths(depthsOfCells());  // for the inspector
+  if (onGpu_->finished()) place_.light->shaders()->setDepths(depthsOfCells());  // for the inspector
   if (!record) return;
   const double ms = millisecondsSince(start) / static_cast<double>(passes.size());
   for (SearchRecord::Pass& pass : passes) {

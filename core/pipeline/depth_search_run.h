@@ -38,16 +38,12 @@ class DepthSearchRun {
   /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
   void restart(std::vector<double> contrastOfModule);
 
-  /// Runs a pass, or on a GPU a batch of passes. Do not call it once finished().
+  /// Runs a pass, or on a GPU a batch of passes. Do not call it once found() is finished.
   /// @param record  where to record the passes; may be null
   void step(SearchRecord* record);
 
-  bool finished() const { return onGpu_ ? onGpu_->finished() : solver_->finished(); }
-  double doneFraction() const { return onGpu_ ? onGpu_->doneFraction() : solver_->doneFraction(); }
-  const DepthField& depths() const { return onGpu_ ? onGpu_->depths() : solver_->depths(); }
-  int iterations() const { return onGpu_ ? onGpu_->iterations() : solver_->iterations(); }  ///< since restart()
-  std::size_t limitedCount() const { return onGpu_ ? onGpu_->limitedCount() : solver_->limitedCount(); }
-  std::size_t unfinishedCount() const { return onGpu_ ? onGpu_->unfinishedCount() : solver_->unfinishedCount(); }
+  /// Returns what the search has found so far; its iterations count since restart().
+  const DepthSearch& found() const { return onGpu_ ? static_cast<const DepthSearch&>(*onGpu_) : *solver_; }
   /// Returns the luminances of the last pass, of symbol and quiet zone; see DepthSolver::update.
   const Grid<double>& luminance() const { return luminance_; }
   /// Returns the light that makes this luminance, in the same order.

@@ -29,7 +29,7 @@ struct EngravableModel {
   std::shared_ptr<const GpuSurface> gpu;            ///< the same surface; null without a GL context
   std::shared_ptr<const SurfaceRenderer> renderer;  ///< `raster` or `gpu`: draws the maps for searches
 
-  /// @param prepared  may have blocking findings; EngraveJob refuses them
+  /// @param prepared  may have blocking findings; CarveJob refuses them
   /// @param pass      geometry pass of the current GL context, or null without a context
   static std::shared_ptr<const EngravableModel> create(PreparedModel prepared, std::shared_ptr<const GeometryPass> pass,
                                                        Device device = Device::Faster);

@@ -46,7 +46,7 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 }
 
 /// Weights are times in ms of the page's samples on a processor (--report, timingsMs).
-JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
+JobStages<CarveJob::State> CarveJob::State::stagesOf(const EngraveRequest& request, bool isPlaced) {
   const bool isForPrint = request.isForPrint(), needsLight = request.needsLight();
   return {{message<"finding-direction-and-size">(), 20, &State::place, !isPlaced},
           {message<"measuring-surface">(), 50, &State::map, needsLight},
@@ -61,7 +61,7 @@ JobStages<EngraveJob::State> EngraveJob::State::stagesOf(const EngraveRequest& r
           {message<"looking-at-result">(), 250, &State::view, !request.code.isText()}};
 }
 
-Result<StageStep> EngraveJob::State::place() {
+Result<StageStep> CarveJob::State::place() {
   const Result<bool> placed = placing->step();
   QRELIEF_TRY(placed);
   if (!*placed) return StageStep();
@@ -69,7 +69,7 @@ Result<StageStep> EngraveJob::State::place() {
   return kStageDone;
 }
 
-void EngraveJob::State::take(const FoundPlacement& placed) {
+void CarveJob::State::take(const FoundPlacement& placed) {
   result.placement = placed.placement;
   result.timingsMs.direction = placed.directionMs;
   result.timingsMs.size = placed.sizeMs;
@@ -77,18 +77,18 @@ void EngraveJob::State::take(const FoundPlacement& placed) {
   if (request.needsLight()) decidePatterns(false);
 }
 
-void EngraveJob::State::decidePatterns(bool areWallsThin) {
+void CarveJob::State::decidePatterns(bool areWallsThin) {
   request = withDefaultPatterns(asked, result.placement.moduleMm, areWallsThin);
   mask = submodulesToCarve(symbol, *request.code.modulePattern, *request.code.finderPattern);
 }
 
-std::vector<double> EngraveJob::State::limitsOfMask() const {
+std::vector<double> CarveJob::State::limitsOfMask() const {
   return depthLimits(model->prepared.mesh, result.placement, mask, measured->thicknessMm(),
                      {*request.depth.maxDepthMm, request.depth.minWallMm});
 }
 
 /// Measures the place, if it is not the one measured before.
-Status EngraveJob::State::measurePlace(bool withLight) {
+Status CarveJob::State::measurePlace(bool withLight) {
   const Placement& placement = result.placement;
   const PlacementMeasurement::Request place{
       placement.frame, placement.moduleMm, layout, request.depth.albedo, request.lamps(), device, withLight};
@@ -103,7 +103,7 @@ Status EngraveJob::State::measurePlace(bool withLight) {
   return {};
 }
 
-Result<StageStep> EngraveJob::State::map() {
+Result<StageStep> CarveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
   QRELIEF_TRY(measurePlace(true));
@@ -123,7 +123,7 @@ Result<StageStep> EngraveJob::State::map() {
   return kStageDone;
 }
 
-Result<StageStep> EngraveJob::State::embed() {
+Result<StageStep> CarveJob::State::embed() {
   const auto start = Clock::now();
   EmbedOptions options;
   options.inlay = request.marking.mark == Mark::Inlay;
@@ -146,7 +146,7 @@ Result<StageStep> EngraveJob::State::embed() {
 }
 
 /// Simulates the print, a piece at a time, and starts a second search if the print lacks contrast.
-Result<StageStep> EngraveJob::State::print() {
+Result<StageStep> CarveJob::State::print() {
   const auto start = Clock::now();
   if (!printing) {
     VerifyRequest printed = verifyRequestOf(request, result);
@@ -170,16 +170,16 @@ Result<StageStep> EngraveJob::State::print() {
   return StageStep{progress->fraction, progress->done};
 }
 
-EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
-EngraveJob::~EngraveJob() = default;
+CarveJob::CarveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CarveJob::~CarveJob() = default;
 
-Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
-                                                       EngraveRequest request) {
+Result<std::unique_ptr<CarveJob>> CarveJob::create(std::shared_ptr<const EngravableModel> model,
+                                                   EngraveRequest request) {
   return create(std::move(model), std::move(request), {});
 }
 
-Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
-                                                       EngraveRequest request, const Known& known) {
+Result<std::unique_ptr<CarveJob>> CarveJob::create(std::shared_ptr<const EngravableModel> model, EngraveRequest request,
+                                                   const Known& known) {
   QRELIEF_TRY(checkSettings(request));
   auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : requestedSymbol(request.code);
   QRELIEF_TRY(symbol);
@@ -199,24 +199,24 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   else
     state->placing.emplace(state->model->prepared, *state->model->renderer, state->symbol.size,
                            searchedPlacement(state->request, state->symbol.size));
-  return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
+  return std::unique_ptr<CarveJob>(new CarveJob(std::move(state)));
 }
 
-Progress EngraveJob::progress() const { return state_->stages.progress(); }
+Progress CarveJob::progress() const { return state_->stages.progress(); }
 
-Result<Progress> EngraveJob::advance() { return state_->stages.advance(*state_); }
+Result<Progress> CarveJob::advance() { return state_->stages.advance(*state_); }
 
-EngraveResult EngraveJob::takeResult() {
+EngraveResult CarveJob::takeResult() {
   assert(state_->stages.done());
   return std::move(state_->result);
 }
 
-const EngraveResult* EngraveJob::writtenResult() const {
+const EngraveResult* CarveJob::writtenResult() const {
   const bool isWritten = !state_->result.stl.empty();
   return isWritten && !state_->stages.done() ? &state_->result : nullptr;
 }
 
-InspectorMaps EngraveJob::inspectorMaps() const {
+InspectorMaps CarveJob::inspectorMaps() const {
   InspectorMaps maps;
   if (!state_->isMeasured || !state_->measured->request().withLight) return maps;
   const PlacementMeasurement& measured = *state_->measured;
@@ -226,21 +226,21 @@ InspectorMaps EngraveJob::inspectorMaps() const {
   return maps;
 }
 
-const SurfaceMaps* EngraveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
+const SurfaceMaps* CarveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
 
-bool EngraveJob::hasSearched() const { return state_->search && state_->search->finished(); }
+bool CarveJob::hasSearched() const { return state_->search && state_->search->found().finished(); }
 
-std::optional<FoundPlacement> EngraveJob::foundPlace() const {
+std::optional<FoundPlacement> CarveJob::foundPlace() const {
   if (!state_->placing) return {};
   return state_->placing->found();
 }
 
-std::shared_ptr<PlacementMeasurement> EngraveJob::placementMeasurement() const {
+std::shared_ptr<PlacementMeasurement> CarveJob::placementMeasurement() const {
   return state_->isMeasured ? state_->measured : nullptr;
 }
 
 Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
-  auto job = EngraveJob::create(std::move(model), request);
+  auto job = CarveJob::create(std::move(model), request);
   QRELIEF_TRY(job);
   return runToEnd(**job);
 }

@@ -106,13 +106,13 @@ struct InspectorMaps {
   const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
 
-/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the
+/// Carves and checks once, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the
 /// model's GL context, if it has one.
 ///
-///     auto job = EngraveJob::create(model, request);
+///     auto job = CarveJob::create(model, request);
 ///     for (;;) { auto progress = job->advance(); if (!progress) …error…; if (progress->done) break; }
 ///     EngraveResult result = job->takeResult();
-class EngraveJob {
+class CarveJob {
  public:
   /// Results of earlier work to reuse.
   struct Known {
@@ -128,11 +128,10 @@ class EngraveJob {
     MakeSearch makeSearch = nullptr;
   };
   /// @returns the errors of checkEngraving()
-  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
-                                                    EngraveRequest request, const Known& known);
-  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
-                                                    EngraveRequest request);
-  ~EngraveJob();
+  static Result<std::unique_ptr<CarveJob>> create(std::shared_ptr<const EngravableModel> model, EngraveRequest request,
+                                                  const Known& known);
+  static Result<std::unique_ptr<CarveJob>> create(std::shared_ptr<const EngravableModel> model, EngraveRequest request);
+  ~CarveJob();
 
   /// Returns the next stage and the fraction of the job that is done.
   Progress progress() const;
@@ -160,7 +159,7 @@ class EngraveJob {
 
  private:
   struct State;
-  explicit EngraveJob(std::unique_ptr<State> state);
+  explicit CarveJob(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements the last stages of EngraveJob (engrave.h): file, checks and picture of the result.
+// Implements the last stages of CarveJob (engrave.h): file, checks and picture of the result.
 #include <algorithm>
 
 #include "base/clock.h"
@@ -51,7 +51,7 @@ Mesh weldedAs(const Mesh& written, const PolygonSoup& read) {
 }  // namespace
 
 /// Writes the file and reads it back: the result is exactly what a slicer will read.
-Result<StageStep> EngraveJob::State::write() {
+Result<StageStep> CarveJob::State::write() {
   const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
@@ -69,7 +69,7 @@ Result<StageStep> EngraveJob::State::write() {
   return kStageDone;
 }
 
-Result<StageStep> EngraveJob::State::check() {
+Result<StageStep> CarveJob::State::check() {
   const auto start = Clock::now();
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   QRELIEF_TRY(solidity);
@@ -91,7 +91,7 @@ Result<StageStep> EngraveJob::State::check() {
   return kStageDone;
 }
 
-Result<StageStep> EngraveJob::State::view() {
+Result<StageStep> CarveJob::State::view() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
   ReaderViewOptions options;

@@ -16,7 +16,7 @@
 namespace qrelief {
 
 /// The job's state.
-struct EngraveJob::State {
+struct CarveJob::State {
   JobStages<State> stages;
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;

@@ -47,12 +47,12 @@ Result<Engraver::Work> Engraver::create(const EngraveRequest& request, bool shar
   QRELIEF_TRY(symbol);
   if (model_->usesShaders(device_)) QRELIEF_TRY(programs());
   const Place* const place = placeOf(request, symbol->size);
-  auto job = EngraveJob::create(model_, request,
-                                {.placed = place ? &place->found : nullptr,
-                                 .programs = programs_,
-                                 .symbol = &*symbol,
-                                 .measured = place && sharesMeasurement ? place->measured : nullptr,
-                                 .device = device_});
+  auto job = CarveJob::create(model_, request,
+                              {.placed = place ? &place->found : nullptr,
+                               .programs = programs_,
+                               .symbol = &*symbol,
+                               .measured = place && sharesMeasurement ? place->measured : nullptr,
+                               .device = device_});
   QRELIEF_TRY(job);
   return Work{request, symbol->size, std::move(*job), 0, place ? place->found.directionMs + place->found.sizeMs : 0};
 }

@@ -33,7 +33,7 @@ class Engraver {
   /// @returns true if nothing is left to do
   bool prepare(const EngraveRequest& request, bool withSearch);
   /// Returns the job of that work; null: there is none.
-  const EngraveJob* prepared() const { return prepared_ ? prepared_->job.get() : nullptr; }
+  const CarveJob* prepared() const { return prepared_ ? prepared_->job.get() : nullptr; }
 
  private:
   friend class Engraving;
@@ -48,7 +48,7 @@ class Engraver {
   struct Work {
     EngraveRequest request;
     int modules = 0;
-    std::unique_ptr<EngraveJob> job;
+    std::unique_ptr<CarveJob> job;
     int steps = 0;  // done so far
     double ms = 0;  // so far, with the search for the place
   };

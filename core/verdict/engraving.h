@@ -69,7 +69,7 @@ class Engraving {
   /// Returns the request of the last attempt.
   const EngraveRequest& request() const { return plan_.request(); }
   /// Returns the job of the last attempt that began, and that attempt's number; null before, and -1.
-  const EngraveJob* job() const { return work_ ? work_->job.get() : nullptr; }
+  const CarveJob* job() const { return work_ ? work_->job.get() : nullptr; }
   int attemptOfJob() const { return worked_; }
   /// Returns the carving under way once its file is written; else null. Its print may be simulated already.
   const EngraveResult* printable() const;

@@ -20,7 +20,7 @@ class ProgressBar {
   Message stage_;
 };
 
-/// Runs a job (EngraveJob, SpotSearchJob) to its end.
+/// Runs a job (CarveJob, SpotSearchJob) to its end.
 template <class Job>
 Status runWithProgress(Job& job, bool quiet) {
   ProgressBar bar(quiet);

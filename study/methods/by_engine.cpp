@@ -17,9 +17,9 @@ EngraveRequest publishedRequest(const StudyPlacement& spot, ModulePattern module
 Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveRequest& request, const Symbol* symbol,
                                  MakeSearch makeSearch) {
   const FoundPlacement placed{spot.placement};
-  EngraveJob::Known known{&placed, nullptr, symbol, spot.measured};
+  CarveJob::Known known{&placed, nullptr, symbol, spot.measured};
   known.makeSearch = std::move(makeSearch);
-  auto job = EngraveJob::create(spot.model, request, known);
+  auto job = CarveJob::create(spot.model, request, known);
   QRELIEF_TRY(job);
   auto result = runToEnd(**job);
   QRELIEF_TRY(result);

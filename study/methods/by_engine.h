@@ -15,7 +15,7 @@ EngraveRequest publishedRequest(const StudyPlacement& spot, ModulePattern module
 /// the study on the light that the program measures.
 /// @param request     the spot's, with other depths, patterns or symbols of the same size; the place stays
 /// @param symbol      carved instead of the request's, of the same size; null: the request's
-/// @param makeSearch  see EngraveJob::Known; empty: the request's search
+/// @param makeSearch  see CarveJob::Known; empty: the request's search
 Result<CarvedCode> carveByEngine(const StudyPlacement& spot, const EngraveRequest& request,
                                  const Symbol* symbol = nullptr, MakeSearch makeSearch = nullptr);
 

@@ -96,7 +96,7 @@ class CarvedForPrintTest : public GlTest {
 
   /// Returns the stages of carving in their order.
   std::vector<std::string> stagesOf(const EngraveRequest& request) const {
-    return followJob(**EngraveJob::create(model_, request));
+    return followJob(**CarveJob::create(model_, request));
   }
 
   /// Returns the additional contrast that the print requires from the dark modules, on average.

@@ -25,7 +25,7 @@ class DepthSearchRunTest : public GlTest {
   }
 
   EngraveResult carve(const MakeSearch& makeSearch = nullptr) const {
-    auto job = EngraveJob::create(model_, request_, {.device = Device::Gpu, .makeSearch = makeSearch});
+    auto job = CarveJob::create(model_, request_, {.device = Device::Gpu, .makeSearch = makeSearch});
     EXPECT_TRUE(job.has_value());
     auto result = runToEnd(**job);
     EXPECT_TRUE(result.has_value()) << result.error().message;

@@ -28,7 +28,7 @@ class DevicesTest : public GlTest {
     EXPECT_TRUE(pass.has_value());
     const auto model = EngravableModel::create(*prepareModel(shapes::soupOf(mesh), {}),
                                                std::make_shared<const GeometryPass>(std::move(*pass)), maps);
-    auto job = EngraveJob::create(model, request, {.device = light});
+    auto job = CarveJob::create(model, request, {.device = light});
     EXPECT_TRUE(job.has_value()) << job.error().message;
     auto result = runToEnd(**job);
     EXPECT_TRUE(result.has_value()) << result.error().message;

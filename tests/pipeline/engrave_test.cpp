@@ -75,7 +75,7 @@ TEST_F(EngraveTest, ABumpySphereGetsADecodableCodeAndStaysASolid) {
 TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
   const auto carve = [&](EngraveRequest engraving, std::shared_ptr<PlacementMeasurement> measured) {
-    auto job = EngraveJob::create(model, std::move(engraving), {.measured = std::move(measured)});
+    auto job = CarveJob::create(model, std::move(engraving), {.measured = std::move(measured)});
     EXPECT_TRUE(job.has_value());
     EXPECT_EQ((*job)->placementMeasurement(), nullptr);
     EXPECT_TRUE(runToEnd(**job).has_value());
@@ -86,7 +86,7 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   const auto expected = engrave(model, engraving);
   ASSERT_TRUE(expected.has_value());
   const auto before = carve(other, nullptr)->placementMeasurement();
-  auto job = EngraveJob::create(model, engraving, {.measured = before});
+  auto job = CarveJob::create(model, engraving, {.measured = before});
   ASSERT_TRUE(job.has_value());
   const auto result = runToEnd(**job);
   ASSERT_TRUE(result.has_value());
@@ -286,7 +286,7 @@ TEST_F(EngraveTest, TheTopOfTheSymbolPointsInTheGivenDirection) {
 TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
   Mesh open = shapes::box({40, 40, 40});
   open.triangles.resize(10);
-  const auto job = EngraveJob::create(upload(open), request({0, 0, 20}, 20));
+  const auto job = CarveJob::create(upload(open), request({0, 0, 20}, 20));
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().kind, ErrorKind::BadInput);
 }
@@ -294,7 +294,7 @@ TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
 TEST_F(EngraveTest, RefusesInvalidRequestsAsBadUsage) {
   const auto model = upload(shapes::icosphere(40, 3));
   const auto codeOf = [&](const EngraveRequest& engraving) {
-    const auto job = EngraveJob::create(model, engraving);
+    const auto job = CarveJob::create(model, engraving);
     return job ? std::optional<ErrorKind>() : job.error().kind;
   };
   EngraveRequest engraving = request({0, 0, 40}, 20);
@@ -341,7 +341,7 @@ TEST_F(EngraveTest, AKnownPlaceLeavesOutTheFirstStage) {
   while (!*search.step()) {
   }
   const FoundPlacement placed = search.found();
-  EXPECT_THAT(followJob(**EngraveJob::create(model, engraving, {.placed = &placed})),
+  EXPECT_THAT(followJob(**CarveJob::create(model, engraving, {.placed = &placed})),
               testing::ElementsAre("measuring-surface", "finding-depth", "carving-mesh", "checking-solid",
                                    "looking-at-result"));
 }

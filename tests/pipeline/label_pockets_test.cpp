@@ -90,7 +90,7 @@ TEST_F(LabelPocketsTest, ALabelThatTheFontLacksIsRefusedBeforeTheSearch) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest engraving = request(25);
   engraving.code.label.text = "漢";
-  const auto job = EngraveJob::create(model, engraving);
+  const auto job = CarveJob::create(model, engraving);
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "label-lacks-characters");
 }
@@ -99,7 +99,7 @@ TEST_F(LabelPocketsTest, ALabelThatIsTooLongToMakeIsRefusedBeforeTheSearch) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest engraving = request(25);
   engraving.code.label.text = std::string(2000, 'x');
-  const auto job = EngraveJob::create(model, engraving);
+  const auto job = CarveJob::create(model, engraving);
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "label-strokes-too-thin");
 }

@@ -67,7 +67,7 @@ class MarkTest : public GlTest {
 
 TEST_F(MarkTest, ACodeInColourSkipsTheDepthSearch) {
   for (const Mark mark : {Mark::Inlay, Mark::Paint})
-    EXPECT_THAT(followJob(**EngraveJob::create(sphere(), requestFor(mark))),
+    EXPECT_THAT(followJob(**CarveJob::create(sphere(), requestFor(mark))),
                 testing::ElementsAre("finding-direction-and-size", "measuring-surface", "carving-mesh",
                                      "checking-solid", "looking-at-result"));
 }

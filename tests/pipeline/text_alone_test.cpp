@@ -110,7 +110,7 @@ TEST_F(TextAlone, InlayAndPaintAreExactlyItsLetters) {
 
 TEST_F(TextAlone, IsCarvedWithoutLightSearchOrPictures) {
   EXPECT_THAT(
-      followJob(**EngraveJob::create(plate(), requestFor("Rev B"))),
+      followJob(**CarveJob::create(plate(), requestFor("Rev B"))),
       testing::ElementsAre("finding-direction-and-size", "measuring-surface", "carving-mesh", "checking-solid"));
 }
 
@@ -148,7 +148,7 @@ TEST_F(TextAlone, AThinWallMakesItShallowerAndSaysSo) {
 
 TEST_F(TextAlone, NeedsLettersAndTakesNoLabel) {
   const auto codeOf = [](const EngraveRequest& request) {
-    const auto job = EngraveJob::create(plate(), request);
+    const auto job = CarveJob::create(plate(), request);
     return job ? std::string() : job.error().message.code;
   };
   EXPECT_EQ(codeOf(requestFor("")), "text-alone-empty");
@@ -228,14 +228,14 @@ TEST_F(TextAlone, TooManyLettersAreRefusedBeforeTheSearch) {
   EngraveRequest request = requestFor(std::string(2000, 'x'));
   const auto codeOf = [](const auto& outcome) { return outcome ? std::string() : outcome.error().message.code; };
   const auto model = plate();
-  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "text-strokes-too-thin");
+  EXPECT_EQ(codeOf(CarveJob::create(model, request)), "text-strokes-too-thin");
   EXPECT_EQ(codeOf(bestSpot(model, request)), "text-strokes-too-thin");
   request.placement.maxSizeMm = 1000;
-  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "text-strokes-too-thin") << "the plate is no larger than 60 mm";
+  EXPECT_EQ(codeOf(CarveJob::create(model, request)), "text-strokes-too-thin") << "the plate is no larger than 60 mm";
 
   request.code.text = std::string(500, 'x');  // may be made at 500 mm, but not on this plate
   request.placement.eyeDistanceMm = 60;       // so near, no bound of the size is known
-  EXPECT_EQ(codeOf(EngraveJob::create(model, request)), "");
+  EXPECT_EQ(codeOf(CarveJob::create(model, request)), "");
   EXPECT_EQ(codeOf(engrave(model, request)), "text-strokes-too-thin");
 }
 

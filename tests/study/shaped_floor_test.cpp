@@ -31,11 +31,11 @@ class ShapedFloorTest : public GlTest {
 
   EngraveResult carved(FloorShape floor) const {
     const ShapedFloorOptions options{.shape = floor, .contrast = request_.depth.contrastAsked()};
-    EngraveJob::Known known;
+    CarveJob::Known known;
     known.makeSearch = [options](CarvingTarget target) {
       return std::make_unique<ShapedFloorSearch>(std::move(target), options);
     };
-    auto job = EngraveJob::create(model_, request_, known);
+    auto job = CarveJob::create(model_, request_, known);
     EXPECT_TRUE(job.has_value()) << job.error().message;
     auto result = runToEnd(**job);
     EXPECT_TRUE(result.has_value()) << result.error().message;

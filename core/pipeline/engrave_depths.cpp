@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Implements what EngraveJob (engrave.h) does for codes in colour and for text in place of a depth search.
+// Implements how CarveJob (engrave.h) finds depths: by the search, or for codes in colour and text without one.
 #include "base/clock.h"
 #include "message_codes/pipeline.h"
 #include "pipeline/engrave_state.h"
@@ -18,8 +18,34 @@ Symbol markedSymbol(const EngraveResult& result) {
   return marked;
 }
 
+void CarveJob::State::startRecord(std::span<const double> limitMm) {
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    result.search.carved.push_back(static_cast<std::uint32_t>(i));
+    result.search.limitMm.push_back(static_cast<float>(limitMm[i]));
+  }
+}
+
+Result<StageStep> CarveJob::State::searchOnce() {
+  const auto start = Clock::now();
+  search->step(request.depth.recordSearch ? &result.search : nullptr);
+  result.timingsMs.depthSearch += millisecondsSince(start);
+  const DepthSearch& found = search->found();
+  if (!found.finished()) return StageStep{found.doneFraction()};
+  result.depths = found.depths();
+  result.searchIterations += found.iterations();
+  result.limitedSubmodules = found.limitedCount();
+  result.unfinishedSubmodules = found.unfinishedCount();
+  result.luminance = search->luminance();
+  result.received = search->received();
+  if (summarise(result.depths).maxMm == 0)
+    return fail(ErrorKind::NoSolution,
+                message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.depth.minWallMm)));
+  return kStageDone;
+}
+
 /// Chooses the modules to mark, and the depth of an inlay. Neither needs light.
-Result<StageStep> EngraveJob::State::mapMark() {
+Result<StageStep> CarveJob::State::mapMark() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
   mask = submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
@@ -30,7 +56,7 @@ Result<StageStep> EngraveJob::State::mapMark() {
   return kStageDone;
 }
 
-Status EngraveJob::State::chooseInlay() {
+Status CarveJob::State::chooseInlay() {
   const Placement& placement = result.placement;
   if (!request.code.isText()) QRELIEF_TRY(measurePlace(false));
   result.opaqueDepthMm = inlayDepthMm(model->prepared.mesh, placement, request.print.buildUp.resolve(placement.frame),
