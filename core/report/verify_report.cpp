@@ -172,8 +172,7 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
       symbol.dark[row * size + column] = dark;
     }
   }
-  if (std::find(flipped.begin(), flipped.end(), 1) != flipped.end())
-    symbol.flipped = {symbol.size, symbol.size, std::move(flipped)};
+  if (std::find(flipped.begin(), flipped.end(), 1) != flipped.end()) symbol.flipped = std::move(flipped);
   return symbol;
 }
 
