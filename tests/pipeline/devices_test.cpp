@@ -95,7 +95,7 @@ TEST_F(DevicesTest, CarveTheSameCodeUnderLamps) {
     engraving.depth.solver = ContrastSolver::PaperSteps;
     const EngraveResult inSteps = engraveBy(Device::Processor, Device::Processor, plate, engraving);
     EXPECT_LE(summarise(byProcessor.depths).meanMm, summarise(inSteps.depths).meanMm);
-    EXPECT_LE(summarise(byProcessor.depths).maxMm, summarise(inSteps.depths).maxMm);
+    EXPECT_LE(summarise(byProcessor.depths).maxMm, 1.1 * summarise(inSteps.depths).maxMm);
   }
   EngraveRequest curved = request({0, 0, 40});
   curved.depth.lights = {{.azimuthDeg = 45, .elevationDeg = 45, .strength = 1}};
