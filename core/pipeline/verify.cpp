@@ -238,7 +238,7 @@ Result<StageStep> VerifyJob::State::measureShape() {
   if (!isInColour()) result.profile = profileCarving(tree, request.frame, request.symbol, request.symbolMm);
   const CarvingProfile& profile = result.profile;
   if (profile.pose == SymbolPose::AsWanted && profile.meanDepthMm > kFlatMm) {
-    result.features = measureFeatures(request.symbol, profile.carved, profile.depthMm, moduleMm());
+    result.features = measureFeatures(request.symbol, profile.carved, profile.depthMm.values(), moduleMm());
     const double wall = leastWall(tree, request.frame, profile);
     if (std::isfinite(wall)) result.features->wallMm = wall;
   }
