@@ -313,11 +313,10 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
-std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name, int number) {
+std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const std::string& name, int number) const {
   if (!carving(number)) return {};
-  Engraved& engraved = *carving(number)->engraved;
+  const Engraved& engraved = *carving(number)->engraved;
   if (!holdsColoursOf(engraved.request, formatOfName(name))) return {};
-  if (engraved.request.marking.hasInlay() && !fillPockets(model, engraved)) return {};
   auto encoded =
       encodeCarved(model.engravable->prepared, engraved.result, name, model.partNames, {.title = model.fileName});
   return encoded ? std::move(encoded->files) : std::vector<NamedFile>();

@@ -97,7 +97,7 @@ class Carvings {
   /// See Engine::exportModel. @param number  of a carving that is kept
   std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format, Slicer slicer, int number);
   /// See Engine::exportFiles. @param number  of a carving that is kept
-  std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name, int number);
+  std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name, int number) const;
 
   // For the inspector; all of it about the last attempt that was started.
   /// Measures the passes of every attempt that starts from now on, which shaders then make.

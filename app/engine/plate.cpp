@@ -23,8 +23,8 @@ void Plate::start(std::size_t copies) {
 void Plate::add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
                 const std::string& id) {
   if (place >= copies_.size()) return;
-  copies_[place] =
-      namedCopy(carvedObjects(result, model.partNames, request.marking.hasInlay(), true), id, request.code.text);
+  copies_[place] = namedCopy(carvedObjects(result, model.partNames, request.marking.mark == Mark::Inlay, true), id,
+                             request.code.text);
 }
 
 std::vector<std::uint8_t> Plate::taken(const std::string& title) {

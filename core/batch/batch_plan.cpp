@@ -54,7 +54,7 @@ bool isDeviceName(std::string_view name) {
 }  // namespace
 
 std::vector<std::string> BatchRow::files() const {
-  return fileNames(file, request.marking.isTwoColoured() || request.marking.isOpen);
+  return fileNames(file, request.marking.isInColour() || request.marking.isOpen);
 }
 
 std::optional<Message> whyNoPlainName(std::string_view name) {

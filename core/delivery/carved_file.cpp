@@ -89,7 +89,7 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
 Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResult& result, const std::string& fileName,
                                  std::span<const std::string> partNames, const WriteOptions& options) {
   const ModelFormat format = formatOfName(fileName);
-  const bool withInlay = result.request.marking.hasInlay();
+  const bool withInlay = result.request.marking.mark == Mark::Inlay;
   if (format == ModelFormat::Stl && !options.ascii && !(withInlay && result.inlay) && result.painted.empty())
     return CarvedFiles{{{fileName, result.stl}}, {}};
   if (format == ModelFormat::ThreeMf) {

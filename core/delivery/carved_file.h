@@ -37,7 +37,7 @@ Result<Carved3mf> writeCarved3mf(const PreparedModel& before, const EngraveResul
                                  std::span<const std::string> partNames, bool withInlay, const WriteOptions& options);
 
 /// Encodes a carved model in the format that the file name implies, with all files that the format needs. Includes the
-/// inlay if the carved request has one.
+/// inlay of Mark::Inlay.
 /// @param before     the model before carving
 /// @param partNames  names of the model's parts (PolygonSoup::parts), for 3MF and OBJ; empty: one part only
 /// @returns the errors of writeCheckedFiles()

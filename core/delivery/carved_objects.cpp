@@ -31,7 +31,7 @@ std::vector<std::uint32_t> groupsOf(std::span<const Body> bodies, bool apart) {
 bool holdsColoursOf(const EngraveRequest& request, ModelFormat format) {
   if (format == ModelFormat::ThreeMf || format == ModelFormat::Obj) return true;
   if (format == ModelFormat::Stl) return request.marking.mark != Mark::Paint;
-  return !request.marking.isInColour() && !request.marking.inlay;
+  return !request.marking.isInColour();
 }
 
 std::vector<Mark> marksInColour(ModelFormat format) {

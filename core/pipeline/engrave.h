@@ -75,7 +75,7 @@ struct EngraveResult {
   std::size_t modulesLeftOut = 0;  ///< Mark::Inlay: dark modules without an inlay, because walls are too thin
   /// Mark::Paint: the triangles of `mesh` in the second colour, ascending; else empty.
   std::vector<std::uint32_t> painted;
-  std::optional<Mesh> inlay;        ///< if EngraveRequest::hasInlay(); also after an STL round trip
+  std::optional<Mesh> inlay;        ///< of Mark::Inlay, or added to a shadow (add_inlay.h); after an STL round trip
   SolidityReport inlaySolidity;     ///< report on the inlay
   ReaderView readerView;            ///< the code as a phone sees it
   ReaderViewOptions readerOptions;  ///< options used to draw it

@@ -81,11 +81,7 @@ Result<StageStep> CarveJob::State::check() {
     result.solidity = *whole;
     result.inheritedSelfIntersections = whole->selfIntersections;
   }
-  if (request.marking.hasInlay())
-    if (const Status added =
-            request.marking.mark == Mark::Inlay ? setInlay(embedded.inlay, result) : addInlay(*model, result);
-        !added)
-      return tl::unexpected(added.error());
+  if (request.marking.mark == Mark::Inlay) QRELIEF_TRY(setInlay(embedded.inlay, result));
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   return kStageDone;

@@ -72,18 +72,14 @@ struct CodeRequest {
 
 /// The technique for dark modules, and its options.
 struct MarkRequest {
-  /// Inlay and Paint need no light: patterns, depths, lamps, albedo, surface and `inlay` have no effect on them.
+  /// Inlay and Paint need no light: patterns, depths, lamps, albedo and surface have no effect on them.
   Mark mark = Mark::Shadow;
   /// If a shadow does not read or print well, try an inlay, then paint (verdict/engrave_plan.h). Needs Mark::Shadow.
   bool isOpen = false;
   std::optional<double> markDepthMm = {};  ///< depth of Mark::Inlay along the rays; none: pipeline/mark_depth.h
   Ink ink = {};                            ///< of Mark::Inlay and Mark::Paint
-  bool inlay = false;  ///< Mark::Shadow: also make the body that fills the pockets, for printing in two colours
 
   bool isInColour() const { return mark != Mark::Shadow; }
-  /// Returns true if the result has a body of a second material.
-  bool hasInlay() const { return mark == Mark::Inlay || (mark == Mark::Shadow && inlay); }
-  bool isTwoColoured() const { return isInColour() || inlay; }
 
   bool operator==(const MarkRequest&) const = default;
 };

@@ -419,8 +419,6 @@ std::vector<Setting> makeSettings() {
       choice(
           "surface", "making", [](auto& r) -> auto& { return r.depth.surface; },
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
-      toggle(
-          "inlay", "making", [](auto& r) -> auto& { return r.marking.inlay; }),
       label(),
       frame(),
       process(),

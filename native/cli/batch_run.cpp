@@ -137,8 +137,8 @@ Status BatchRun::carveAll(const BatchUnit& unit, std::vector<ManifestEntry>& ent
     entry.status = RowStatus::Done;
     if (unit.plate.empty()) continue;
     const BatchRow& row = rows[i];
-    copies[i] = namedCopy(carvedObjects(carved->result, partNames_, carved->request.marking.hasInlay(), true), row.id,
-                          row.request.code.text);
+    copies[i] = namedCopy(carvedObjects(carved->result, partNames_, carved->request.marking.mark == Mark::Inlay, true),
+                          row.id, row.request.code.text);
   }
   const std::vector<ModelObject> objects = onPlate(std::move(copies));
   if (objects.empty()) return {};

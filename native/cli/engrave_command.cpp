@@ -51,7 +51,7 @@ std::string whyNotWritable(const std::string& path) {
 Status checkFiles(const EngraveOptions& options) {
   const MarkRequest& marking = options.request.marking;
   std::vector<FileUse> outputs;
-  for (const std::string& file : fileNames(options.output, marking.isTwoColoured() || marking.isOpen))
+  for (const std::string& file : fileNames(options.output, marking.isInColour() || marking.isOpen))
     outputs.push_back({outputs.empty() ? "-o" : "the second file of -o", file});
   outputs.push_back({"--report", options.report});
   outputs.push_back({"--preview", options.preview});
@@ -68,13 +68,11 @@ Status completeRequest(EngraveOptions& options) {
     return fail(ErrorKind::BadUsage, message<"text-has-no-preview">());
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
-  const bool isHeld = holdsColoursOf(options.request, formatOfName(options.output));
-  if (options.request.marking.isInColour() && !isHeld)
+  if (!holdsColoursOf(options.request, formatOfName(options.output)))
     return fail(ErrorKind::BadUsage,
                 message<"colour-has-no-place">(with::setting<"setting">("mark"),
                                                with::term<"mark">(markName(options.request.marking.mark)),
                                                with::term<"output">(options.output)));
-  if (!isHeld) return fail(ErrorKind::BadUsage, message<"inlay-is-for-3mf">(with::term<"output">(options.output)));
   return checkFiles(options);
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <glm/glm.hpp>
-#include <string_view>
 
 #include "message_codes/command.h"
 #include "settings/engrave_request.h"
@@ -12,9 +11,8 @@ namespace qrelief {
 namespace {
 
 // Settings that MarkRequest::mark says have no effect on a mark.
-constexpr std::array kOfShadows = {"preset",   "keepPreset", "pattern", "finderPattern", "contrast",
-                                   "carveFor", "objective",  "solver",  "maxDepthMm",    "light",
-                                   "albedo",   "surface",    "inlay"};
+constexpr std::array kOfShadows = {"preset",    "keepPreset", "pattern",    "finderPattern", "contrast", "carveFor",
+                                   "objective", "solver",     "maxDepthMm", "light",         "albedo",   "surface"};
 constexpr std::array kOfCodes = {"ecc", "version", "mask", "eci", "quietZone"};
 constexpr std::array kOfColours = {"markDepthMm", "darkReflectance", "lightReflectance"};
 
@@ -27,8 +25,7 @@ std::vector<Message> unusedFlags(const SettingFlags& flags, const EngraveRequest
     for (const char* key : kOfCodes)
       if (flags.isGiven(key)) unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
     for (const char* key : kOfShadows)
-      if (flags.isGiven(key) && key != std::string_view("inlay"))
-        unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
+      if (flags.isGiven(key)) unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
   } else if (marking.isInColour()) {
     for (const char* key : kOfShadows)
       if (flags.isGiven(key))

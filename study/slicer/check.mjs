@@ -10,7 +10,6 @@ import { layersOf, toolAt } from './toolpaths.mjs';
 const MIN_RIGHT = 0.99; // of all modules
 const REACH_MM = 0.4; // from a point to the middle of its bead: a line is 0.45 mm wide
 const SLIVER_MM = 0.09; // less of the second colour under and over a layer's middle may be narrower than a line
-const SAMPLES = [-1 / 3, 0, 1 / 3]; // of a module, from its middle; the depth search carves thirds of modules
 
 const [file, report, gcode] = process.argv.slice(2);
 
@@ -48,7 +47,7 @@ function secondColour(files) {
 }
 
 /** Returns the modules whose tool is wrong. */
-function wrongModules(/** @type {any} */ { mark, symbol, projection, size }, /** @type {any[]} */ layers) {
+function wrongModules(/** @type {any} */ { symbol, projection, size }, /** @type {any[]} */ layers) {
   const { centre, normal, up } = projection;
   const right = [
     up[1] * normal[2] - up[2] * normal[1],
@@ -66,11 +65,7 @@ function wrongModules(/** @type {any} */ { mark, symbol, projection, size }, /**
   let wrong = 0;
   symbol.rows.forEach((/** @type {string} */ text, /** @type {number} */ row) => {
     [...text].forEach((module, column) => {
-      const tools = SAMPLES.flatMap((dr) => SAMPLES.map((dc) => tool(row + 0.5 + dr, column + 0.5 + dc, depthMm)));
-      // Shadows fill only parts of a module; other marks fill it whole.
-      const hasSecond = mark === 'shadow' ? tools.includes(1) : tools[4] === 1;
-      const isRight = module === '1' ? hasSecond : tools[4] === 0;
-      if (!isRight) wrong += 1;
+      if (tool(row + 0.5, column + 0.5, depthMm) !== Number(module)) wrong += 1;
     });
   });
   return wrong;

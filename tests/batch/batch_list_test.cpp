@@ -57,9 +57,9 @@ TEST(BatchList, IgnoresSpacesAroundCellsAndEmptyRows) {
 TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {
   const auto list = read(R"({"id": 7, "text": "a"}
 
-{"text": "ü", "inlay": true, "minWallMm": 1.5, "direction": [0, 0, 1], "id": null})");
+{"text": "ü", "quietZone": true, "minWallMm": 1.5, "direction": [0, 0, 1], "id": null})");
   ASSERT_TRUE(list) << list.error().message;
-  EXPECT_THAT(list->columns(), ElementsAre("id", "text", "inlay", "minWallMm", "direction"));
+  EXPECT_THAT(list->columns(), ElementsAre("id", "text", "quietZone", "minWallMm", "direction"));
   EXPECT_THAT(row(list, 0), ElementsAre("7", "a", "", "", ""));
   EXPECT_THAT(row(list, 1), ElementsAre("", "ü", "on", "1.5", "0,0,1"));
   EXPECT_EQ(list->line(1), 3u);

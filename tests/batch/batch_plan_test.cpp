@@ -109,9 +109,10 @@ TEST(BatchPlan, CodesInColourNeedFilesThatHoldColours) {
 }
 
 TEST(BatchPlan, RefusesASecondFileWithTheNameOfAnotherRowsFile) {
-  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x.stl,on\n2,b,X-2.stl,off\n")), ElementsAre("3 name-twice"));
-  EXPECT_THAT(problemsOf(planOf("id,text,file,inlay\n1,a,x-2.stl,\n2,b,x.stl,\n")), IsEmpty());
-  const BatchPlan plan = planOf("id,text,file,inlay\n1,a,x.obj,on\n2,b,y.3mf,on\n");
+  EXPECT_THAT(problemsOf(planOf("id,text,file,mark\n1,a,x.stl,inlay\n2,b,X-2.stl,shadow\n")),
+              ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file,mark\n1,a,x-2.stl,\n2,b,x.stl,\n")), IsEmpty());
+  const BatchPlan plan = planOf("id,text,file,mark\n1,a,x.obj,inlay\n2,b,y.3mf,inlay\n");
   ASSERT_THAT(problemsOf(plan), IsEmpty());
   EXPECT_THAT(plan.row(0).files(), ElementsAre("x.obj", "x.mtl"));
   EXPECT_THAT(plan.row(1).files(), ElementsAre("y.3mf"));

@@ -58,7 +58,7 @@ class WriteCarved3mfTest : public GlTest {
   const Mesh ball_ = shapes::icosphere(kRadius, 4);
 
   /// Reads the project and engraves the ball's top.
-  void engraveBall(bool withInlay) {
+  void engraveBall(Mark mark) {
     bytes_ = ballProject(ball_);
     const auto soup = read3mf(bytes_, {});
     ASSERT_TRUE(soup);
@@ -69,12 +69,12 @@ class WriteCarved3mfTest : public GlTest {
     request.placement.centreMm = {128, 128, 80};
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = kCodeMm;
-    request.marking.inlay = withInlay;
+    request.marking.mark = mark;
     model_ = EngravableModel::upload(std::move(*prepared));
     auto result = engrave(model_, request);
     ASSERT_TRUE(result);
     result_ = std::move(*result);
-    const auto written = writeCarved3mf(model_->prepared, result_, {}, withInlay, {.title = "ball"});
+    const auto written = writeCarved3mf(model_->prepared, result_, {}, mark == Mark::Inlay, {.title = "ball"});
     ASSERT_TRUE(written);
     EXPECT_FALSE(written->notKept);
     written_ = written->bytes;
@@ -87,7 +87,7 @@ class WriteCarved3mfTest : public GlTest {
 
 TEST_F(WriteCarved3mfTest, CarriesThePoseOnThePrinter) {
   bytes_ = ballProject(ball_);
-  ASSERT_NO_FATAL_FAILURE(engraveBall(false));
+  ASSERT_NO_FATAL_FAILURE(engraveBall(Mark::Shadow));
   result_.request.print.buildUp = {BuildPose::CodeUpright, {}};
   const auto written = writeCarved3mf(model_->prepared, result_, {}, false, {});
   ASSERT_TRUE(written);
@@ -102,7 +102,7 @@ TEST_F(WriteCarved3mfTest, CarriesThePoseOnThePrinter) {
 }
 
 TEST_F(WriteCarved3mfTest, KeepsPaintOutsideTheCode) {
-  ASSERT_NO_FATAL_FAILURE(engraveBall(false));
+  ASSERT_NO_FATAL_FAILURE(engraveBall(Mark::Shadow));
   const auto project = slicer_rules::openInBambuStudio(written_);
   const auto& volumes = project.objects.at(0).volumes;
   ASSERT_EQ(volumes.size(), 2u);
@@ -134,7 +134,7 @@ TEST_F(WriteCarved3mfTest, KeepsPaintOutsideTheCode) {
 }
 
 TEST_F(WriteCarved3mfTest, KeepsEverythingButTheEngravedMesh) {
-  ASSERT_NO_FATAL_FAILURE(engraveBall(true));
+  ASSERT_NO_FATAL_FAILURE(engraveBall(Mark::Inlay));
   auto before = unzipped(bytes_), after = unzipped(written_);
   const std::set<std::string> changed = {"3D/Objects/ball.model", "3D/3dmodel.model", "Metadata/model_settings.config"};
   ASSERT_EQ(after.size(), before.size());
@@ -152,7 +152,7 @@ TEST_F(WriteCarved3mfTest, KeepsEverythingButTheEngravedMesh) {
 }
 
 TEST_F(WriteCarved3mfTest, WritesTheModelsAnewAndSaysWhy) {
-  ASSERT_NO_FATAL_FAILURE(engraveBall(true));
+  ASSERT_NO_FATAL_FAILURE(engraveBall(Mark::Inlay));
   const auto anew =
       writeCarved3mf(model_->prepared, result_, {}, true, {.title = "ball", .slicer = Slicer::PrusaSlicer});
   ASSERT_TRUE(anew);

@@ -156,7 +156,7 @@ TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePock
   request.placement.centreMm = {0, 0, 40};
   request.placement.sizeMode = SizeMode::Fixed;
   request.placement.sizeMm = 25;
-  request.marking.inlay = true;
+  request.marking.mark = Mark::Inlay;
   const auto result = engrave(EngravableModel::upload(std::move(*prepared)), request);
   ASSERT_TRUE(result) << result.error().message;
 

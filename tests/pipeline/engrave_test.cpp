@@ -10,6 +10,7 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/add_inlay.h"
 #include "pipeline/default_patterns.h"
 #include "report/report.h"
 #include "support/brute_force.h"
@@ -389,9 +390,9 @@ TEST_F(EngraveTest, ACentreOnAnEdgeOrCornerIsViewedFromBetweenTheFaces) {
     for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
       EngraveRequest engraving = request(centre, 15);
       engraving.depth.surface = surface;
-      engraving.marking.inlay = true;
-      const auto result = engrave(model, engraving);
+      auto result = engrave(model, engraving);
       ASSERT_TRUE(result.has_value()) << result.error().message;
+      ASSERT_TRUE(addInlay(*model, *result));
       EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
       EXPECT_TRUE(result->inlaySolidity.solid()) << testing::PrintToString(result->inlaySolidity.problems());
       if (surface == SurfaceMode::Preserved) {

@@ -5,6 +5,7 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_decoder.h"
+#include "pipeline/add_inlay.h"
 #include "pipeline/engrave.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -34,9 +35,9 @@ class LabelPocketsTest : public GlTest {
 TEST_F(LabelPocketsTest, ALabelledCodeIsASolidThatDecodes) {
   const auto model = upload(shapes::plate({60, 60}, 6, 5, 5));
   EngraveRequest engraving = request(25);
-  engraving.marking.inlay = true;
-  const auto labelled = engrave(model, engraving);
+  auto labelled = engrave(model, engraving);
   ASSERT_TRUE(labelled.has_value()) << labelled.error().message;
+  ASSERT_TRUE(addInlay(*model, *labelled));
   EXPECT_TRUE(labelled->solidity.solid()) << testing::PrintToString(labelled->solidity.problems());
   EXPECT_TRUE(labelled->inlaySolidity.solid()) << testing::PrintToString(labelled->inlaySolidity.problems());
   EXPECT_EQ(readWithZxing(labelled->readerView), engraving.code.text);

@@ -184,7 +184,6 @@ TEST_F(MarkTest, SettingsOfShadowsChangeNothing) {
   odd.depth.objective = DepthObjective::OneLight;
   odd.depth.surface = SurfaceMode::Resampled;
   odd.depth.albedo = 0.2f;
-  odd.marking.inlay = true;
   const EngraveResult same = engraved(sphere(), odd);
   EXPECT_EQ(same.stl, plain.stl);
   EXPECT_EQ(same.luminance, plain.luminance);

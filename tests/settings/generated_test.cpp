@@ -40,7 +40,6 @@ TEST(OptionTexts, ContainFlagValuesRangeAndDefault) {
   EXPECT_EQ(margin.flag, "--no-quiet-zone");
   EXPECT_EQ(margin.values, "");
   EXPECT_EQ(margin.initial, "off");
-  EXPECT_EQ(optionTexts(*findSetting("inlay")).flag, "--inlay");
   EXPECT_EQ(optionTexts(*findSetting("keepPreset")).flag, "--keep-preset");
   const OptionTexts preset = optionTexts(*findSetting("preset"));
   EXPECT_NE(preset.help.find("sets --contrast to 0.2, 0.3 or 0.38"), std::string::npos) << preset.help;

@@ -59,7 +59,6 @@
  * @property {import('./lamps.js').Lamp[]} [light]   in addition to the sky
  * @property {number} [albedo]
  * @property {'preserved' | 'resampled'} [surface]
- * @property {boolean} [inlay]
  * @property {string} [label]
  * @property {'none' | 'rounded' | 'square'} [frame]
  * @property {string} [process]                    'none' or a key of kProcesses

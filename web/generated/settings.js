@@ -17,7 +17,7 @@
  * @property {number} [most]         lamps
  */
 
-/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 /** @typedef {'mm' | 'deg' | 'skies'} UnitName */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
@@ -52,7 +52,6 @@ export const kSettings = {
   light: {"group":"light","kind":"lamps","default":[],"parts":{"azimuthDeg":{"min":-360.0,"max":360.0,"step":15.0,"default":0.0},"elevationDeg":{"min":0.1,"max":90.0,"step":5.0,"default":45.0},"strength":{"min":0.0,"max":1000.0,"step":0.25,"default":1.0}},"most":2},
   albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7},
   surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved"},
-  inlay: {"group":"making","kind":"switch","default":false},
   label: {"group":"making","kind":"text","default":""},
   frame: {"group":"making","kind":"choice","choices":["none","rounded","square"],"default":"none"},
   process: {"group":"printing","kind":"choice","choices":["none","fdm-0.4/0.2","fdm-0.4/0.12","fdm-0.25/0.1","fdm-0.6/0.3","resin-0.05","powder"],"default":"fdm-0.4/0.2"},
