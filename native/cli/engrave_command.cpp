@@ -151,7 +151,8 @@ Status tryOtherPrints(Engraver& engraver, const EngraveOptions& options, const E
     EngraveRequest changed = options.request;
     apply(other, changed);
     ProgressBar bar(options.quiet);
-    const auto carved = engrave(engraver, changed, {.mayChange = false}, [&](const Progress& progress) { bar.show(progress); });
+    const auto carved =
+        engrave(engraver, changed, {.mayChange = false}, [&](const Progress& progress) { bar.show(progress); });
     QRELIEF_TRY(carved);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
                triedPrint(carved->verdict.prints, *carved->printed));
