@@ -166,6 +166,23 @@ export const kOfThePlace = {
   },
   solver: ({ app, at }) => chooseAndBack(app, at('solver'), 'solver', 'paper-steps'),
   surface: ({ app, at }) => chooseAndBack(app, at('surface'), 'surface', 'resampled'),
+  filament: async ({ app, at }) => {
+    await at('filament').selectOption('White');
+    await expect(at('albedo')).toHaveValue('0.85');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.albedo).toBe(0.85);
+  },
+  albedo: async ({ app, at }) => {
+    await at('albedo').fill('0.62');
+    await at('albedo').press('Tab');
+    await expect(at('filament').locator('option:checked')).toHaveText('Other');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.albedo).toBe(0.62);
+    await at('albedo').fill('0.7');
+    await at('albedo').press('Tab');
+    await expect(at('filament').locator('option:checked')).toHaveText('Cream');
+    await app.expectReady();
+  },
   'content-kind': async ({ app, at }) => {
     await at('content-kind').selectOption('Wi-Fi access');
     await expect(app.setting('Network name')).toBeVisible();

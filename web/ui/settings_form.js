@@ -7,6 +7,7 @@ import { choiceLabel, controlName, numberName, settingHint, valueName } from '..
 import { byId, make } from '../dom/dom.js';
 import { settingFrom, settingText } from '../settings/setting_text.js';
 import { defaultsOf, kOneLight } from '../settings/work_settings.js';
+import { FilamentField } from './filament_field.js';
 import { LampsField } from './lamps_field.js';
 import { fieldChange, fieldText, fieldValue, isSizeFixed, kFixed } from './setting_fields.js';
 import { TypingPause } from './typing_pause.js';
@@ -27,6 +28,7 @@ export class SettingsForm {
   constructor() {
     /** @type {SettingsListener | undefined} */ this.listener_ = undefined;
     this.lamps_ = new LampsField();
+    this.filament_ = new FilamentField();
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       prepare(control);
@@ -91,9 +93,10 @@ export class SettingsForm {
     this.follow_();
   }
 
-  /** Updates the label and the hint that depend on other controls. */
+  /** Updates the label, the hint and the choice that depend on other controls. */
   follow_() {
-    const { objective, light } = this.settings_;
+    const { objective, light, albedo } = this.settings_;
+    this.filament_.show(albedo);
     byId('size-mm-label', HTMLElement).textContent = isSizeFixed(this.settings_)
       ? numberName('size')
       : controlName('maxSizeMm');
