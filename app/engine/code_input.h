@@ -14,7 +14,8 @@ class CodeInput {
  public:
   CodeInput();
 
-  void configure(EngraveRequest settings);
+  /// @param hasUp  the settings say where the symbol's top points; otherwise it points up in the scene
+  void configure(EngraveRequest settings, bool hasUp);
   const EngraveRequest& settings() const { return settings_; }
   const Result<Symbol>& symbol() const { return symbol_; }
 
@@ -23,18 +24,20 @@ class CodeInput {
   const std::optional<Vec3>& centreMm() const { return centreMm_; }
   const std::optional<Vec3>& direction() const { return direction_; }  ///< to use at the centre, if set
 
+  /// Returns the direction in which the symbol's top points. @param sceneUp  the axis that is up in the scene
+  Vec3 upHint(Vec3 sceneUp) const { return hasUp_ ? settings_.placement.upHint : sceneUp; }
   /// Returns the request for an engraving at the centre, which must be chosen.
-  /// @param upHint  the axis that is up in the scene
-  EngraveRequest request(Vec3 upHint) const;
+  EngraveRequest request(Vec3 sceneUp) const;
   /// Returns the request for an engraving at another centre.
-  EngraveRequest requestAt(Vec3 centreMm, Vec3 upHint) const;
+  EngraveRequest requestAt(Vec3 centreMm, Vec3 sceneUp) const;
   /// Returns the pose on the printer. A model as in its file stands as the scene shows it.
-  BuildDirection buildDirection(Vec3 upHint) const;
+  BuildDirection buildDirection(Vec3 sceneUp) const;
   /// Returns the request for a placement at another centre, with room for label and pockets. The symbol must exist.
-  PlacementRequest placementAt(Vec3 centreMm, Vec3 upHint) const;
+  PlacementRequest placementAt(Vec3 centreMm, Vec3 sceneUp) const;
 
  private:
   EngraveRequest settings_;
+  bool hasUp_ = false;
   Result<Symbol> symbol_;
   std::optional<Vec3> centreMm_, direction_;
 };

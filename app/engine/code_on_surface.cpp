@@ -59,19 +59,19 @@ void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer
   missingFraction = reach->missingFraction(symbolMm * outer, turn);
 }
 
-SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 upHint, const SurfacePoint& picked) {
+SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 sceneUp, const SurfacePoint& picked) {
   const Symbol& symbol = *input.symbol();
   const double leastMm = symbol.size * leastPrintableModuleMm(symbol, input.settings());
   const auto found =
-      nearbyCentre(estimatedSurface(model), picked, symbol.size, input.placementAt(picked.position, upHint), leastMm);
+      nearbyCentre(estimatedSurface(model), picked, symbol.size, input.placementAt(picked.position, sceneUp), leastMm);
   return found ? found->centre : picked;
 }
 
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 sceneUp,
                                     const SurfacePoint& at, std::optional<double> expectedMm) {
   const Symbol& symbol = *input.symbol();
   auto estimate =
-      estimateCode(estimatedSurface(model), at, symbol.size, input.placementAt(at.position, upHint), expectedMm);
+      estimateCode(estimatedSurface(model), at, symbol.size, input.placementAt(at.position, sceneUp), expectedMm);
   QRELIEF_TRY(estimate);
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;

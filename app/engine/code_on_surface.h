@@ -34,10 +34,10 @@ struct CodeOnSurface {
 };
 
 /// Returns the centre for a code picked at a point, see nearbyCentre(). The symbol must exist.
-SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 upHint, const SurfacePoint& picked);
+SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 sceneUp, const SurfacePoint& picked);
 
 /// Estimates where the wanted code would lie, see estimateCode. Its symbol must exist.
-Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 upHint,
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 sceneUp,
                                     const SurfacePoint& at, std::optional<double> expectedMm = {});
 
 /// Returns the code at the exact place that was found.

@@ -68,7 +68,7 @@ std::string Engine::describeModel() const {
 std::string Engine::configure(const std::string& settings) {
   auto request = requestFromJson(settings);
   if (!request) return answer(request.error());
-  wanted_.configure(std::move(*request));
+  wanted_.configure(std::move(*request), parseJson(settings)->contains("up"));
   scene_.setPlate(buildPlate());
   standOnPlate();
   return done();

@@ -42,7 +42,8 @@ class Engine {
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
-  /// Sets the settings for the next engraving, see requestFromJson(). The last call counts.
+  /// Sets the settings for the next engraving, see requestFromJson(). Without "up", the symbol's top points up in the
+  /// scene. The last call counts.
   std::string configure(const std::string& settings);
 
   /// Makes a surface point the centre of the code, and shows the model as it was before carving. Returns {hit: true,

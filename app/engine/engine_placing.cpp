@@ -176,10 +176,11 @@ ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
   if (index >= offers_.spots().size() || !model_ || !wanted_.symbol()) return {};
   const Spot& spot = offers_.spots()[index];
   const PlacementRequest& request = offers_.request();
-  const ProjectionFrame upright =
-      makeFrame(spot.centreMm, spot.direction, scene_.camera().modelUp(), request.eyeDistanceMm);
-  const auto decal = visibleDecal(*model_, *wanted_.symbol(), turned(upright, toRadians(request.rotateDeg)),
-                                  spot.symbolMm, settings());
+  const auto upTo = [&](Vec3 up) { return makeFrame(spot.centreMm, spot.direction, up, request.eyeDistanceMm); };
+  const auto decal =
+      visibleDecal(*model_, *wanted_.symbol(), turned(upTo(request.upHint), toRadians(request.rotateDeg)),
+                   spot.symbolMm, settings());
+  const ProjectionFrame upright = upTo(scene_.camera().modelUp());
   return decal ? scene_.picture(model_->display, *decal, upright, width, height) : ColourImage{};
 }
 

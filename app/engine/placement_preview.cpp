@@ -28,11 +28,11 @@ Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& r
 }
 
 Status PlacementPreview::place(const PlacementTask& task) {
-  const EngraveRequest request = task.wanted.request(task.upHint);
+  const EngraveRequest request = task.wanted.request(task.sceneUp);
   if (const Status status = find(task, request); !status) {
     const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
     if (auto about =
-            surface ? estimatedCode(task.model, task.wanted, task.upHint, *surface) : tl::unexpected(status.error()))
+            surface ? estimatedCode(task.model, task.wanted, task.sceneUp, *surface) : tl::unexpected(status.error()))
       code_ = std::move(*about);
     return status;
   }
@@ -49,7 +49,7 @@ void PlacementPreview::take(const Placement& placement, Result<CodeOnSurface> co
 }
 
 Status PlacementPreview::move(const PlacementTask& task, const SurfacePoint& to) {
-  auto code = estimatedCode(task.model, task.wanted, task.upHint, to);
+  auto code = estimatedCode(task.model, task.wanted, task.sceneUp, to);
   QRELIEF_TRY(code);
   endHover();
   placement_.reset();
@@ -62,7 +62,7 @@ void PlacementPreview::adjust(double rotateDeg, double symbolMm, double outer) {
 }
 
 Status PlacementPreview::hover(const PlacementTask& task, const SurfacePoint& at) {
-  auto code = estimatedCode(task.model, task.wanted, task.upHint, at,
+  auto code = estimatedCode(task.model, task.wanted, task.sceneUp, at,
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   QRELIEF_TRY(code);
   hoveredAt_ = at;
@@ -79,9 +79,9 @@ void PlacementPreview::endHover() {
 bool PlacementPreview::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
-  const SurfacePoint centre = centreNear(task.model, task.wanted, task.upHint, *hoveredAt_);
+  const SurfacePoint centre = centreNear(task.model, task.wanted, task.sceneUp, *hoveredAt_);
   settling_.emplace(model.prepared, *model.renderer, task.wanted.symbol()->size,
-                    task.wanted.placementAt(centre.position, task.upHint));
+                    task.wanted.placementAt(centre.position, task.sceneUp));
   return true;
 }
 
@@ -89,7 +89,7 @@ Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   const Result<bool> isSettled = settling_->step();
   if (isSettled && !*isSettled) return false;
   const auto settled = [&](const Placement& placement) {
-    const EngraveRequest request = task.wanted.requestAt(placement.frame.centre, task.upHint);
+    const EngraveRequest request = task.wanted.requestAt(placement.frame.centre, task.sceneUp);
     return exactCode(task.model, *task.wanted.symbol(), request, placement);
   };
   auto code = isSettled ? settled(settling_->placement()) : tl::unexpected(isSettled.error());

@@ -13,7 +13,7 @@ namespace qrelief {
 struct PlacementTask {
   const LoadedModel& model;
   const CodeInput& wanted;  ///< its symbol must exist
-  Vec3 upHint{0, 0, 1};
+  Vec3 sceneUp{0, 0, 1};    ///< the axis that is up in the scene
 };
 
 /// Keeps the code's place, exact or roughly moved, and the code that follows the pointer.

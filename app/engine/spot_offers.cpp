@@ -18,7 +18,7 @@ constexpr double kLeastTopMm = 1;  // of the legend of the sizes, where no code 
 Status SpotOffers::start(const PlacementTask& task) {
   forget();
   request_ = spotSearchFor(task.wanted.settings(), *task.wanted.symbol());
-  request_.placement.upHint = task.upHint;
+  request_.placement.upHint = task.wanted.upHint(task.sceneUp);
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);
   QRELIEF_TRY(job);

@@ -30,6 +30,17 @@ TEST_F(EngineViewTest, TheTopOfTheCodePointsAlongTheUpAxis) {
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
 }
 
+TEST_F(EngineViewTest, TheTopOfTheCodePointsWhereTheSettingsSay) {
+  load(shapes::box({60, 60, 20}));
+  engine_->show(R"({"upAxis": "y"})");
+  engine_->configure(R"({"text": "A", "size": "free", "up": [-1, 0, 0]})");
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  const Json answer = Json::parse(engine_->placement());
+  ASSERT_EQ(answer["ok"], true) << answer;
+  EXPECT_NEAR(answer["placement"]["up"][0].get<double>(), -1, 1e-6);
+  EXPECT_NEAR(answer["placement"]["rotationDeg"].get<double>(), 0, 1e-6);
+}
+
 TEST_F(EngineViewTest, ShowsLampsInTheDirectionTheyShineFrom) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
