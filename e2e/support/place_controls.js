@@ -166,6 +166,14 @@ export const kOfThePlace = {
   },
   solver: ({ app, at }) => chooseAndBack(app, at('solver'), 'solver', 'paper-steps'),
   surface: ({ app, at }) => chooseAndBack(app, at('surface'), 'surface', 'resampled'),
+  up: async ({ app, at }) => {
+    await at('up').selectOption('−X');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.up).toEqual([-1, 0, 0]);
+    await at('up').selectOption('Up axis of the model');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.up).toBeUndefined();
+  },
   filament: async ({ app, at }) => {
     await at('filament').selectOption('White');
     await expect(at('albedo')).toHaveValue('0.85');

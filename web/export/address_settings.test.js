@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { addressFor, settingsFromAddress, spotFromAddress } from './address_settings.js';
 
 /** @type {import('../generated/settings.js').SettingKey[]} */
-const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask', 'mark', 'label'];
+const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask', 'mark', 'label', 'up'];
 const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 
 test('settings are read by name and kind', () => {
@@ -27,7 +27,16 @@ test('settings are read by name and kind', () => {
 });
 
 test('an invalid value is refused with the reason', () => {
-  for (const query of ['pattern=star', 'contrast=2', 'contrast=', 'light=90', 'keepPreset=yes', 'mask=9']) {
+  for (const query of [
+    'pattern=star',
+    'contrast=2',
+    'contrast=',
+    'light=90',
+    'keepPreset=yes',
+    'mask=9',
+    'up=0,0,0',
+    'up=',
+  ]) {
     assert.throws(() => read(query), { code: 'settings-address-refused' }, query);
   }
 });
@@ -39,18 +48,20 @@ test('an address has the text, the sample with its spot, and the settings that d
     text: 'a & b = „ö“',
     pattern: 'square',
     keepPreset: true,
+    up: [0, 0.6, 0.8],
     light: [{ azimuthDeg: 90, elevationDeg: 33, strength: 1 }],
   });
   const model = { file: 'owl.stl', sample: 'owl', scaleToMm: 1, upAxis: /** @type {const} */ ('z') };
   const address = new URLSearchParams(
     String(addressFor({ settings, defaults, model: { ...model, centreMm: [1.23456, -2, 0] } })),
   );
-  assert.deepEqual([...address.keys()], ['sample', 'at', 'text', 'pattern', 'keepPreset', 'light']);
+  assert.deepEqual([...address.keys()], ['sample', 'at', 'text', 'pattern', 'keepPreset', 'up', 'light']);
   assert.equal(address.get('text'), settings.text);
   assert.deepEqual(spotFromAddress(address), [1.23, -2, 0]);
   assert.deepEqual(settingsFromAddress(address, kControls), {
     pattern: 'square',
     keepPreset: true,
+    up: settings.up,
     light: settings.light,
   });
 });

@@ -54,6 +54,8 @@ test('a written file can be read again, with and without a model', () => {
       ecc: /** @type {const} */ ('Q'),
       contrast: 0.3,
       maxDepthMm: 1.5,
+      up: /** @type {[number, number, number]} */ ([0, 0, -1]),
+      albedo: 0.85,
       light: [{ azimuthDeg: 135, elevationDeg: 20, strength: 19 }],
     },
     model: kModel,

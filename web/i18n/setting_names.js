@@ -30,7 +30,7 @@ export const numberName = (key) => numberNameIn(names(), key);
  */
 export function valueName(key, value) {
   const { choices, whole } = kSettings[/** @type {import('../generated/settings.js').SettingKey} */ (key)];
-  if (value === undefined) return text('settings.auto');
+  if (value === undefined) return text(key === 'up' ? 'settings.modelUp' : 'settings.auto');
   if (Array.isArray(value)) return vectorName(key, value);
   if (typeof value !== 'number') return choiceLabel(key, String(value));
   return choices && whole ? `${controlName(key)} ${value}` : formatPlain(value);
@@ -38,10 +38,16 @@ export function valueName(key, value) {
 
 /** @param {string} key @param {number[]} vector */
 function vectorName(key, vector) {
+  const axis = axisName(vector);
+  if (key === 'up') return axis ?? `(${vector.map((part) => formatPlain(part)).join(appTexts().format.between)})`;
   if (key !== 'buildUp') return choiceLabel(key, 'vector');
-  const axis = vector.findIndex((part) => part !== 0);
-  if (vector.filter((part) => part !== 0).length !== 1) return text('settings.faceDown');
-  return text('settings.axisUp', { axis: `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` });
+  return axis ? text('settings.axisUp', { axis }) : text('settings.faceDown');
+}
+
+/** Returns the axis along which a vector points, such as "−Z"; undefined: none. @param {number[]} vector */
+function axisName(vector) {
+  const [axis, ...others] = [0, 1, 2].filter((at) => vector[at] !== 0);
+  return others.length === 0 ? `${vector[axis] > 0 ? '+' : '−'}${'XYZ'[axis]}` : undefined;
 }
 
 /**

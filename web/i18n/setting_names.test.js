@@ -31,6 +31,9 @@ test('a value is named as its control shows it', async () => {
   assert.equal(valueName('contrast', undefined), 'auto');
   assert.equal(valueName('buildUp', [0, 0, -1]), '−Z up');
   assert.equal(valueName('buildUp', [0, -0.6, 0.8]), 'Chosen face down');
+  assert.equal(valueName('up', undefined), 'Up axis of the model');
+  assert.equal(valueName('up', [0, -2, 0]), '−Y');
+  assert.equal(valueName('up', [0, 0.6, 0.8]), '(0, 0.6, 0.8)');
 });
 
 test('choices have names in the chosen language', async () => {

@@ -21,6 +21,7 @@ export const defaultsOf = (keys) => Object.fromEntries(keys.map((key) => [key, d
 
 /** @param {SettingKey} key @returns {unknown}  undefined: the setting begins without a value */
 function defaultOf(key) {
+  if (key === 'up') return undefined; // the engine then takes the axis that is up in the view
   const { default: initial } = kSettings[key];
   return settingText(initial) === '' ? undefined : initial;
 }

@@ -18,7 +18,7 @@ const kLamp = { azimuthDeg: 90, elevationDeg: 45, strength: 1 };
 test('The defaults can be requested; a setting without a value is left out', () => {
   const request = requestedSettings(kDefaults, 'a');
   assert.equal(request.text, 'a');
-  for (const key of ['contrast', 'version', 'light', 'label']) assert.equal(key in request, false, key);
+  for (const key of ['contrast', 'version', 'light', 'label', 'up']) assert.equal(key in request, false, key);
   assert.deepEqual([request.ecc, request.minWallMm, request.quietZone], ['auto', 0.8, true]);
 });
 
@@ -59,6 +59,8 @@ test('A proposed change has a text, and none for the default', () => {
   assert.deepEqual(change('quietZone', 'false'), { quietZone: false });
   assert.deepEqual(change('ecc', ''), { ecc: 'auto' });
   assert.deepEqual(change('contrast', ''), { contrast: undefined });
+  assert.deepEqual(change('up', '1,0,0'), { up: [1, 0, 0] });
+  assert.deepEqual(change('up', ''), { up: undefined });
   assert.throws(() => change('blurModules', '1'), /no setting/);
 });
 

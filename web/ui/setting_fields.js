@@ -45,7 +45,7 @@ export function fieldChange(key, text, settings) {
  */
 export function fieldValue(key, text) {
   const { kind, mayBeEmpty } = kSettings[key];
-  if (text === '' && (mayBeEmpty || kind === 'text')) return undefined;
+  if (text === '' && (mayBeEmpty || kind === 'text' || kind === 'vector')) return undefined;
   const value = settingFrom(key, text);
   return kind === 'number' && typeof value === 'string' ? NaN : value;
 }

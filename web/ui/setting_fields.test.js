@@ -12,7 +12,13 @@ const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
 const kDefaults = defaultsOf([...page.matchAll(/data-setting="([^"]+)"/g)].map(([, key]) => /** @type {any} */ (key)));
 
 test('What a control shows stands for its setting', () => {
-  const settings = { ...kDefaults, buildUp: /** @type {any} */ ([0, -0.6, 0.8]), mask: 3, quietZone: false };
+  const settings = {
+    ...kDefaults,
+    buildUp: /** @type {any} */ ([0, -0.6, 0.8]),
+    mask: 3,
+    quietZone: false,
+    up: /** @type {any} */ ([0, 0.6, 0.8]),
+  };
   for (const key of keysOf(settings))
     if (key !== 'light') assert.deepEqual(fieldValue(key, fieldText(key, settings)), settings[key], key);
 });
@@ -20,6 +26,7 @@ test('What a control shows stands for its setting', () => {
 test('A field without a number is empty if its setting may be, and else misses one', () => {
   assert.equal(fieldValue('contrast', ''), undefined);
   assert.equal(fieldValue('label', ''), undefined);
+  assert.equal(fieldValue('up', ''), undefined);
   for (const [key, text] of /** @type {[FieldKey, string][]} */ ([
     ['minWallMm', ''],
     ['minWallMm', 'NaN'],

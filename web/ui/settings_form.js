@@ -17,6 +17,7 @@ import { TypingPause } from './typing_pause.js';
 /** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
 
 const kMostListed = 16; // most numbers listed as choices
+const kAxes = ['1,0,0', '-1,0,0', '0,1,0', '0,-1,0', '0,0,1', '0,0,-1'];
 
 /**
  * @typedef {object} SettingsListener
@@ -128,6 +129,13 @@ function numbersOf(key) {
     : [kFixed];
 }
 
+/** Returns the choices of a setting; '' is the choice of no value. @param {FieldKey} key @returns {readonly string[]} */
+function choicesOf(key) {
+  const { choices = [], kind } = kSettings[key];
+  if (kind === 'vector') return ['', ...kAxes];
+  return kind === 'choice-or-number' ? [...choices, ...numbersOf(key)] : choices;
+}
+
 /** Returns the element of a control's hint. @param {Control} control */
 const hintBelow = (control) => document.getElementById(`${control.id}-hint`);
 
@@ -139,25 +147,24 @@ function prepare(control) {
     control.after(hint);
     control.setAttribute('aria-describedby', hint.id);
   }
-  const { choices = [], kind, min, max } = kSettings[keyOf(control)];
+  const { kind, min, max } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
-    const values = kind === 'choice-or-number' ? [...choices, ...numbersOf(keyOf(control))] : choices;
-    control.append(...values.map((value) => Object.assign(make('option'), { value })));
+    control.append(...choicesOf(keyOf(control)).map((value) => Object.assign(make('option'), { value })));
   } else if (kind === 'number') {
     Object.assign(control, { min: String(min), max: String(max) });
   }
 }
 
 /**
- * Adds a choice for a vector, which takes the place of an earlier one.
+ * Adds a choice for a vector that is not listed, which takes the place of an earlier one.
  * @param {HTMLSelectElement} select
  * @param {string} value  any other value adds none
  */
 function offerVector(select, value) {
-  const isVector = (/** @type {string} */ text) => Array.isArray(settingFrom(keyOf(select), text));
-  for (const option of [...select.options]) if (isVector(option.value)) option.remove();
-  if (!isVector(value)) return;
-  select.append(Object.assign(make('option'), { value }));
+  select.querySelector('.own')?.remove();
+  const isListed = [...select.options].some((option) => option.value === value);
+  if (isListed || !Array.isArray(settingFrom(keyOf(select), value))) return;
+  select.append(Object.assign(make('option', { className: 'own' }), { value }));
   name(select);
 }
 
@@ -172,5 +179,5 @@ function name(control) {
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options)
     option.textContent =
-      option.value === kFixed ? choiceLabel(key, 'number') : valueName(key, settingFrom(key, option.value));
+      option.value === kFixed ? choiceLabel(key, 'number') : valueName(key, fieldValue(key, option.value));
 }
