@@ -22,7 +22,8 @@ namespace qrelief {
 /// classes keep this state; Engine coordinates them and serialises their answers.
 ///
 /// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}} with the kinds BadUsage,
-/// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
+/// BadInput, NoSolution, Internal. Answers with a name of their own, such as Placement, are described in
+/// web/engine/types.js. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
 /// With a GL context, needs it to be current for its whole life; without one, engraves all the same but draws nothing.
 /// Knows nothing of browsers.
 class Engine {
@@ -31,12 +32,11 @@ class Engine {
   /// @param hasGl     a GL context is current
   explicit Engine(const std::string& renderer = {}, bool hasGl = true);
 
-  /// Returns {renderer, version, problems: [text]}. With a problem, nothing can be drawn or engraved. Without a GL
-  /// context the renderer is "processor".
+  /// Returns Capabilities. With a problem, nothing can be drawn or engraved. Without a GL context the renderer is
+  /// "processor".
   std::string capabilities() const;
 
-  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, bodies: [{name,
-  /// triangles}], engravable, findings, centre}}. `centre` is the surface point in the middle of the view, and stays
+  /// Loads a model. Returns {model: ModelInfo}. Its centre is the surface point in the middle of the view, and stays
   /// the centre until another one is chosen. After an error the old model stays.
   /// @param bytes      the file; freed as soon as it is parsed
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
@@ -59,15 +59,11 @@ class Engine {
   /// @param at  [x, y]
   std::string layFace(const std::string& at) const;
 
-  /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
-  /// moduleMm, largestMm, sizeMode, concerns: [message], aimToleranceDeg, forgiving, rotationDeg, colourLayers,
-  /// version, modules}}. `direction` is the direction that came with the centre (from a spot), else null; `concerns`
-  /// are the reasons why the code may not print or decode there. Where no code fits, shows the part that does.
+  /// Finds the place and shows the symbol there. Returns {placement: Placement}. Where no code fits, shows the part
+  /// that does.
   std::string placement();
 
-  /// Shows the code about where it would lie. Returns {hit: false}, {hit: true, onCode: true} over the placed code,
-  /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, missingShare, forgiving,
-  /// concerns, exact}; `concerns` as for placement(), once exact.
+  /// Shows the code about where it would lie. Returns HoverResult; its concerns are known once it is exact.
   /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
   std::string hover(const std::string& at);
   /// Previews a change of the placed code until placement(). Returns {hit, code}; BadUsage if no code is placed.

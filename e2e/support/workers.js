@@ -111,7 +111,8 @@ export const blindReaders = (attempts) => {
 
     /** @param {any} message @param {any} transfer */
     postMessage(message, transfer) {
-      if (message.verb === 'engrave') begun += 1;
+      const { verb, args } = message;
+      if (verb === 'engrave' || (verb === 'continueEngrave' && args[0])) begun += 1; // args: what was read
       if (!this.isReader || begun > attempts) super.postMessage(message, transfer);
       else setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, texts: [''] } })));
     }
