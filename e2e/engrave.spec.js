@@ -80,7 +80,7 @@ test('The engraved bunny decodes inside and outside the page and downloads as a 
   await page.getByRole('button', { name: 'Phone view' }).click();
   await poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
 
-  // One core and one set of shaders on two renderers: the results must agree within a tolerance.
+  // One core, compiled twice. Light may come from shaders or the processor: the results must agree within a tolerance.
   await test.step('The page and the command carve the same', async () => {
     const [model, reported] = [testInfo.outputPath('bunny.stl'), testInfo.outputPath('report.json')];
     writeFileSync(model, stl);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every method at its published setting, ours at its default, at the eight models' centres: depth [Papp 2022, figure
-// 20], decoding as designed and as printed lying, the time, and the error of the method's own estimate of the light in
-// the carved submodules against path tracing of the carved mesh.
+// Every method at its usual level (methods/methods.h) at the eight models' centres: depth [Papp 2022,
+// figure 20], decoding as designed and as printed lying, the time, and the error of the method's own estimate of the
+// light in the carved submodules against path tracing of the carved mesh.
 //
 // Light: luminance of a submodule, 1 = an unoccluded surface. The error is own − traced; the columns have its mean and
 // the mean of its absolute value. Traced with 64 paths a submodule, seed 1.

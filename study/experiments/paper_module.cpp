@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every method at its published setting and ours at its default with modules of 1.2 mm, the width of the paper's prints
+// Every method at its usual level (methods/methods.h) with modules of 1.2 mm, the width of the paper's prints
 // [Papp 2022, §8], on models scaled with the module: depth and decoded tries, as designed and as printed lying.
 #include "study/experiments/experiments.h"
 #include "study/methods/methods.h"

@@ -11,7 +11,7 @@ const kShadow = 'self-shadow-2019',
 const kOthers = [kLamp, kShadow];
 
 /**
- * Returns the depth of a method at its published setting.
+ * Returns the depth of a method at the contrast of its authors’ program.
  * @param {Record<string, Row[]>} tables
  * @param {string} model
  * @param {string} method

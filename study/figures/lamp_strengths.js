@@ -7,7 +7,7 @@ import { name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Elevation of the paper's lamp for its figure 21, in degrees. */
+/** Elevation of the higher lamp of the paper's figure 22, in degrees; its figure 21 gives none. */
 const kPaperElevation = 33;
 
 /**

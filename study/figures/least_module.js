@@ -33,6 +33,25 @@ export const asSmall = (rows, column, one, other) =>
     return a === undefined || b === undefined || (a === Infinity && b === Infinity) ? undefined : a <= b;
   });
 
+/** Counts the prints of a module pattern that decode at some size. @param {Row[]} rows @param {string} pattern */
+const read = (rows, pattern) =>
+  tally(
+    rows.filter(({ modules }) => modules === pattern),
+    (row) => row.module_mm !== null,
+  );
+
+/**
+ * Counts how often one value of a column allows a module at least as small as another value, where both decode.
+ * @param {Row[]} rows @param {string} column @param {string} one @param {string} other
+ */
+export const asSmallIfBothRead = (rows, column, one, other) =>
+  asSmall(
+    rows.filter((row) => row.module_mm !== null),
+    column,
+    one,
+    other,
+  );
+
 /** @type {import('../page/figure.js').Figure} */
 export const leastModule = {
   name: 'leastModule',
@@ -70,7 +89,7 @@ export const leastModule = {
     const unread = rows.filter((row) => row.module_mm === null).length;
     return [
       ...least,
-      said('leastThick', { thin: cases(asSmall(rows, 'modules', 'thick-plus', 'thin-plus')) }),
+      said('leastThick', { thick: cases(read(rows, 'thick-plus')), thin: cases(read(rows, 'thin-plus')) }),
       said('leastFinders', { cases: cases(asSmall(rows, 'finders', 'none', 'as-modules')) }),
       said('leastPrint', {
         standing: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')),

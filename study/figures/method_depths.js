@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth by method, each at its published setting [Papp 2022, figure 20].
+// Depth by method, each at the contrast of its authors’ program, or ours if they publish none [Papp 2022, figure 20].
 import { distinct, groupBy, median, onModels, rises, tally, valuesBy } from '../page/compare.js';
 import { mm, models, name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
@@ -94,6 +94,7 @@ export const methodDepths = {
       ...(lamps.some(({ holds, of }) => holds < of)
         ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })]
         : []),
+      said('methodsReading'),
       unread.length > 0
         ? said('methodsUnread', { list: unread.map((method) => name('method', method)) })
         : said('methodsAllRead'),

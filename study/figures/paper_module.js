@@ -56,6 +56,7 @@ export const paperModule = {
         ),
       }),
       said('paperModuleDefault', { cases: models(onOrAbove) }),
+      said('methodsReading'),
     ];
   },
 };

@@ -3,7 +3,7 @@
 import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
 import { patternPlots } from '../page/plots.js';
 import { cases, mm, models, said } from '../page/say.js';
-import { kNeeded } from '../page/tries.js';
+import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
@@ -92,18 +92,34 @@ export const patternDepths = {
       cases: cases(tally(some, ({ designed }) => designed >= kNeeded)),
       printed: cases(tally(some, ({ printed }) => printed >= kNeeded)),
     });
+    const withFinders = (/** @type {string} */ pattern) => rows.filter((row) => row.finders === pattern);
+    const [diamond, thick] = [withFinders('diamond'), readsWith(withFinders('thick-plus'))];
+    const tries = diamond.map(({ designed }) => designed);
     const loose = (/** @type {string} */ finderPattern) =>
       models(onModels(rows, (ofModel) => looseAreShallowest(ofModel, finderPattern)));
     const alike = rows.filter((row) => row.finders === 'as-modules' && row.modules !== 'none');
     return [
-      said('patternsLoose', { cases: loose('as-modules'), whole: loose('none'), thick: loose('thick-plus') }),
+      said('patternsLoose', {
+        cases: loose('as-modules'),
+        diamond: loose('diamond'),
+        whole: loose('none'),
+        thick: loose('thick-plus'),
+      }),
       said('patternsBest', {
         best: models(onModels(rows, thinPlusIsShallowest)),
         last: models(onModels(rows, thickPlusIsDeepest)),
       }),
       said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) }),
       said('patternsWhole', readsWith(alike)),
-      said('patternsDiamond', readsWith(rows.filter(({ finders }) => finders === 'diamond'))),
+      said('patternsDiamond', {
+        ...readsWith(diamond),
+        thick: thick.cases,
+        thickPrinted: thick.printed,
+        least: Math.min(...tries),
+        most: Math.max(...tries),
+        needed: kNeeded,
+        tries: kTries,
+      }),
       said('patternsReads', {
         thin: reads('thin-plus'),
         square: reads('square'),

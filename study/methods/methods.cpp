@@ -130,6 +130,7 @@ Result<Symbol> symbolAtLevel(const StudyPlacement& spot, ErrorCorrection level) 
 }
 
 const std::vector<Method>& methods() {
+  // Kikuchi 2018, Papp 2021 and Papp 2022 publish no contrast. Theirs is ours, so that their depths compare.
   static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.7};
   static const double usual = EngraveRequest{}.depth.contrastAsked();
   static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).depth.contrastAsked();

@@ -14,8 +14,8 @@ namespace qrelief::study {
 /// A way to carve a code, as named in the tables.
 struct Method {
   std::string name;
-  /// Levels of the method's contrast, or of depth in mm (even-depth), from shallow to deep. `usual` is the published
-  /// level, or our default.
+  /// Levels of the method's contrast, or of depth in mm (even-depth), from shallow to deep. `usual` is the level
+  /// of the authors' program (Peng 2019 and 2020) or of our default; the other sources publish none.
   std::vector<double> levels;
   double usual = 0;
   DirectionMethod direction = DirectionMethod::DepthBalanced;

@@ -34,10 +34,11 @@ const measuredRows = (tables) =>
  * Returns the verdict on a statement, and the reason where it does not hold.
  * @param {import('./compare.js').Tally} tally
  * @param {import('./say.js').Word | undefined} why
+ * @param {boolean} isMeasured  true if the statement's table is there
  * @returns {Said[]}
  */
-function verdictOn({ holds, of }, why) {
-  if (of === 0) return [];
+function verdictOn({ holds, of }, why, isMeasured) {
+  if (of === 0) return why && isMeasured ? [said(why)] : [];
   if (holds === of) return [said('claimHolds')];
   return [said(holds === 0 ? 'claimFails' : 'claimInPart'), ...(why ? [said(why)] : [])];
 }
@@ -45,13 +46,15 @@ function verdictOn({ holds, of }, why) {
 /** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
 function statementsMarkup(rowsOf) {
   const lines = kStatements.map(({ claim, section, table, over, judge, why }) => {
-    const counted = judge(rowsOf[table] ?? []);
+    const rows = rowsOf[table] ?? [],
+      isMeasured = rows.length > 0;
+    const counted = judge(rows);
     const count = over === 'models' ? models(counted) : cases(counted);
     const link = { words: said(/** @type {any} */ (`section-${section}`)), section };
     return [
       { words: [said(claim)] },
-      { words: [counted.of === 0 ? said('claimNotMeasured') : count] },
-      { words: verdictOn(counted, why), link },
+      { words: [counted.of > 0 ? count : said(isMeasured ? 'claimNothingToCompare' : 'claimNotMeasured')] },
+      { words: verdictOn(counted, why, isMeasured), link },
     ];
   });
   return `<div class="statements">${tableMarkup(

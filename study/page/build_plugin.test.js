@@ -74,7 +74,7 @@ test('a statement is judged by the table; where it does not hold, the reason fol
   assert.equal(
     await lineOf([0.7, 0.8, 0.9]),
     `<td>on none of the 1 models</td>` +
-      `<td>Does not hold. The paper does not give the strength of its lamps. ${link}</td>`,
+      `<td>Does not hold. The paper gives neither the elevation nor the strength of these lamps; here the elevation decides. ${link}</td>`,
   );
 });
 

@@ -2,7 +2,7 @@
 // The statements of the paper's section 8 [Papp 2022], and how often each holds in our tables.
 import { sizesOverModels } from '../figures/guaranteed_size.js';
 import { lampsDeepen, lampsMakeShallower } from '../figures/lamp_depths.js';
-import { asSmall } from '../figures/least_module.js';
+import { asSmall, asSmallIfBothRead } from '../figures/least_module.js';
 import { carving, kPaper, tolerates } from '../figures/light_angles.js';
 import { isPaperOrder, wholeIsAsSelfShadows } from '../figures/method_depths.js';
 import {
@@ -25,7 +25,7 @@ import { kNeeded } from './tries.js';
  * @property {string} table
  * @property {'models' | 'cases'} over         what is counted
  * @property {(rows: Row[]) => Tally} judge    how often it holds
- * @property {import('./say.js').Word} [why]   the likely reason where it does not hold
+ * @property {import('./say.js').Word} [why]   the likely reason where it does not hold, or cannot be judged
  */
 
 const kFlatModels = ['plate', 'pyramid']; // where depth makes no difference
@@ -38,7 +38,8 @@ export const kStatements = [
     section: 'module',
     table: 'least_module',
     over: 'cases',
-    judge: (rows) => asSmall(rows, 'modules', 'thick-plus', 'thin-plus'),
+    judge: (rows) => asSmallIfBothRead(rows, 'modules', 'thick-plus', 'thin-plus'),
+    why: 'claimWhyThinUnread',
   },
   {
     claim: 'claimFinderModule',
@@ -127,7 +128,7 @@ export const kStatements = [
     table: 'lamp_depths',
     over: 'models',
     judge: (rows) => onModels(rows, (ofModel) => lampsDeepen(ofModel, 'square')),
-    why: 'claimWhyStrength',
+    why: 'claimWhyElevation',
   },
   {
     claim: 'claimLampWhole',
@@ -135,7 +136,7 @@ export const kStatements = [
     table: 'lamp_depths',
     over: 'models',
     judge: (rows) => onModels(rows, (ofModel) => lampsMakeShallower(ofModel, 'none')),
-    why: 'claimWhyStrength',
+    why: 'claimWhyElevation',
   },
   {
     claim: 'claimAngles',
@@ -147,7 +148,7 @@ export const kStatements = [
         const ofLamp = carving(rows, 'none', carvedAt);
         return ofLamp.length > 0 ? tolerates(ofLamp, carvedAt, higher) : undefined;
       }),
-    why: 'claimWhyStrength',
+    why: 'claimWhyAngles',
   },
   {
     claim: 'claimRobust',

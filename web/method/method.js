@@ -16,7 +16,7 @@ import { paintDepths, paintHeights, paintLight, paintNormals } from '../view/map
 
 const kText = 'https://en.wikipedia.org/wiki/QR_code';
 
-/** The app's initial settings. @type {import('../engine/types.js').Settings} */
+/** Settings of the demonstration. @type {import('../engine/types.js').Settings} */
 const kSettings = {
   text: kText,
   preset: 'balanced',
