@@ -11,11 +11,12 @@ constexpr std::size_t kDarkest = 4;
 
 }  // namespace
 
-LightNeighbours::LightNeighbours(const Symbol& symbol) {
+LightNeighbours::LightNeighbours(const Symbol& symbol, Surroundings surroundings) {
   const int m = symbol.size;
   const int withQuiet = m + 2 * kQuietZoneModules;
-  const auto isLight = [&](int row, int column) {
-    return row < 0 || column < 0 || row >= m || column >= m || !symbol.isDark(row, column);
+  const auto counts = [&](int row, int column) {
+    return surroundings == Surroundings::EightNeighbours || row < 0 || column < 0 || row >= m || column >= m ||
+           !symbol.isDark(row, column);
   };
   around_.resize(static_cast<std::size_t>(m * m));
   for (int row = 0; row < m; ++row) {
@@ -28,7 +29,7 @@ LightNeighbours::LightNeighbours(const Symbol& symbol) {
             if (std::max(std::abs(r - row), std::abs(c - column)) != ring) continue;
             const int quietRow = r + kQuietZoneModules, quietColumn = c + kQuietZoneModules;
             if (quietRow < 0 || quietColumn < 0 || quietRow >= withQuiet || quietColumn >= withQuiet) continue;
-            if (isLight(r, c)) neighbours.push_back(static_cast<std::uint32_t>(quietRow * withQuiet + quietColumn));
+            if (counts(r, c)) neighbours.push_back(static_cast<std::uint32_t>(quietRow * withQuiet + quietColumn));
           }
         }
       }

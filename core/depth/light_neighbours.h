@@ -31,20 +31,26 @@ inline Grid<double> moduleMeans(const Grid<double>& luminance) {
   return means;
 }
 
-/// The surroundings of each dark module for comparing luminances [Papp 2022, §7: AL]. The paper says "neighbours". Here
-/// these are the light modules (quiet zone included) in the 8-neighbourhood, widened ring by ring until it holds four.
-/// Carved neighbours do not count, because their depths would chase each other.
+/// Modules that count as a dark module's surroundings.
+enum class Surroundings : std::uint8_t {
+  /// The light modules, quiet zone included, of the 8-neighbourhood, widened ring by ring until it holds four. Carved
+  /// neighbours do not count, because their depths would chase each other (docs/decisions/0053).
+  LightModules,
+  EightNeighbours  ///< all eight, dark or light: the paper's words
+};
+
+/// The surroundings of each dark module for comparing luminances [Papp 2022, §7: AL].
 class LightNeighbours {
  public:
-  explicit LightNeighbours(const Symbol& symbol);
+  explicit LightNeighbours(const Symbol& symbol, Surroundings surroundings = Surroundings::LightModules);
 
-  /// Returns the mean luminance of the four darkest light modules around a dark one.
+  /// Returns the mean luminance of the four darkest modules of a dark module's surroundings.
   /// @param module     row-major in the symbol
   /// @param luminance  of every module of symbol and quiet zone
   double darkestMean(std::size_t module, const Grid<double>& luminance) const;
 
  private:
-  std::vector<std::vector<std::uint32_t>> around_;  // per dark module: light modules, indexed as `luminance`
+  std::vector<std::vector<std::uint32_t>> around_;  // per dark module: its surroundings, indexed as `luminance`
 };
 
 }  // namespace qrelief

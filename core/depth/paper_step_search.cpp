@@ -21,17 +21,18 @@ double depthIncrease(int x) {
 }
 
 PaperStepSearch::PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options)
-    : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
+    : target_(std::move(target)), options_(options), neighbours_(*target_.symbol, options.surroundings) {
   const std::size_t count = target_.mask->size();
   assert(target_.limitMm.size() == count);
   depths_ = {target_.mask->rows(), target_.symbolMm, std::vector<double>(count, 0)};
   states_.assign(count, DepthState::Light);
+  wantedMm_.assign(count, 0);
   previous_.assign(count, 0);
   unchanged_.assign(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (!(*target_.mask)[i]) continue;
     states_[i] = DepthState::Searching;
-    depths_.depthMm[i] = quantisedDepth(options_.initialDepthMm, target_.limitMm[i]);
+    wantedMm_[i] = depths_.depthMm[i] = quantisedDepth(options_.initialDepthMm, target_.limitMm[i]);
   }
 }
 
@@ -51,16 +52,17 @@ void PaperStepSearch::update(const Grid<double>& luminance) {
       const auto i = static_cast<std::size_t>(row * depths_.size + column);
       if (states_[i] == DepthState::Light) continue;
       const double now = luminanceOf(luminance, row, column);
-      unchanged_[i] =
-          iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
-      previous_[i] = now;
+      const bool isSame = iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange;
+      unchanged_[i] = isSame ? unchanged_[i] + 1 : 0;
+      if (!isSame || options_.changeSince == ChangeSince::LastIteration) previous_[i] = now;
       const double excess = now - threshold;  // G
       worstExcess_ = std::max(worstExcess_, excess);
       if (excess <= 0) {
         states_[i] = DepthState::DarkEnough;
         continue;
       }
-      const double deeper = quantisedDepth(depths_.depthMm[i] + depthIncrease(unchanged_[i]), target_.limitMm[i]);
+      wantedMm_[i] = (options_.roundSteps ? depths_.depthMm[i] : wantedMm_[i]) + depthIncrease(unchanged_[i]);
+      const double deeper = quantisedDepth(wantedMm_[i], target_.limitMm[i]);
       states_[i] = deeper > depths_.depthMm[i] ? DepthState::Searching : DepthState::Limited;
       deepened = deepened || deeper > depths_.depthMm[i];
       depths_.depthMm[i] = std::max(deeper, depths_.depthMm[i]);

@@ -12,10 +12,19 @@ namespace qrelief {
 /// O(x) = c₀ − c₀·e·(tanh(1/d − f) + tanh(f − x/d)) with c₀ = 0.1, d = 2, e = 3, f = 2.5.
 double depthIncrease(int x);
 
+/// Luminance that a submodule's luminance is compared with to find x, the iterations without a significant change.
+enum class ChangeSince : std::uint8_t {
+  LastIteration,  ///< x is reset whenever one step changes the luminance significantly
+  LastChange      ///< x is reset once the luminance differs significantly from its value at the last reset
+};
+
 struct DepthSearchOptions {
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
+  Surroundings surroundings = Surroundings::LightModules;
   double initialDepthMm = 0.1;       ///< first depth of every carved submodule, > 0
-  double significantChange = 0.005;  ///< a smaller change of luminance per iteration counts as "not changed"
+  double significantChange = 0.005;  ///< a smaller change of luminance counts as "not changed"
+  ChangeSince changeSince = ChangeSince::LastIteration;
+  bool roundSteps = true;  ///< round every step up to kDepthQuantumMm; false: round only depths(), not their sum
   int maxIterations = 60;
 };
 
@@ -24,8 +33,8 @@ enum class DepthState : std::uint8_t { Light, Searching, DarkEnough, Limited };
 
 /// The paper's iterative search [Papp 2022, §7].
 ///
-/// It carves a submodule deeper while G = AL·(c − 1) + LS > 0. LS is the submodule's luminance, AL the mean of its
-/// module's four darkest light neighbours (light_neighbours.h).
+/// It carves a submodule deeper while G = AL·(c − 1) + LS > 0. LS is the submodule's luminance, AL the mean of the four
+/// darkest modules around its module (light_neighbours.h).
 class PaperStepSearch final : public DepthSolver {
  public:
   PaperStepSearch(CarvingTarget target, const DepthSearchOptions& options);
@@ -48,7 +57,8 @@ class PaperStepSearch final : public DepthSolver {
   LightNeighbours neighbours_;
   DepthField depths_;
   std::vector<DepthState> states_;
-  std::vector<double> previous_;  // luminance of the last iteration, per submodule
+  std::vector<double> wantedMm_;  // depth per submodule before rounding
+  std::vector<double> previous_;  // luminance to compare with, per submodule (ChangeSince)
   std::vector<int> unchanged_;    // iterations since it last changed significantly
   int iterations_ = 0;
   bool finished_ = false;

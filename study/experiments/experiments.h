@@ -22,5 +22,7 @@ Experiment robustness();
 Experiment defaultSpace();
 Experiment defaultChoice();
 Experiment defaultSettings();
+Experiment hbaoLight();
+Experiment literalParts();
 
 }  // namespace qrelief::study

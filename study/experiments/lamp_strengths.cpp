@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth on a plate carved for one lamp, by the lamp's elevation and strength, and decoded tries under that lamp, with
 // the published steps. Shows what decides whether lamps make codes deeper or shallower [Papp 2022, figure
-// 21]: the paper gives neither elevation nor strength. The lamp is at the symbol's top; a strength of 1 equals the sky's.
+// 21]: the paper gives neither elevation nor strength. The lamp is at the symbol's top; a strength of 1 equals the
+// sky's.
 #include "study/experiments/experiments.h"
 #include "study/lamp_reading.h"
 #include "study/methods/by_engine.h"

@@ -45,6 +45,19 @@ TEST_F(LightNeighboursTest, SkipsDarkNeighboursAndLooksFartherForFour) {
   EXPECT_DOUBLE_EQ(LightNeighbours(symbol_).darkestMean(moduleAt(10, 10), luminance_), (0.2 + 0.6 + 1 + 1) / 4);
 }
 
+TEST_F(LightNeighboursTest, TakenLiterallyDarkNeighboursCountAndNothingFarther) {
+  for (int row = 9; row <= 11; ++row)
+    for (int column = 9; column <= 11; ++column) {
+      symbol_.dark[moduleAt(row, column)] = 1;
+      luminanceAt(row, column) = 0.5;
+    }
+  luminanceAt(9, 9) = 0.1;
+  luminanceAt(10, 10) = 0;  // itself
+  luminanceAt(8, 8) = 0.2;  // two modules away
+  const LightNeighbours literal(symbol_, Surroundings::EightNeighbours);
+  EXPECT_DOUBLE_EQ(literal.darkestMean(moduleAt(10, 10), luminance_), (0.1 + 3 * 0.5) / 4);
+}
+
 TEST_F(LightNeighboursTest, TheQuietZoneIsLight) {
   symbol_.dark[moduleAt(0, 0)] = 1;
   luminanceAt(-1, -1) = luminanceAt(-1, 0) = luminanceAt(-1, 1) = luminanceAt(0, -1) = 0.4;

@@ -74,6 +74,34 @@ TEST_F(PaperStepSearchTest, JudgesEverySubmoduleSeparately) {
   EXPECT_GE(search.depths().depth(52, 50), 0.6 - 1e-9);
 }
 
+/// Returns a submodule's depths over some passes in which each step changes its luminance by `change`.
+std::vector<double> depthsOver(PaperStepSearch search, int passes, std::size_t submodule, double change) {
+  std::vector<double> depths;
+  for (int pass = 0; pass < passes; ++pass) {
+    search.update(Grid<double>(145, 145, 1 - change * pass));
+    depths.push_back(search.depths().depthMm[submodule]);
+  }
+  return depths;
+}
+
+TEST_F(PaperStepSearchTest, StepsGrowOnlyWhereLuminanceStaysTheSame) {
+  darken(10, 10);
+  const std::size_t middle = 52 * 105 + 52;
+  const DepthSearchOptions options{.contrast = 0.9, .significantChange = 0.02, .roundSteps = false};
+  const auto at = [&](ChangeSince since, double change) {
+    DepthSearchOptions of = options;
+    of.changeSince = since;
+    return depthsOver(start(5, of), 4, middle, change).back() - 0.1;
+  };
+  const double slow = 4 * depthIncrease(0);
+  const double fast = depthIncrease(0) + depthIncrease(1) + depthIncrease(2) + depthIncrease(3);
+  EXPECT_NEAR(at(ChangeSince::LastIteration, 0.03), slow, kDepthQuantumMm);
+  EXPECT_NEAR(at(ChangeSince::LastIteration, 0.01), fast, kDepthQuantumMm);
+  EXPECT_NEAR(at(ChangeSince::LastChange, 0.001), fast, kDepthQuantumMm);
+  // Two small changes are a significant one.
+  EXPECT_NEAR(at(ChangeSince::LastChange, 0.012), 2 * (depthIncrease(0) + depthIncrease(1)), kDepthQuantumMm);
+}
+
 TEST_F(PaperStepSearchTest, NeverExceedsALimitAndCountsIt) {
   darken(10, 10);
   PaperStepSearch search = start(0.333);
