@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kTile = 4;  // pixels along the edge of the repeated noise, as in Bavoil's program
 constexpr LightSampling kLampPoints{2, 4};
+constexpr double kSteepest = 1.57;  // radians: the tangent of a steeper plane is no number
 
 /// Returns a number in [0, 1) for each pixel of the tile, all different; `which` picks one of several orders.
 double noise(int pixel, int which) {
@@ -74,8 +75,8 @@ void HbaoLight::carve(std::span<const float> depthsMm) {
 
 /// Returns the height of the pixel that contains a point of the plane; kNothing beyond the map.
 double HbaoLight::heightAt(Vec2 plane) const {
-  const Vec2 pixel = glm::floor(plane / pixelMm_);
-  const Vec2 middle = (pixel + 0.5) * pixelMm_;
+  const double cornerMm = -map_.size * map_.patchMm / 2;
+  const Vec2 middle = (glm::floor((plane - cornerMm) / pixelMm_) + 0.5) * pixelMm_ + cornerMm;
   const Vec2 patch = glm::floor(middle / map_.patchMm + map_.size / 2.0);
   if (patch.x < 0 || patch.y < 0 || patch.x >= map_.size || patch.y >= map_.size)
     return static_cast<double>(HeightMap::kNothing);
@@ -93,15 +94,15 @@ double HbaoLight::skyAt(Vec2 plane, std::size_t cell, const std::vector<Directio
   double hidden = 0;
   for (const Direction& direction : directions) {
     const double tangent = std::atan(glm::dot(slope, direction.along)) + toRadians(hbao_.angleBiasDeg);
-    double highest = tangent, sine = std::sin(tangent);
+    double highest = std::tan(std::min(tangent, kSteepest)), sine = std::sin(tangent);  // tangent and sine of h
     for (const Vec2& sample : direction.samples) {
       const double rise = heightAt(plane + sample) - own, run = glm::length(sample);
-      const double distance = std::sqrt(rise * rise + run * run), horizon = std::atan2(rise, run);
-      if (distance >= radiusMm || horizon <= highest) continue;
-      const double raised = std::sin(horizon);
-      hidden += (hbao_.isAttenuated ? 1 - distance / radiusMm : 1) * (raised - sine);
-      highest = horizon;
-      sine = raised;
+      if (rise <= highest * run) continue;
+      const double distance = std::sqrt(rise * rise + run * run);
+      if (distance >= radiusMm) continue;
+      hidden += (hbao_.isAttenuated ? 1 - distance / radiusMm : 1) * (rise / distance - sine);
+      highest = rise / run;
+      sine = rise / distance;
     }
   }
   return 1 - hidden / static_cast<double>(directions.size());

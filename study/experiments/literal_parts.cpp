@@ -48,23 +48,23 @@ Experiment literalParts() {
                         {},
                         measure,
                         dependingOn({kSearch, kHbao, kLiteral})};
+  static constexpr std::array<std::array<const char*, 2>, 7> kPatterns = {{{"square", "thick-plus"},
+                                                                           {"thick-plus", "thick-plus"},
+                                                                           {"thin-plus", "thick-plus"},
+                                                                           {"diamond", "thick-plus"},
+                                                                           {"square", "diamond"},
+                                                                           {"thin-plus", "diamond"},
+                                                                           {"none", "none"}}};
   for (const char* contrast : {"0.3", "0.2"})
-    for (const auto& [modules, finders] : {std::array{"none", "none"},
-                                           {"square", "thick-plus"},
-                                           {"thick-plus", "thick-plus"},
-                                           {"square", "diamond"},
-                                           {"thin-plus", "diamond"},
-                                           {"thin-plus", "thick-plus"},
-                                           {"diamond", "thick-plus"}})
-      for (const char* neighbours : {"light", "eight"})
-        for (const char* light : {"exact", "hbao"})
-          experiment.cases.push_back({modules, finders, contrast, light, neighbours, kRounded});
-  for (const auto& [modules, finders] : {std::array{"none", "none"}, {"square", "thick-plus"}})
     for (const char* light : {"exact", "hbao"})
-      for (const char* neighbours : {"light", "eight"})
-        for (const char* steps : {"0.005 last-iteration", "0.01 last-iteration", "0.02 last-iteration",
-                                  "0.05 last-iteration", "0.02 last-change", "0.05 last-change"})
-          experiment.cases.push_back({modules, finders, "0.3", light, neighbours, steps});
+      for (const auto& [modules, finders] : kPatterns)
+        for (const char* neighbours : {"light", "eight"})
+          experiment.cases.push_back({modules, finders, contrast, light, neighbours, kRounded});
+  for (const auto& [modules, finders] : {kPatterns.front(), kPatterns.back()})
+    for (const char* light : {"exact", "hbao"})
+      for (const char* steps : {"0.005 last-iteration", "0.01 last-iteration", "0.02 last-iteration",
+                                "0.05 last-iteration", "0.02 last-change", "0.05 last-change"})
+        experiment.cases.push_back({modules, finders, "0.3", light, "light", steps});
   return experiment;
 }
 

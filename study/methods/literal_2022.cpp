@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/clock.h"
+#include "study/methods/by_engine.h"
 
 namespace qrelief::study {
 namespace {
@@ -45,6 +46,15 @@ Grid<double> ofQuietZone(const std::vector<float>& cells, const CellLayout& layo
 }
 
 }  // namespace
+
+Result<CarvedCode> carveBySearch(const std::string& search, const StudyPlacement& spot, const EngraveRequest& request) {
+  return search == kLiteralSearch ? carveLiteral2022(spot, request) : carveByEngine(spot, request);
+}
+
+std::string versionOfSearch(const std::string& search, std::initializer_list<Part> others) {
+  const std::string own = search == kLiteralSearch ? versionOf({kLiteral, kHbao}) : versionOf({kSearch});
+  return others.size() == 0 ? own : own + " " + versionOf(others);
+}
 
 HeightMap cellHeights(const StudyPlacement& spot) { return heightsOver(spot, windowOf(spot)); }
 

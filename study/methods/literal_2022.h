@@ -6,6 +6,7 @@
 #include "study/carved_code.h"
 #include "study/hbao_light.h"
 #include "study/spot.h"
+#include "study/versions.h"
 
 namespace qrelief::study {
 
@@ -27,6 +28,17 @@ struct LiteralOptions {
 /// @param request  patterns (set), contrast, lamps, albedo and greatest depth; its solver and objective do not count
 Result<CarvedCode> carveLiteral2022(const StudyPlacement& spot, const EngraveRequest& request,
                                     const LiteralOptions& options = {});
+
+/// Names of the two readings of the paper's search in the tables' column `search`: as the program has it (by_engine.h),
+/// and by its words.
+inline constexpr const char* kPublishedSearch = "papp-2022";
+inline constexpr const char* kLiteralSearch = "papp-2022-literal";
+
+/// Carves by one of these. @param search  its name
+Result<CarvedCode> carveBySearch(const std::string& search, const StudyPlacement& spot, const EngraveRequest& request);
+
+/// Returns the version of a row that depends on one of these and on other parts.
+std::string versionOfSearch(const std::string& search, std::initializer_list<Part> others);
 
 /// Returns the heights of the uncarved surface over symbol, quiet zone and margin, one patch per submodule.
 HeightMap cellHeights(const StudyPlacement& spot);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/methods/literal_2022.h"
+
+#include <cmath>
+
+#include "study/methods/by_engine.h"
+#include "study/study_spots.h"
+
+namespace qrelief::study {
+namespace {
+
+using Literal2022 = PlateTest;
+
+EngraveRequest requestAt(const StudyPlacement& spot, ModulePattern modules, FinderPattern finders) {
+  EngraveRequest request = publishedRequest(spot, modules, finders);
+  request.depth.contrast = 0.2;
+  return request;
+}
+
+double meanMm(const Result<CarvedCode>& code) {
+  EXPECT_TRUE(code.has_value());
+  return summarise(code->depths).meanMm;
+}
+
+/// A dark neighbour lowers the wanted luminance, so a plate's code gets deeper.
+TEST_F(Literal2022, AllEightNeighboursMakeACodeOnAPlateDeeper) {
+  const StudyPlacement spot = plateSpot(1);
+  const EngraveRequest request = requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus);
+  LiteralOptions options{.surroundings = Surroundings::LightModules, .significantChange = 0.005, .roundSteps = true};
+  options.hbao.reset();
+  const double ofLight = meanMm(carveLiteral2022(spot, request, options));
+  EXPECT_NEAR(ofLight, meanMm(carveByEngine(spot, request)), 0.02);  // the program's search, with these options
+  options.surroundings = Surroundings::EightNeighbours;
+  EXPECT_GT(meanMm(carveLiteral2022(spot, request, options)), 1.1 * ofLight);
+}
+
+/// Every submodule that no limit stopped is dark enough against the four darkest of all eight neighbours.
+TEST_F(Literal2022, EndsWhereNoSubmoduleIsTooBright) {
+  const StudyPlacement spot = plateSpot(1);
+  const auto code = carveLiteral2022(spot, requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus));
+  ASSERT_TRUE(code.has_value());
+  EXPECT_EQ(code->limited, 0u);
+  EXPECT_EQ(code->ownEstimate.size(), carvedOf(code->mask).size());
+  for (const double luminance : code->ownEstimate) EXPECT_LE(luminance, 0.8 + 1e-6);
+}
+
+/// Luminance of a cell in the middle of a square pit, by a light of many directions and steps without jitter.
+class HbaoPit : public GlTest {
+ protected:
+  static constexpr int kSize = 41, kHalf = 5;  // of map and pit, in cells of 1 mm
+
+  static double middleOf(const HbaoOptions& options, float depthMm) {
+    const auto count = static_cast<std::size_t>(kSize * kSize);
+    HeightMap map{
+        kSize, 1, 1e5, std::vector<float>(count, 0), std::vector<float>(count, 0), std::vector<float>(count, 0)};
+    HbaoLight light(std::move(map), {kSize / 5, 5, 0.7f, {}}, options);
+    std::vector<float> depths(count, 0);
+    constexpr int kMiddle = kSize / 2;
+    for (int row = kMiddle - kHalf; row <= kMiddle + kHalf; ++row)
+      for (int column = kMiddle - kHalf; column <= kMiddle + kHalf; ++column)
+        depths[static_cast<std::size_t>(row * kSize + column)] = depthMm;
+    const std::uint32_t middle = kMiddle * kSize + kMiddle;
+    return static_cast<double>(light.luminance(std::span(&middle, 1), depths, 1)[middle]);
+  }
+};
+
+/// Without bias and fading the light is 1 − mean of sin h, with tan h = depth / distance of the wall.
+TEST_F(HbaoPit, MatchesTheClosedFormOfHorizons) {
+  HbaoOptions options{.radiusModules = 4,
+                      .angleBiasDeg = 0,
+                      .directions = 64,
+                      .steps = 400,
+                      .isAttenuated = false,
+                      .isJittered = false,
+                      .pixelsPerSubmodule = 1};
+  const double depth = 4;
+  double hidden = 0;
+  for (int k = 0; k < options.directions; ++k) {
+    const double angle = 2 * M_PI * (k + 0.5) / options.directions;
+    const double wall = (kHalf + 0.5) / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
+    hidden += depth / std::hypot(depth, wall) / options.directions;
+  }
+  EXPECT_NEAR(middleOf(options, static_cast<float>(depth)), 1 - hidden, 0.01);
+}
+
+TEST_F(HbaoPit, HorizonsWithinTheBiasAndWallsBeyondTheRadiusHideNothing) {
+  const HbaoOptions exact{.angleBiasDeg = 0, .directions = 16, .steps = 40, .isJittered = false};
+  HbaoOptions biased = exact, near = exact;
+  biased.angleBiasDeg = 30;  // the nearest wall is 5.5 mm away and 2 mm high: 20°
+  near.radiusModules = 1;    // 5 mm
+  EXPECT_LT(middleOf(exact, 2), 0.9);
+  EXPECT_DOUBLE_EQ(middleOf(biased, 2), 1);
+  EXPECT_DOUBLE_EQ(middleOf(near, 2), 1);
+}
+
+}  // namespace
+}  // namespace qrelief::study
