@@ -4,6 +4,7 @@
 // in the paper's measure); the first is at the code's top, the second on its left.
 #include "study/experiments/experiments.h"
 #include "study/methods/by_engine.h"
+#include "study/methods/literal_2022.h"
 
 namespace qrelief::study {
 namespace {
@@ -19,7 +20,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   for (int lamp = 0; lamp < std::stoi(key[2]); ++lamp)
     request.depth.lights.push_back(
         {.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
-  const auto code = carveByEngine(**spot, request);
+  const auto code = carveBySearch(key[3], **spot, request);
   QRELIEF_TRY(code);
   return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited)};
 }
@@ -27,11 +28,15 @@ Result<Row> measure(const Row& key, StudyContext& context) {
 }  // namespace
 
 Experiment lampDepths() {
-  Experiment experiment{"lamp_depths", {"model", "modules", "lamps"}, {"depth_mm", "limited"}, {},
-                        measure,       dependingOn({kSearch})};
+  Experiment experiment{
+      "lamp_depths", {"model", "modules", "lamps", "search"}, {"depth_mm", "limited"}, {}, measure, [](const Row& key) {
+        return versionOfSearch(key[3], {});
+      }};
   for (const std::string& model : StudyContext::models())
     for (const char* modules : {"none", "square"})
-      for (const char* lamps : {"0", "1", "2"}) experiment.cases.push_back({model, modules, lamps});
+      for (const char* lamps : {"0", "1", "2"})
+        for (const char* search : {kPublishedSearch, kLiteralSearch})
+          experiment.cases.push_back({model, modules, lamps, search});
   return experiment;
 }
 

@@ -7,6 +7,7 @@
 #include "study/experiments/experiments.h"
 #include "study/lamp_reading.h"
 #include "study/methods/by_engine.h"
+#include "study/methods/literal_2022.h"
 
 namespace qrelief::study {
 namespace {
@@ -25,7 +26,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   EngraveRequest request = publishedRequest(
       **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   request.depth.lights = lampAt(key[1]);
-  const auto code = carveByEngine(**spot, request);
+  const auto code = carveBySearch(key[3], **spot, request);
   QRELIEF_TRY(code);
   const auto reads = readsUnder(**spot, *code, lampAt(key[2]));
   QRELIEF_TRY(reads);
@@ -35,12 +36,19 @@ Result<Row> measure(const Row& key, StudyContext& context) {
 }  // namespace
 
 Experiment lightAngles() {
-  Experiment experiment{"light_angles", {"modules", "carved_at", "read_at"},      {"depth_mm", "reads"}, {},
-                        measure,        dependingOn({kSearch, kLight, kDecoding})};
+  Experiment experiment{"light_angles",
+                        {"modules", "carved_at", "read_at", "search"},
+                        {"depth_mm", "reads"},
+                        {},
+                        measure,
+                        [](const Row& key) {
+                          return versionOfSearch(key[3], {kLight, kDecoding});
+                        }};
   for (const char* modules : {"none", "square"})
     for (const char* carved : {"sky", "8", "33"})
       for (const char* read : {"4", "8", "15", "23", "33", "38", "48", "63", "78", "88"})
-        experiment.cases.push_back({modules, carved, read});
+        for (const char* search : {kPublishedSearch, kLiteralSearch})
+          experiment.cases.push_back({modules, carved, read, search});
   return experiment;
 }
 

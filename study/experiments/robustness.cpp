@@ -7,6 +7,7 @@
 #include "study/carved_surface.h"
 #include "study/experiments/experiments.h"
 #include "study/methods/by_engine.h"
+#include "study/methods/literal_2022.h"
 
 namespace qrelief::study {
 namespace {
@@ -26,7 +27,7 @@ Result<Row> measure(const Row& key, StudyContext& context) {
     request.code.modulePattern = modules;
     request.code.finderPattern = finders;
   }
-  const auto code = carveByEngine(**spot, request);
+  const auto code = carveBySearch(key[1], **spot, request);
   QRELIEF_TRY(code);
   const auto surface = CarvedSurface::make(**spot, code->depths);
   QRELIEF_TRY(surface);
@@ -53,12 +54,16 @@ Experiment robustness() {
                         {"depth_mm", "designed", "blur_modules", "pixels_per_module", "tilt_deg", "tilt_lamp_deg"},
                         {},
                         measure,
-                        dependingOn({kSearch, kLight, kDecoding})};
+                        [](const Row& key) {
+                          return versionOfSearch(key[1], {kLight, kDecoding});
+                        }};
   for (const char* model : {"plate", "cylinder", "bumpy-sphere"}) {
-    experiment.cases.push_back({model, "papp-2022", "none", "none"});
-    for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})
-      for (const char* finders : {"diamond", "thick-plus"})
-        experiment.cases.push_back({model, "papp-2022", modules, finders});
+    for (const char* search : {kPublishedSearch, kLiteralSearch}) {
+      experiment.cases.push_back({model, search, "none", "none"});
+      for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})
+        for (const char* finders : {"diamond", "thick-plus"})
+          experiment.cases.push_back({model, search, modules, finders});
+    }
     experiment.cases.push_back({model, "ours", "thick-plus", "thick-plus-sharp"});
   }
   return experiment;

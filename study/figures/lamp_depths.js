@@ -2,6 +2,7 @@
 // Depth by the number of lamps [Papp 2022, figure 21].
 import { median, onModels, rises, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
+import { ofSearch } from '../page/methods.js';
 import { linePlots } from '../page/plots.js';
 import { mm, models, said } from '../page/say.js';
 
@@ -29,7 +30,7 @@ export const lampDepths = {
   table: 'lamp_depths',
   measures: ['depth_mm'],
   draw: (rows, look) => {
-    const { rows: values, order } = look.named(rows, { model: 'model', modules: 'pattern' });
+    const { rows: values, order } = look.named(ofSearch(rows), { model: 'model', modules: 'pattern' });
     return linePlots(values, look, {
       plots: { field: 'model', names: order('model') },
       columns: look.narrow ? 2 : 4,
@@ -39,7 +40,8 @@ export const lampDepths = {
       lines: series('modules', order('modules'), [kColours.orange, kColours.blue], ['circle', 'square']),
     });
   },
-  find: (rows) => {
+  find: (all) => {
+    const rows = ofSearch(all);
     const typical = (/** @type {string} */ pattern, /** @type {number} */ lamps) =>
       mm(
         median(

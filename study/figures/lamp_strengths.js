@@ -2,6 +2,7 @@
 // Depth by elevation and strength of one lamp, on a plate: why lamps make codes deeper or shallower.
 import { groupBy } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
+import { ofSearch } from '../page/methods.js';
 import { linePlots } from '../page/plots.js';
 import { name, said } from '../page/say.js';
 
@@ -17,7 +18,7 @@ const kPaperElevation = 33;
  */
 const skyDepths = ({ lamp_depths: depths = [] }) =>
   Object.fromEntries(
-    depths
+    ofSearch(depths)
       .filter(({ model, lamps }) => model === 'plate' && lamps === 0)
       .map(({ modules, depth_mm: depth }) => [modules, depth]),
   );

@@ -16,7 +16,13 @@ test('an elevation counts where the lamp has one effect at every strength', () =
 
 test('nothing is said of a pattern whose depth under the sky is not known', () => {
   const rows = [...lamp(8, 0.7), ...lamp(33, 0.7, 0.9), ...lamp(70, 0.9)];
-  const sky = [{ model: 'plate', modules: 'none', lamps: 0, depth_mm: 0.8 }];
+  const sky = ['papp-2022', 'papp-2022-literal'].map((search, at) => ({
+    model: 'plate',
+    modules: 'none',
+    lamps: 0,
+    search,
+    depth_mm: 0.8 + at,
+  }));
   assert.deepEqual(
     lampStrengths.find(rows, { lamp_depths: sky }).map(({ say }) => say),
     ['strengthsSides', 'strengthsWhy'],

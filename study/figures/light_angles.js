@@ -2,6 +2,7 @@
 // Decoded tries against the angle of the reading lamp, by the angle of the lamp in the request [Papp 2022, figure 22].
 import { tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
+import { ofSearch } from '../page/methods.js';
 import { cases, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
@@ -46,6 +47,20 @@ export const tolerates = (rows, carvedAt, higher) => {
 export const lowerNeverHurts = (rows, carvedAt) =>
   rows.filter((row) => row.read_at < carvedAt).every(({ reads }) => reads >= kNeeded);
 
+/**
+ * Returns how much higher than its own lamp a lamp may be, in degrees, of the lamps tried; below 0 if the code does not
+ * decode under its own.
+ * @param {Row[]} rows  of one carving
+ * @param {number} carvedAt
+ */
+export const bearsHigher = (rows, carvedAt) =>
+  Math.max(
+    -1,
+    ...rows
+      .map(({ read_at: angle }) => angle - carvedAt)
+      .filter((higher) => higher >= 0 && tolerates(rows, carvedAt, higher)),
+  );
+
 /** @param {Row[]} rows  of one carving */
 function spans(rows) {
   const runs = readRuns(rows);
@@ -62,7 +77,7 @@ export const lightAngles = {
   table: 'light_angles',
   measures: ['reads'],
   draw: (rows, look) => {
-    const { rows: values, order } = look.named(rows, { modules: 'pattern', carved_at: 'carvedAt' });
+    const { rows: values, order } = look.named(ofSearch(rows), { modules: 'pattern', carved_at: 'carvedAt' });
     const columns = look.narrow ? 1 : 2;
     return {
       data: { values },
@@ -102,7 +117,8 @@ export const lightAngles = {
       },
     };
   },
-  find: (rows) => {
+  find: (all) => {
+    const rows = ofSearch(all);
     const whole = kPaper.map(({ carvedAt, higher }) => ({ carvedAt, higher, rows: carving(rows, 'none', carvedAt) }));
     if (whole.some(({ rows: { length } }) => length === 0)) return [];
     const [one, other] = whole;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { lowerNeverHurts, readRuns, tolerates } from './light_angles.js';
+import { bearsHigher, lowerNeverHurts, readRuns, tolerates } from './light_angles.js';
 
 const rows = (/** @type {Record<number, number>} */ reads) =>
   Object.entries(reads).map(([at, count]) => ({ read_at: Number(at), reads: count }));
@@ -16,6 +16,11 @@ test('a tolerance needs every angle from the lamp’s own up to it', () => {
   assert.equal(tolerates(rows({ 8: 30, 15: 10, 23: 29 }), 8, 15), false);
   assert.equal(tolerates(rows({ 8: 10, 15: 30, 23: 29 }), 8, 15), false);
   assert.equal(tolerates([], 8, 15), false);
+});
+
+test('a code bears lamps up to the last one from its own on', () => {
+  assert.equal(bearsHigher(rows({ 4: 0, 8: 30, 15: 30, 23: 10, 33: 50 }), 8), 7);
+  assert.equal(bearsHigher(rows({ 8: 10, 15: 30 }), 8), -1);
 });
 
 test('a lower lamp hurts if one of them keeps the code from being read', () => {

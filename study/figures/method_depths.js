@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth by method, each at the contrast of its authors’ program, or ours if they publish none [Papp 2022, figure 20].
 import { distinct, groupBy, median, onModels, rises, tally, valuesBy } from '../page/compare.js';
+import { kLiteral, kPublished } from '../page/methods.js';
 import { mm, models, name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { kNeeded } from '../page/tries.js';
@@ -12,10 +13,11 @@ const kAlikeFraction = 0.25;
 /**
  * True if the paper's order holds: one lamp of 2020, then its own patterns, then self-shadows of 2019.
  * @param {Row[]} ofModel
+ * @param {string} [search]  a reading of the paper's search
  */
-export function isPaperOrder(ofModel) {
+export function isPaperOrder(ofModel, search = kPublished) {
   const depths = valuesBy(ofModel, 'method', 'depth_mm');
-  return rises([depths['one-light-2020'], depths['papp-2022'], depths['self-shadow-2019']]);
+  return rises([depths['one-light-2020'], depths[search], depths['self-shadow-2019']]);
 }
 
 /**
@@ -31,16 +33,17 @@ export function oneLightOfSelfShadows(ofModel) {
 /**
  * Returns the depth of the whole modules of 2019 in multiples of the paper's.
  * @param {Row[]} ofModel
+ * @param {string} [search]  a reading of the paper's search
  * @returns {number | undefined}
  */
-export function selfShadowsTimesWhole(ofModel) {
-  const { 'self-shadow-2019': peng, 'papp-2022-whole-modules': whole } = valuesBy(ofModel, 'method', 'depth_mm');
+export function selfShadowsTimesWhole(ofModel, search = kPublished) {
+  const { 'self-shadow-2019': peng, [`${search}-whole-modules`]: whole } = valuesBy(ofModel, 'method', 'depth_mm');
   return peng === undefined || whole === undefined ? undefined : peng / whole;
 }
 
-/** True if whole modules are about as deep as in 2019. @param {Row[]} ofModel */
-export function wholeIsAsSelfShadows(ofModel) {
-  const times = selfShadowsTimesWhole(ofModel);
+/** True if whole modules are about as deep as in 2019. @param {Row[]} ofModel @param {string} [search] */
+export function wholeIsAsSelfShadows(ofModel, search = kPublished) {
+  const times = selfShadowsTimesWhole(ofModel, search);
   return times === undefined ? undefined : Math.abs(Math.log(times)) <= Math.log(1 + kAlikeFraction);
 }
 
@@ -63,15 +66,15 @@ export const methodDepths = {
   draw: (rows, look) => methodStrips(rows, look, [{ measure: 'depth_mm', title: look.word('axisDepth') }]),
   find: (rows) => {
     const times = [...groupBy(rows, 'model').values()]
-      .map(selfShadowsTimesWhole)
+      .map((ofModel) => selfShadowsTimesWhole(ofModel))
       .filter((value) => value !== undefined);
     const halves = [...groupBy(rows, 'model').values()]
       .map(oneLightOfSelfShadows)
       .filter((value) => value !== undefined);
-    const alike = onModels(rows, wholeIsAsSelfShadows);
+    const alike = onModels(rows, (ofModel) => wholeIsAsSelfShadows(ofModel));
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
     const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
-    const order = onModels(rows, isPaperOrder);
+    const order = onModels(rows, (ofModel) => isPaperOrder(ofModel));
     const lamps = ['one-light-2020', 'ours-one-light'].map((method) => readsAsDesigned(rows, method));
     return [
       said('methodsOrder', {
@@ -94,6 +97,7 @@ export const methodDepths = {
       ...(lamps.some(({ holds, of }) => holds < of)
         ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })]
         : []),
+      said('methodsLiteral', { square: depth(kLiteral), whole: depth(`${kLiteral}-whole-modules`) }),
       said('methodsReading'),
       unread.length > 0
         ? said('methodsUnread', { list: unread.map((method) => name('method', method)) })

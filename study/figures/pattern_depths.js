@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth by module pattern and finder pattern [Papp 2022, figures 15 and 16].
 import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
+import { ofSearch } from '../page/methods.js';
 import { patternPlots } from '../page/plots.js';
 import { cases, mm, models, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
@@ -37,6 +38,18 @@ export function thinPlusIsShallowest(ofModel) {
 export function thickPlusIsDeepest(ofModel) {
   const depths = depthsOf(ofModel, 'as-modules');
   return depths && ['square', 'thin-plus', 'diamond'].every((pattern) => depths[pattern] <= depths['thick-plus']);
+}
+
+/** True if every pattern is shallower than whole modules. @param {Row[]} ofModel */
+export function patternsAreShallower(ofModel) {
+  const depths = depthsOf(ofModel, 'as-modules');
+  return depths && Object.entries(depths).every(([pattern, depth]) => pattern === 'none' || depth < depths.none);
+}
+
+/** Returns how far apart the depths of square and diamond are, mm. @param {Row[]} ofModel */
+export function squareFromDiamond(ofModel) {
+  const depths = depthsOf(ofModel, 'as-modules');
+  return depths && Math.abs(depths.square - depths.diamond);
 }
 
 /** Counts the cases in which patterned finder patterns are shallower than whole ones. @param {Row[]} rows */
@@ -77,14 +90,15 @@ export const patternDepths = {
   table: 'pattern_depths',
   measures: ['depth_mm', 'designed', 'printed'],
   draw: (rows, look) => {
-    const { rows: values, order } = look.named(rows, { model: 'model' });
+    const { rows: values, order } = look.named(ofSearch(rows), { model: 'model' });
     return patternPlots(values, look, {
       plots: { field: 'model', names: order('model') },
       columns: look.narrow ? 2 : 4,
       x: { field: 'depth_mm', title: look.word('axisDepth') },
     });
   },
-  find: (rows) => {
+  find: (all) => {
+    const rows = ofSearch(all);
     const finders = findersLowerDepth(rows);
     const reads = (/** @type {string} */ pattern) =>
       Math.round(median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed)));

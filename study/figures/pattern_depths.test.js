@@ -5,6 +5,8 @@ import {
   findersApart,
   findersLowerDepth,
   looseAreShallowest,
+  patternsAreShallower,
+  squareFromDiamond,
   thickPlusIsDeepest,
   thinPlusIsShallowest,
 } from './pattern_depths.js';
@@ -24,6 +26,13 @@ test('the paper’s order of patterns is recognised, and each statement fails al
   assert.deepEqual(judge({ diamond: 0.7 }), [true, true, false]);
   assert.equal(looseAreShallowest(depths({ none: 1, square: 2 })), undefined);
   assert.equal(looseAreShallowest(depths(kPaper), 'none'), undefined);
+});
+
+test('each pattern must be shallower than whole modules, and two patterns can be near each other', () => {
+  assert.equal(patternsAreShallower(depths(kPaper)), true);
+  assert.equal(patternsAreShallower(depths({ ...kPaper, 'thick-plus': 0.8 })), false);
+  assert.ok(Math.abs((squareFromDiamond(depths(kPaper)) ?? NaN) - 0.1) < 1e-12);
+  assert.equal(squareFromDiamond(depths({ square: 0.4 })), undefined);
 });
 
 test('finder patterns are compared with whole finders of the same modules and model', () => {

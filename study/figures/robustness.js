@@ -2,6 +2,7 @@
 // Limits of blur, distance and tilt, by pattern [Papp 2022, section 8].
 import { groupBy, median, tally } from '../page/compare.js';
 import { inOrder, seriesOfModels } from '../page/figure.js';
+import { kLiteral, kPublished } from '../page/methods.js';
 import { mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -16,14 +17,15 @@ const kPanels = /** @type {const} */ ([
 const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
 
 /**
- * Returns the median of a measure by module pattern, for the published search.
+ * Returns the median of a measure by module pattern.
  * @param {Row[]} rows
  * @param {string} measure
+ * @param {string} [search]  a reading of the paper's search
  * @returns {Record<string, number>}
  */
-export function byPattern(rows, measure) {
+export function byPattern(rows, measure, search = kPublished) {
   const groups = groupBy(
-    rows.filter((row) => row.search !== 'ours' && row[measure] !== null),
+    rows.filter((row) => row.search === search && row[measure] !== null),
     'modules',
   );
   return Object.fromEntries(
@@ -46,7 +48,8 @@ export const robustness = {
   name: 'robustness',
   table: 'robustness',
   measures: ['blur_modules'],
-  draw: (rows, look) => {
+  draw: (all, look) => {
+    const rows = all.filter(({ search }) => search !== kLiteral);
     const carving = (/** @type {Row} */ row) =>
       row.search === 'ours'
         ? look.word('carvingOurs')
@@ -84,7 +87,8 @@ export const robustness = {
       })),
     });
   },
-  find: (rows) => {
+  find: (all) => {
+    const rows = all.filter(({ search }) => search !== kLiteral);
     const blur = byPattern(rows, 'blur_modules');
     const patterns = kCarved.filter((pattern) => blur[pattern] !== undefined);
     const pairs = moreCarvedSurvivesMore(blur);

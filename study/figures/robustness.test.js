@@ -13,9 +13,11 @@ test('medians are of the published search, by pattern, without what does not rea
     row('papp-2022', 'square', 0.25),
     row('papp-2022', 'square', 0.5),
     row('papp-2022', 'none', null),
+    row('papp-2022-literal', 'square', 0.75),
     row('ours', 'none', 1),
   ];
   assert.deepEqual(byPattern(rows, 'blur_modules'), { square: 0.375 });
+  assert.deepEqual(byPattern(rows, 'blur_modules', 'papp-2022-literal'), { square: 0.75 });
 });
 
 test('pairs of patterns are judged by how much they carve', () => {

@@ -8,6 +8,7 @@ import { kFigures } from './figures.js';
 import { kFindings } from './findings.js';
 import { figureMarkup, findingMarkup, linkMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
 import { cases, kLanguages, models, said } from './say.js';
+import { kLiteral } from './methods.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
 
@@ -45,20 +46,25 @@ function verdictOn({ holds, of }, why, isMeasured) {
 
 /** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
 function statementsMarkup(rowsOf) {
-  const lines = kStatements.map(({ claim, section, table, over, judge, why }) => {
+  const lines = kStatements.map(({ claim, section, table, over, hasSearch, judge, why }) => {
     const rows = rowsOf[table] ?? [],
       isMeasured = rows.length > 0;
     const counted = judge(rows);
-    const count = over === 'models' ? models(counted) : cases(counted);
+    const words = (/** @type {import('./compare.js').Tally} */ tally, /** @type {Said} */ none) => {
+      if (tally.of === 0) return none;
+      return over === 'models' ? models(tally) : cases(tally);
+    };
+    const notMeasured = said('claimNotMeasured');
     const link = { words: said(/** @type {any} */ (`section-${section}`)), section };
     return [
       { words: [said(claim)] },
-      { words: [counted.of > 0 ? count : said(isMeasured ? 'claimNothingToCompare' : 'claimNotMeasured')] },
+      { words: [words(counted, isMeasured ? said('claimNothingToCompare') : notMeasured)] },
+      { words: [hasSearch ? words(judge(rows, kLiteral), notMeasured) : said('ratesNone')] },
       { words: verdictOn(counted, why, isMeasured), link },
     ];
   });
   return `<div class="statements">${tableMarkup(
-    [said('claimPaper'), said('claimCount'), said('claimVerdict')],
+    [said('claimPaper'), said('claimCount'), said('claimCountLiteral'), said('claimVerdict')],
     lines,
   )}</div>`;
 }

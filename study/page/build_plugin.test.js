@@ -57,23 +57,30 @@ test('where a table is missing or empty the figure is left out, and the page say
   );
   for (const content of Object.values(figures)) assert.match(content, /has not been measured yet/);
   for (const content of [findings, decoderRates]) assert.match(content, /has not been measured yet/);
-  assert.equal(statements.match(/<td>not measured<\/td>/g)?.length, kStatements.length);
+  assert.equal(
+    statements.match(/<td>not measured<\/td>/g)?.length,
+    kStatements.length + kStatements.filter(({ hasSearch }) => hasSearch).length,
+  );
   assert.doesNotMatch(statements, /Holds\.|Does not hold/);
 });
 
 test('a statement is judged by the table; where it does not hold, the reason follows', async () => {
   const lineOf = async (/** @type {number[]} */ depths) => {
     const lamps = tableOf(
-      `model,modules,lamps,depth_mm,failed\n${depths.map((mm, at) => `plate,none,${at},${mm},\n`).join('')}`,
+      `model,modules,lamps,search,depth_mm,failed\n` +
+        depths.map((mm, at) => `plate,none,${at},papp-2022,${mm},\nplate,none,${at},papp-2022-literal,0.9,\n`).join(''),
     );
     const { markup } = await makeStudy({ lamp_depths: lamps });
     return /Lamps make codes with whole modules shallower\.<\/th>(.*)<\/tr>/.exec(markup.get('statements') ?? '')?.[1];
   };
   const link = '<a href="#lamps">Lamps</a>';
-  assert.equal(await lineOf([0.9, 0.8, 0.7]), `<td>on all 1 models</td><td>Holds. ${link}</td>`);
+  assert.equal(
+    await lineOf([0.9, 0.8, 0.7]),
+    `<td>on all 1 models</td><td>on none of the 1 models</td><td>Holds. ${link}</td>`,
+  );
   assert.equal(
     await lineOf([0.7, 0.8, 0.9]),
-    `<td>on none of the 1 models</td>` +
+    `<td>on none of the 1 models</td><td>on none of the 1 models</td>` +
       `<td>Does not hold. The paper gives neither the elevation nor the strength of these lamps; here the elevation decides. ${link}</td>`,
   );
 });

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { carving, tolerates } from '../figures/light_angles.js';
 import { distinct } from './compare.js';
+import { ofSearch } from './methods.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
 import { kNeeded } from './tries.js';
@@ -26,7 +27,7 @@ test('no depth limit stops the paper’s method', () => {
 });
 
 test('the reasons that name cases are true of the tables', () => {
-  const reads = measured(tables.pattern_depths.rows).filter(
+  const reads = ofSearch(measured(tables.pattern_depths.rows)).filter(
     ({ modules, finders, designed }) => modules !== 'none' && finders === 'as-modules' && designed >= kNeeded,
   );
   assert.deepEqual(distinct(reads, 'modules'), ['thick-plus']);
@@ -34,11 +35,18 @@ test('the reasons that name cases are true of the tables', () => {
   const thin = measured(tables.least_module.rows).filter(({ modules }) => modules === 'thin-plus');
   assert.ok(thin.length > 0 && thin.every((row) => row.module_mm === null));
 
-  const lowLamp = carving(measured(tables.light_angles.rows), 'none', 8);
+  const angles = ofSearch(measured(tables.light_angles.rows));
+  const lowLamp = carving(angles, 'none', 8);
   assert.deepEqual(
     [7, 15].map((higher) => tolerates(lowLamp, 8, higher)),
     [true, false],
   );
+  const unread = carving(angles, 'none', 33).filter((row) => row.read_at < 33 && row.reads < kNeeded);
+  assert.deepEqual(
+    unread.map((row) => row.read_at),
+    [4, 8],
+  );
+  for (const lamp of [8, 33]) assert.ok(tolerates(carving(angles, 'square', lamp), lamp, 0));
 });
 
 test('without rows nothing is counted', () => {
