@@ -44,29 +44,42 @@ function verdictOn({ holds, of }, why, isMeasured) {
   return [said(holds === 0 ? 'claimFails' : 'claimInPart'), ...(why ? [said(why)] : [])];
 }
 
-/** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
+/**
+ * Says how often a statement holds.
+ * @param {import('./compare.js').Tally} tally
+ * @param {import('./statements.js').Statement['over']} over
+ * @param {import('./say.js').Word} none  if nothing can be judged
+ */
+function countWords(tally, over, none) {
+  if (tally.of === 0) return said(none);
+  return over === 'models' ? models(tally) : cases(tally);
+}
+
+/**
+ * Returns the paper's statements, and how often each holds; with its search by its words, where that was measured.
+ * @param {Record<string, Row[]>} rowsOf  by table
+ */
 function statementsMarkup(rowsOf) {
-  const lines = kStatements.map(({ claim, section, table, over, hasSearch, judge, why }) => {
-    const rows = rowsOf[table] ?? [],
-      isMeasured = rows.length > 0;
-    const counted = judge(rows);
-    const words = (/** @type {import('./compare.js').Tally} */ tally, /** @type {Said} */ none) => {
-      if (tally.of === 0) return none;
-      return over === 'models' ? models(tally) : cases(tally);
-    };
-    const notMeasured = said('claimNotMeasured');
+  const judged = kStatements.map((statement) => {
+    const rows = rowsOf[statement.table] ?? [];
+    const literally = statement.hasSearch ? statement.judge(rows, kLiteral) : { holds: 0, of: 0 };
+    return { statement, isMeasured: rows.length > 0, counted: statement.judge(rows), literally };
+  });
+  const literal = judged.filter(({ literally }) => literally.of > 0).map(({ statement }) => statement.section);
+  const ifLiteral = (/** @type {any} */ cell) => (literal.length > 0 ? [cell] : []);
+  const lines = judged.map(({ statement: { claim, section, over, why }, isMeasured, counted, literally }) => {
     const link = { words: said(/** @type {any} */ (`section-${section}`)), section };
     return [
       { words: [said(claim)] },
-      { words: [words(counted, isMeasured ? said('claimNothingToCompare') : notMeasured)] },
-      { words: [hasSearch ? words(judge(rows, kLiteral), notMeasured) : said('ratesNone')] },
+      { words: [countWords(counted, over, isMeasured ? 'claimNothingToCompare' : 'claimNotMeasured')] },
+      ...ifLiteral({ words: [countWords(literally, over, 'ratesNone')] }),
       { words: verdictOn(counted, why, isMeasured), link },
     ];
   });
-  return `<div class="statements">${tableMarkup(
-    [said('claimPaper'), said('claimCount'), said('claimCountLiteral'), said('claimVerdict')],
-    lines,
-  )}</div>`;
+  const head = [said('claimPaper'), said('claimCount'), ...ifLiteral(said('claimCountLiteral')), said('claimVerdict')];
+  const list = [...new Set(literal)].map((section) => said(/** @type {any} */ (`section-${section}`)));
+  return `<div class="statements">${tableMarkup(head, lines)}</div>
+${ifLiteral(textMarkup([said('claimLiteralIn', { list })])).join('')}`;
 }
 
 /** Returns the findings whose tables are there. @param {Record<string, Row[]>} rowsOf  by table */
