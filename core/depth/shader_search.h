@@ -48,7 +48,7 @@ class ShaderSearch final : public DepthSearch {
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }  ///< since the last restart()
-  int readBacks() const { return readBacks_; }    ///< since the last restart()
+  int readBacks() const { return readBacks_; }             ///< since the last restart()
   double doneFraction() const override { return doneFraction_; }
   const DepthField& depths() const override { return depths_; }
   /// Returns the luminances at depths(), of symbol and quiet zone; see DepthSolver::update.
