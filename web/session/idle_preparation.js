@@ -39,6 +39,7 @@ export class IdlePreparation {
   /** Notes a new placement. @param {boolean} isPlaced  false: there is no placement any more */
   setPlaced(isPlaced) {
     this.isDue_ = isPlaced;
+    if (!this.isLive_()) this.isSlow_ = false; // switching it on tries again
     this.plan();
   }
 
@@ -51,7 +52,6 @@ export class IdlePreparation {
   async prepare_() {
     if (this.isBusy_()) return;
     this.isDue_ = false;
-    if (!this.isLive_()) this.isSlow_ = false; // switching it on tries again
     const withSearch = this.isLive_() && !this.isSlow_;
     const begun = performance.now();
     try {
