@@ -11,10 +11,10 @@ namespace qrelief::study {
 /// Parameters of horizon-based ambient occlusion. Papp 2022 publishes none of its own; `hbao_light` measures these
 /// against path tracing (experiments/hbao_light.cpp).
 struct HbaoOptions {
-  double radiusModules = 4;    ///< R: farther surface hides nothing, > 0
-  double angleBiasDeg = 30;    ///< a horizon up to this angle over the tangent plane counts as open, 0 … 90
-  int directions = 8;          ///< around each pixel, ≥ 1
-  int steps = 6;               ///< samples along a direction, ≥ 1
+  double radiusModules = 2;    ///< R: farther surface hides nothing, > 0
+  double angleBiasDeg = 0;     ///< a horizon up to this angle over the tangent plane counts as open, 0 … 90
+  int directions = 4;          ///< around each pixel, ≥ 1
+  int steps = 4;               ///< samples along a direction, ≥ 1
   bool isAttenuated = true;    ///< occlusion fades linearly with distance, to nothing at R
   bool isJittered = true;      ///< turn the directions and shift the samples from pixel to pixel
   int pixelsPerSubmodule = 3;  ///< along a submodule's edge, ≥ 1

@@ -84,7 +84,7 @@ TEST_F(HbaoPit, MatchesTheClosedFormOfHorizons) {
 }
 
 TEST_F(HbaoPit, HorizonsWithinTheBiasAndWallsBeyondTheRadiusHideNothing) {
-  const HbaoOptions exact{.angleBiasDeg = 0, .directions = 16, .steps = 40, .isJittered = false};
+  const HbaoOptions exact{.radiusModules = 4, .angleBiasDeg = 0, .directions = 16, .steps = 40, .isJittered = false};
   HbaoOptions biased = exact, near = exact;
   biased.angleBiasDeg = 30;  // the nearest wall is 5.5 mm away and 2 mm high: 20°
   near.radiusModules = 1;    // 5 mm
