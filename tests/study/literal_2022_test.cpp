@@ -24,7 +24,7 @@ double meanMm(const Result<CarvedCode>& code) {
 
 /// A dark neighbour lowers the wanted luminance, so a plate's code gets deeper.
 TEST_F(Literal2022, AllEightNeighboursMakeACodeOnAPlateDeeper) {
-  const StudyPlacement spot = plateSpot(1);
+  const StudyPlacement spot = plateSpot(2);
   const EngraveRequest request = requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus);
   LiteralOptions options{.surroundings = Surroundings::LightModules, .significantChange = 0.005, .roundSteps = true};
   options.hbao.reset();
@@ -34,10 +34,11 @@ TEST_F(Literal2022, AllEightNeighboursMakeACodeOnAPlateDeeper) {
   EXPECT_GT(meanMm(carveLiteral2022(spot, request, options)), 1.1 * ofLight);
 }
 
-/// Every submodule that no limit stopped is dark enough against the four darkest of all eight neighbours.
-TEST_F(Literal2022, EndsWhereNoSubmoduleIsTooBright) {
-  const StudyPlacement spot = plateSpot(1);
-  const auto code = carveLiteral2022(spot, requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus));
+/// The search by horizon-based ambient occlusion ends by darkness if light modules are the surroundings.
+TEST_F(Literal2022, UnderItsOcclusionLightModulesEndWhereNoSubmoduleIsTooBright) {
+  const StudyPlacement spot = plateSpot(2);
+  const auto code = carveLiteral2022(spot, requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus),
+                                     {.surroundings = Surroundings::LightModules});
   ASSERT_TRUE(code.has_value());
   EXPECT_EQ(code->limited, 0u);
   EXPECT_EQ(code->ownEstimate.size(), carvedOf(code->mask).size());
