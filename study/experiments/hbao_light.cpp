@@ -3,7 +3,8 @@
 // on a plate, by radius, angle bias, directions and steps. The carving is that of `papp-2022` and does not depend on
 // the parameters. Shows which parameters estimate the light best; the paper publishes none [Papp 2022, §7 and §8].
 // HbaoOptions has those whose error, without its sign, is the least in the mean of both carvings: 0.043. More
-// directions and steps find more horizons and make the light darker; as there is no reflected light, it is then too dark.
+// directions and steps find more horizons and make the light darker; as there is no reflected light, it is then too
+// dark.
 //
 // Error: own − traced, 1 = an unoccluded surface. Traced with 64 paths a submodule, seed 1, with reflected light.
 #include <map>
