@@ -63,9 +63,9 @@ void HbaoLight::carve(std::span<const float> depthsMm) {
     height_[cell] = map_.height[cell];
     if (depthsMm[cell] <= 0 || !map_.isSurface(cell)) continue;
     const auto size = static_cast<std::size_t>(map_.size);
+    const std::size_t row = cell / size, column = cell % size;
     const Vec2 plane =
-        (Vec2(static_cast<double>(cell % size), static_cast<double>(cell / size)) + 0.5 - Vec2(map_.size / 2.0)) *
-        map_.patchMm;
+        (Vec2(static_cast<double>(column), static_cast<double>(row)) + 0.5 - Vec2(map_.size / 2.0)) * map_.patchMm;
     const double way = std::sqrt(glm::dot(plane, plane) + eye * eye);
     const double share =
         eye / (static_cast<double>(map_.height[cell]) + eye) + static_cast<double>(depthsMm[cell]) / way;
