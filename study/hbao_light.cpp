@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTile = 4;  // pixels along the edge of the repeated noise, as in Bavoil's program
 constexpr LightSampling kLampPoints{2, 4};
-constexpr double kSteepest = 1.57;  // radians: the tangent of a steeper plane is no number
+constexpr double kSteepest = 1.57;  // radians, just below π/2, where the tangent is infinite
 
 /// Returns a number in [0, 1) for each pixel of the tile, all different; `which` picks one of several orders.
 double noise(int pixel, int which) {

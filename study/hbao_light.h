@@ -8,8 +8,8 @@
 
 namespace qrelief::study {
 
-/// Parameters of horizon-based ambient occlusion. Papp 2022 publishes none of its own; `hbao_light` measures these
-/// against path tracing (experiments/hbao_light.cpp).
+/// Parameters of horizon-based ambient occlusion. Papp 2022 publishes no values. The defaults come nearest to path
+/// tracing among the measured ones (experiments/hbao_light.cpp).
 struct HbaoOptions {
   double radiusModules = 2;    ///< R: farther surface hides nothing, > 0
   double angleBiasDeg = 0;     ///< a horizon up to this angle over the tangent plane counts as open, 0 … 90

@@ -210,7 +210,7 @@ const Verdict& Carvings::setReadings(const std::vector<std::string>& texts, cons
   Engraved& engraved = *current()->engraved;
   current()->reader = reader;
   const ReadingEvidence reading = evidenceOf(texts, engraved.request.code.text);
-  if (engraving_ && engraving_->awaitsReading()) {
+  if (engraving_ && engraving_->awaitsReading() && engraving_->current() == current()->engraved) {
     engraving_->decoded(reading);
   } else {
     engraved.reading = reading;
@@ -249,7 +249,7 @@ const Verdict& Carvings::setPrintedReadings(const std::vector<std::string>& text
   const EngraveRequest& request = engraved.request;
   const PrintedEvidence printed{evidenceOf(texts, request.code.text, true),
                                 std::string(namedPrinters()[*request.print.process].name), facingDeg};
-  if (engraving_ && engraving_->awaitsPrint()) {
+  if (engraving_ && engraving_->awaitsPrint() && engraving_->current() == current()->engraved) {
     engraving_->printed(printed);
   } else {
     engraved.printed = printed;

@@ -37,8 +37,8 @@ std::vector<KeptAttributes> keptAttributes(const PreparedModel& before, const En
   return attributes;
 }
 
-/// Returns the new meshes of a 3MF file's runs, which are the model's bodies: those of the carved body and of
-/// bodies that repairs changed. Facets and their pieces keep their attributes, except under the code.
+/// Returns the runs of a 3MF file whose meshes have changed: the carved body, and bodies that repairs changed. Facets
+/// and their pieces keep their attributes, except under the code.
 /// Cost: O(T).
 /// @param before   model before carving, with its 3MF source
 std::vector<ChangedRun> changed3mfRuns(const PreparedModel& before, const EngraveResult& result, bool withInlay) {

@@ -9,8 +9,8 @@
 
 namespace qrelief {
 
-/// What engravings of one model share: shader programs, the places found and what was measured there, and work that was
-/// done ahead. Needs the model's GL context, if it has one.
+/// Begins the carvings of one model. Caches shader programs, places and their measurements, and prepares the next
+/// carving in advance. Needs the model's GL context, if it has one.
 class Engraver {
  public:
   /// @param model      checked: see PreparedModel::engravable()
@@ -24,7 +24,7 @@ class Engraver {
   /// Returns the programs that compute light, compiled at the first call. Needs a GL context.
   Result<std::shared_ptr<const LuminancePrograms>> programs();
 
-  /// Remembers a place that was found elsewhere.
+  /// Adds a place to the cache.
   /// @param modules  along the symbol's edge
   /// @param found    for searchedPlacement(request, modules)
   void remember(const EngraveRequest& request, int modules, FoundPlacement found);

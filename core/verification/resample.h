@@ -30,7 +30,7 @@ struct PictureGrid {
 
 /// Returns the luminance of the pixels, averaged over their areas. 1 = an unoccluded surface.
 /// @param luminance  of every patch
-/// @param missing    luminance where there is no surface
+/// @param missing    luminance of pixels without a surface
 BottomUp<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid, float missing);
 
 }  // namespace qrelief
