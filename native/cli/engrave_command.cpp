@@ -6,6 +6,7 @@
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "cli/file_flags.h"
+#include "cli/maps_file.h"
 #include "cli/model_input.h"
 #include "cli/output_files.h"
 #include "cli/progress_bar.h"
@@ -34,7 +35,7 @@ namespace {
 
 struct EngraveOptions {
   ModelFlags model;
-  std::string output, report, preview;
+  std::string output, report, preview, maps;
   SettingFlags flags;
   std::vector<double> at;
   FileFlags file;
@@ -55,6 +56,7 @@ Status checkFiles(const EngraveOptions& options) {
     outputs.push_back({outputs.empty() ? "-o" : "the second file of -o", file});
   outputs.push_back({"--report", options.report});
   outputs.push_back({"--preview", options.preview});
+  outputs.push_back({"--maps", options.maps});
   const FileUse model = {"MODEL", options.model.path};
   return checkOutputs(std::span(&model, 1), outputs);
 }
@@ -64,8 +66,10 @@ Status completeRequest(EngraveOptions& options) {
   QRELIEF_TRY(request);
   options.request = std::move(*request);
   QRELIEF_TRY(options.file.check(options.output));
-  if (options.request.code.isText() && !options.preview.empty())
-    return fail(ErrorKind::BadUsage, message<"text-has-no-preview">());
+  for (const auto& [flag, file] : {std::pair("--preview", options.preview), std::pair("--maps", options.maps)})
+    if (options.request.code.isText() && !file.empty())
+      return fail(ErrorKind::BadUsage, message<"text-has-no-preview">(with::term<"option">(flag)));
+  options.request.depth.recordSearch = !options.maps.empty();
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, message<"ascii-is-for-stl">(with::term<"output">(options.output)));
   if (!holdsColoursOf(options.request, formatOfName(options.output)))
@@ -88,6 +92,11 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
     const auto png = encodePng(result.readerView.clean);
     QRELIEF_TRY(png);
     QRELIEF_TRY(writeFileAtomically(options.preview, *png));
+  }
+  if (!options.maps.empty()) {
+    const auto maps = encodeMaps(model, result);
+    QRELIEF_TRY(maps);
+    QRELIEF_TRY(writeFileAtomically(options.maps, *maps));
   }
   context.writeMs = millisecondsSince(writing);
   context.totalMs = millisecondsSince(start);
@@ -248,6 +257,8 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   o->file.add(*c);
   c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
   c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG");
+  c->add_option("--maps", o->maps,
+                "write normal, height and luminance maps, and the depths of every pass, as NumPy arrays (.npz)");
   c->add_flag(
       "--try-prints", o->tryPrints,
       "if the print does not decode reliably, engrave for other orientations and finer processes and list the results");
