@@ -227,6 +227,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
   model.hasCrossings = model.crossesItself || repaired->overlaps;
   model.normals = vertexNormals(model.mesh);
+  model.clusters = std::make_shared<const ClusteredTriangles>(clusterTriangles(model.mesh));
   reportExtent(model, findings);
   model.findings = findings.take();
   return model;

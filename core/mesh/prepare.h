@@ -9,6 +9,7 @@
 #include "mesh/polygon_soup.h"
 #include "mesh/repair.h"
 #include "mesh/topology.h"
+#include "mesh/triangle_clusters.h"
 #include "mesh/unit_suggestions.h"
 
 namespace qrelief {
@@ -40,7 +41,8 @@ struct PreparedModel {
       bodies;  ///< those that the file names; otherwise its closed shells, each with its cavities. At least one
   double scaleToMm = 1;  ///< file units → mm
   Adjacency adjacency;
-  std::vector<Vec3f> normals;  ///< smooth unit vertex normals
+  std::vector<Vec3f> normals;                          ///< smooth unit vertex normals
+  std::shared_ptr<const ClusteredTriangles> clusters;  ///< of `mesh`, for searches that look at a part of it
   std::vector<Finding> findings;
   std::size_t shells = 0;
   bool crossesItself = false;                   ///< some triangles of one shell cross and were not separated

@@ -63,7 +63,7 @@ std::shared_ptr<const EngravableModel> EngravableModel::create(PreparedModel pre
   model->prepared = std::move(prepared);
   const Mesh& mesh = model->prepared.mesh;
   model->box = boundingBox(mesh);
-  model->raster = std::make_shared<const SurfaceRaster>(mesh);
+  model->raster = std::make_shared<const SurfaceRaster>(mesh, model->prepared.clusters);
   model->renderer = model->raster;
   if (!pass) return model;
   model->gpu = std::make_shared<const GpuSurface>(std::move(pass), GpuMesh(mesh, model->prepared.normals));

@@ -94,7 +94,8 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   const double farthest = largestMm() * halfDiagonal + beyond;
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
-    auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
+    auto patch =
+        findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region, model_->clusters.get());
     if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch));
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette, region);

@@ -38,6 +38,22 @@ Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
   return result;
 }
 
+/// Returns, for each position, the sides of the visible square's pyramid that it lies beyond, a bit for each [outcodes,
+/// Cohen, Sutherland].
+std::vector<std::uint8_t> sidesBeyond(std::span<const Vec3> positions, const ProjectionFrame& frame, double extentMm) {
+  const Vec3 inwards = frame.normal * -(extentMm / 2), across = frame.right * frame.eyeDistance,
+             along = frame.up * frame.eyeDistance, eye = frame.eye();
+  const std::array<Vec3, 4> sides{inwards - across, inwards + across, inwards - along, inwards + along};
+  std::vector<std::uint8_t> codes;
+  codes.reserve(positions.size());
+  for (const Vec3& p : positions) {
+    unsigned code = 0;
+    for (unsigned k = 0; k < 4; ++k) code |= static_cast<unsigned>(glm::dot(p - eye, sides[k]) < 0) << k;
+    codes.push_back(static_cast<std::uint8_t>(code));
+  }
+  return codes;
+}
+
 /// Returns the part of a triangle that the eye sees through the square, if it faces the eye; ignores other triangles
 /// that may hide it.
 Polygon seenPart(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
@@ -80,14 +96,14 @@ LayerGrid cropped(const LayerGrid& grid, int border) {
 
 }  // namespace
 
-PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
+PrintedLayers::PrintedLayers(const Solid& solid, const ProjectionFrame& frame, double extentMm,
                              const PrintProcess& process, double roughness)
-    : process_(process), frame_(frame), triangles_(std::move(triangles)) {
+    : process_(process), frame_(frame) {
   bedMm_ = std::numeric_limits<double>::infinity();
-  for (const Corners& triangle : triangles_)
-    for (const Vec3& corner : triangle) bedMm_ = std::min(bedMm_, corner.z);
-  findTiles(extentMm);
-  extrude(roughness);
+  for (const Triangle& t : solid.triangles)
+    for (const std::uint32_t v : t) bedMm_ = std::min(bedMm_, solid.positions[v].z);
+  findTiles(solid, extentMm);
+  extrude(solid, roughness);
 }
 
 /// A ray from the eye, with the greatest steps that distances from plastic allow.
@@ -142,15 +158,18 @@ int PrintedLayers::layerAt(double z) const {
 }
 
 /// Finds the tiles of each layer to compute.
-void PrintedLayers::findTiles(double extentMm) {
+void PrintedLayers::findTiles(const Solid& solid, double extentMm) {
   std::vector<Polygon> parts;
   Rectangle all;
   double least = std::numeric_limits<double>::infinity(), most = -least;
   nearestMm_ = least;
   farthestMm_ = 0;
   const double h = process_.layerMm, margin = 2 * process_.cornerRadiusMm + h;
-  for (const Corners& triangle : triangles_) {
-    Polygon part = seenPart(triangle, frame_, extentMm);
+  const std::vector<std::uint8_t> beyond = sidesBeyond(solid.positions, frame_, extentMm);
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const auto& [a, b, c] = solid.triangles[t];
+    if ((beyond[a] & beyond[b] & beyond[c]) != 0) continue;
+    Polygon part = seenPart(solid.corners(t), frame_, extentMm);
     if (part.empty()) continue;
     for (const Vec3& corner : part) {
       least = std::min(least, corner.z);
@@ -243,7 +262,20 @@ void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginM
 /// Returns the margin of outline considered beyond a tile, so that the tile does not depend on where it ends.
 double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kExtrudedReachMm; }
 
-void PrintedLayers::extrude(double roughness) {
+/// Returns the triangles that lie over, under or in a rectangle.
+std::vector<Corners> PrintedLayers::trianglesWithin(const Solid& solid, Vec2 low, Vec2 high) const {
+  std::vector<Corners> within;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const Corners corners = solid.corners(t);
+    Rectangle bounds;
+    for (const Vec3& corner : corners) bounds.add(corner);
+    if (bounds.high.x >= low.x && bounds.high.y >= low.y && bounds.low.x <= high.x && bounds.low.y <= high.y)
+      within.push_back(corners);
+  }
+  return within;
+}
+
+void PrintedLayers::extrude(const Solid& solid, double roughness) {
   std::size_t tiles = 0;
   for (const Layer& layer : layers_) tiles += layer.tiles.size();
   if (tiles == 0) return;
@@ -253,8 +285,8 @@ void PrintedLayers::extrude(double roughness) {
   const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
                              static_cast<int>(layers_.size())};
   const Vec2 corner = origin_ - (haloMm() + 2 * tileMm_) * Vec2(1.00381966011, 1.00414213562);
-  const CrossSections sections =
-      cutByPlanes(triangles_, planes, corner, origin_ + tileMm_ * Vec2(tileColumns_, tileRows_) + haloMm());
+  const Vec2 opposite = origin_ + tileMm_ * Vec2(tileColumns_, tileRows_) + haloMm();
+  const CrossSections sections = cutByPlanes(trianglesWithin(solid, corner, opposite), planes, corner, opposite);
   parallelFor(layers_.size(), [&](std::size_t k) {
     if (!layers_[k].tiles.empty()) layLayer(layers_[k], sections.outlines[k], corner, sections.windings[k], steps);
   });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "math/frame.h"
+#include "mesh/mesh.h"
 #include "printing/layer_grid.h"
 #include "printing/print_process.h"
 
@@ -43,15 +44,25 @@ class PrintedLayers {
     std::size_t size_ = 0;
   };
 
+  /// A solid in the printer's space, its triangles anticlockwise seen from outside.
+  struct Solid {
+    std::span<const Vec3> positions;
+    std::span<const Triangle> triangles;
+
+    Corners corners(std::size_t triangle) const {
+      const Triangle& t = triangles[triangle];
+      return {positions[t[0]], positions[t[1]], positions[t[2]]};
+    }
+  };
+
   /// Computes the visible tiles of all layers.
   /// Cost: O(triangles) and O(visible area / finest²); at most 40 million nodes, with coarser steps where more would be
   /// needed.
-  /// @param triangles  of a solid, anticlockwise seen from outside
   /// @param frame      of the code, with the eye
   /// @param extentMm   edge of the visible square of the QR plane
   /// @param roughness  see PrintRequest
-  PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
-                const PrintProcess& process, double roughness);
+  PrintedLayers(const Solid& solid, const ProjectionFrame& frame, double extentMm, const PrintProcess& process,
+                double roughness);
 
   /// Returns the distance from the eye at which the ray to a point of the QR plane hits plastic; 0: no hit.
   /// @param fromMm  start of the search; there is no plastic nearer to the eye
@@ -74,12 +85,13 @@ class PrintedLayers {
   double topOf(int layer) const { return bedMm_ + (firstLayer_ + layer + 1) * process_.layerMm; }
   int layerAt(double z) const;
   double haloMm() const;
-  void findTiles(double extentMm);
+  void findTiles(const Solid& solid, double extentMm);
   void addToLayers(const Polygon& part, double marginMm);
   TileRange tilesRound(const Polygon& polygon, double marginMm) const;
   void addRange(Layer& layer, const TileRange& range) const;
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
-  void extrude(double roughness);
+  std::vector<Corners> trianglesWithin(const Solid& solid, Vec2 low, Vec2 high) const;
+  void extrude(const Solid& solid, double roughness);
   void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
                                                double beyond) const;
@@ -90,7 +102,6 @@ class PrintedLayers {
 
   PrintProcess process_;
   ProjectionFrame frame_;
-  std::vector<Corners> triangles_;
   double bedMm_ = 0, nearestMm_ = 0, farthestMm_ = 0;
   int firstLayer_ = 0;
   Vec2 origin_{0};  ///< lower left corner of the tiles, which are the same in all layers

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "base/parallel.h"
 #include "base/random.h"
@@ -100,7 +101,8 @@ class NearestMaterial {
                          static_cast<int>(kMaxTexels));
     const MapWindow window{extentMm_, texels_};
     const double eye = request.frame.eyeDistance;
-    const std::vector<float> surface = SurfaceRaster(mesh).draw(request.frame, window);
+    const SurfaceRaster raster(mesh, std::make_shared<const ClusteredTriangles>(oneCluster(mesh)));
+    const std::vector<float> surface = raster.draw(request.frame, window);
     std::vector<float> distance(surface.size() / 4, std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < distance.size(); ++i) {
       if (surface[4 * i] == 0 && surface[4 * i + 1] == 0 && surface[4 * i + 2] == 0) continue;
@@ -210,11 +212,11 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   const double length = glm::length(request.buildUp);
   if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message<"no-build-direction">());
   const BuildSpace space(request.buildUp);
-  std::vector<PrintedLayers::Corners> triangles(mesh.triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) triangles[t][k] = space.to(mesh.corner(t, k));
-  const ProjectionFrame frame = inBuildSpace(request.frame, space);
-  const PrintedLayers layers(std::move(triangles), frame, request.extentMm, request.process, request.roughness);
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3f p : mesh.positions) positions.push_back(space.to(Vec3(p)));
+  const PrintedLayers layers({positions, mesh.triangles}, inBuildSpace(request.frame, space), request.extentMm,
+                             request.process, request.roughness);
 
   PrintedSurface surface;
   surface.frame = request.frame;

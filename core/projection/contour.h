@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/frame.h"
@@ -22,7 +23,7 @@ enum class Facing : std::uint8_t {
 struct EyeView {
   std::vector<Vec2> projected;        ///< per vertex, on the QR plane, mm; (0, 0) where it cannot be projected
   std::vector<std::uint8_t> inFront;  ///< per vertex: 1 if it can be projected
-  std::vector<Facing> facing;         ///< per triangle, exact
+  std::vector<Facing> facing;         ///< per triangle, exact; Away where it was not looked at
   double noiseMm = 0;                 ///< projected points closer together than this count as equal
 
   Triangle2 triangle(const Triangle& corners) const {
@@ -30,8 +31,8 @@ struct EyeView {
   }
 };
 
-/// Projects a mesh and classifies its facets. Cost: one projection per vertex, one orientation test per facet.
-EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame);
+/// Projects facets of a mesh and classifies them. Cost: one projection and one orientation test per facet.
+EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame, std::span<const std::uint32_t> facets);
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
@@ -43,8 +44,9 @@ struct ContourEdge {
   Segment2 projected;                     ///< on the QR plane, mm
 };
 
-/// Finds all contour edges in front of the eye, ordered by triangle. Cost: O(T).
+/// Finds the contour edges of facets in front of the eye, in the order of the facets.
+/// @param view  has these facets and their neighbours
 std::vector<ContourEdge> contourEdges(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                      const EyeView& view);
+                                      const EyeView& view, std::span<const std::uint32_t> facets);
 
 }  // namespace qrelief

@@ -152,10 +152,11 @@ bool imagesOverlap(const Mesh& mesh, std::uint32_t first, std::uint32_t second, 
   return true;
 }
 
-std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view) {
+std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view,
+                                                 std::span<const std::uint32_t> facets) {
   const Vec3 eye = frame.eye();
   std::optional<CentreObstruction> nearest;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (const std::uint32_t t : facets) {
     const Triangle& vertices = mesh.triangles[t];
     if (view.inFront[vertices[0]] && view.inFront[vertices[1]] && view.inFront[vertices[2]] &&
         certainlySeparate(view.triangle(vertices), {Vec2(0), Vec2(0)}, view.noiseMm))

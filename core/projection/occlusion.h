@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "projection/contour.h"
 
@@ -38,6 +39,8 @@ struct CentreObstruction {
 
 /// Finds the first obstacle between the eye and the centre; empty if the centre is visible. Cost: one box test per
 /// facet, exact tests for the few that pass.
-std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view);
+/// @param facets  all that may lie between eye and centre; `view` has them
+std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view,
+                                                 std::span<const std::uint32_t> facets);
 
 }  // namespace qrelief

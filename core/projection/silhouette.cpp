@@ -5,12 +5,14 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <span>
 #include <unordered_map>
 
 #include "math/round_down.h"
+#include "math/tolerance.h"
 #include "message_codes/place.h"
 #include "projection/plane_grid.h"
 
@@ -63,6 +65,74 @@ double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
   return reach;
 }
 
+bool isWithin(const Triangle2& image, double radius) {
+  const double squared = radius * radius;
+  for (const Vec2 p : image)
+    if (glm::dot(p, p) <= squared) return true;
+  return distanceToTriangle(Vec2(0), image) <= radius;
+}
+
+/// Returns the facets of the clusters whose boxes may show within a square about the centre.
+std::vector<std::uint32_t> facetsInView(const ClusteredTriangles& clusters, const ProjectionFrame& frame,
+                                        double halfWidth) {
+  const ViewPyramid pyramid(frame, 2 * halfWidth);
+  std::vector<std::uint32_t> facets;
+  for (const TriangleCluster& cluster : clusters.clusters)
+    if (pyramid.mayMeet(cluster.box))
+      facets.insert(facets.end(), clusters.origins.begin() + cluster.begin, clusters.origins.begin() + cluster.end);
+  return facets;
+}
+
+/// Returns half the edge of a square about the centre that contains the images of those facets that come within the
+/// radius.
+double reachOfFacets(const Mesh& mesh, std::span<const std::uint32_t> facets, const ProjectionFrame& frame,
+                     double radius) {
+  const double nearDepth = kNearPlaneFraction * frame.eyeDistance;
+  double reach = radius;
+  for (const std::uint32_t t : facets) {
+    const std::array<Vec3, 3> corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    if (std::any_of(corners.begin(), corners.end(), [&](Vec3 p) { return frame.distanceAlongAxis(p) <= nearDepth; }))
+      continue;  // is out of the eye's reach
+    const Triangle2 image{frame.project(corners[0]), frame.project(corners[1]), frame.project(corners[2])};
+    if (!isWithin(image, radius)) continue;
+    for (const Vec2 p : image) reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+  }
+  return reach;
+}
+
+/// Returns the facets, ascending, whose images may meet the image of a facet within the radius, or hide the centre. All
+/// facets if these are more than a third: to choose them then takes longer than to look at the rest.
+std::vector<std::uint32_t> facetsAbout(const Mesh& mesh, const ClusteredTriangles* clusters,
+                                       const ProjectionFrame& frame, double radius) {
+  const std::size_t many = mesh.triangles.size() / 3;
+  if (clusters && std::isfinite(radius)) {
+    std::vector<std::uint32_t> facets = facetsInView(*clusters, frame, radius);
+    if (facets.size() <= many) facets = facetsInView(*clusters, frame, reachOfFacets(mesh, facets, frame, radius));
+    if (facets.size() <= many) {
+      std::sort(facets.begin(), facets.end());
+      return facets;
+    }
+  }
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// Returns facets and all their neighbours, ascending.
+std::vector<std::uint32_t> withNeighbours(const std::vector<std::uint32_t>& facets, const Adjacency& adjacency) {
+  if (facets.size() == adjacency.size()) return facets;
+  std::vector<std::uint8_t> counts(adjacency.size(), 0);
+  for (const std::uint32_t t : facets) {
+    counts[t] = 1;
+    for (const std::uint32_t across : adjacency[t])
+      if (across != kNoTriangle) counts[across] = 1;
+  }
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t t = 0; t < counts.size(); ++t)
+    if (counts[t]) all.push_back(t);
+  return all;
+}
+
 /// A facet that occluders pass over.
 struct ObstructedFacet {
   std::uint32_t triangle = 0;
@@ -73,25 +143,29 @@ struct ObstructedFacet {
 
 class Flood {
  public:
-  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius, GrowingRegion region)
+  /// @param clusters  see findSilhouette
+  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius, GrowingRegion region,
+        const ClusteredTriangles* clusters)
       : mesh_(mesh),
         adjacency_(adjacency),
         frame_(frame),
         eye_(frame.eye()),
         radius_(radius),
         region_(region),
-        view_(viewFrom(mesh, frame)),
-        contours_(contourEdges(mesh, adjacency, frame, view_)),
+        facets_(facetsAbout(mesh, clusters, frame, radius)),
+        view_(viewFrom(mesh, frame, withNeighbours(facets_, adjacency))),
+        contours_(contourEdges(mesh, adjacency, frame, view_, facets_)),
         bins_(imagesOf(contours_), 2 * radius),
         maxLooks_(kMinLooks + kLooksPerTriangle * mesh.triangles.size()),
         state_(mesh.triangles.size(), State::Excluded) {
     // Goes in order of storage, not of the flood: on large meshes memory access, not arithmetic, dominates the time.
-    for (std::uint32_t t = 0; t < state_.size(); ++t)
-      if (view_.facing[t] == Facing::Front && withinRadius(t))
+    for (const std::uint32_t t : facets_)
+      if (view_.facing[t] == Facing::Front && isWithin(image(t), radius_))
         state_[t] = bins_.anyNear(image(t)) ? State::Unseen : State::Clear;
   }
 
   const EyeView& view() const { return view_; }
+  std::span<const std::uint32_t> facets() const { return facets_; }
 
   void run(std::uint32_t seed) {
     seed_ = seed;
@@ -121,7 +195,7 @@ class Flood {
     result.radiusMm = radius_;
     result.partlyHidden = !obstructed_.empty();
     result.looks = bins_.looked();
-    for (std::uint32_t t = 0; t < state_.size(); ++t) {
+    for (const std::uint32_t t : facets_) {
       if (state_[t] != State::Taken) continue;
       result.triangles.push_back(t);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -220,14 +294,6 @@ class Flood {
     }
   }
 
-  bool withinRadius(std::uint32_t triangle) const {
-    const Triangle2 corners = image(triangle);
-    const double squared = radius_ * radius_;
-    for (const Vec2 p : corners)
-      if (glm::dot(p, p) <= squared) return true;
-    return distanceToTriangle(Vec2(0), corners) <= radius_;
-  }
-
   /// Finds a point of an edge that the straight path from `from` reaches without meeting an occluder. It first tries
   /// the point nearest to the centre (the proof of exactness needs no other); the others help regions other than discs.
   std::optional<Vec2> clearPoint(const Segment2& edge, Vec2 from, std::span<const Segment2> occluders) const {
@@ -257,7 +323,7 @@ class Flood {
 
     PlaneGrid bins(images, 2 * radius_);
     bool dropped = false;
-    for (std::uint32_t t = 0; t < state_.size(); ++t) {
+    for (const std::uint32_t t : facets_) {
       if (state_[t] != State::Taken) continue;
       if (bins.looked() > maxLooks_) return dropCrossed();
       for (const std::uint32_t index : bins.near(image(t))) {
@@ -283,8 +349,9 @@ class Flood {
       else
         state_[facet.triangle] = State::Dropped;
     }
-    for (std::uint32_t t = 0; isSeedCrossed && t < state_.size(); ++t)
-      if (state_[t] == State::Taken && t != seed_ && imagesOverlap(mesh_, t, seed_, eye_)) state_[t] = State::Dropped;
+    if (isSeedCrossed)
+      for (const std::uint32_t t : facets_)
+        if (state_[t] == State::Taken && t != seed_ && imagesOverlap(mesh_, t, seed_, eye_)) state_[t] = State::Dropped;
     keepConnected();
   }
 
@@ -306,7 +373,7 @@ class Flood {
         stack.push_back(across);
       }
     }
-    for (std::size_t t = 0; t < state_.size(); ++t)
+    for (const std::uint32_t t : facets_)
       if (state_[t] == State::Taken && !connected[t]) state_[t] = State::Dropped;
   }
 
@@ -316,6 +383,7 @@ class Flood {
   Vec3 eye_;
   double radius_;
   GrowingRegion region_;
+  std::vector<std::uint32_t> facets_;  // looked at, ascending: all that the patch and its occluders can belong to
   EyeView view_;
   std::vector<ContourEdge> contours_;
   PlaneGrid bins_;
@@ -329,13 +397,14 @@ class Flood {
 };
 
 /// Returns an error if no code can be placed at the centre.
-Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
+Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const Flood& flood, std::uint32_t seed) {
+  const EyeView& view = flood.view();
   if (view.facing[seed] == Facing::Away)
     return fail(ErrorKind::NoSolution, message<"centre-faces-away">(with::count<"triangle">(seed)));
   if (view.facing[seed] == Facing::FrontOutOfReach)
     return fail(ErrorKind::NoSolution, message<"centre-behind-eye">(with::count<"triangle">(seed),
                                                                     with::lengthMm<"distance">(frame.eyeDistance)));
-  if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
+  if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view, flood.facets()))
     return fail(ErrorKind::NoSolution,
                 message<"centre-hidden">(with::count<"triangle">(obstruction->triangle),
                                          with::lengthMm<"fromEye">(obstruction->fromEyeMm),
@@ -347,10 +416,11 @@ Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView
 }  // namespace
 
 Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                    std::uint32_t seed, double radiusMm, GrowingRegion region) {
+                                    std::uint32_t seed, double radiusMm, GrowingRegion region,
+                                    const ClusteredTriangles* clusters) {
   assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
-  Flood flood(mesh, adjacency, frame, radiusMm, region);
-  QRELIEF_TRY(checkCentre(mesh, frame, flood.view(), seed));
+  Flood flood(mesh, adjacency, frame, radiusMm, region, clusters);
+  QRELIEF_TRY(checkCentre(mesh, frame, flood, seed));
   flood.run(seed);
   return flood.patch();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "mesh/triangle_clusters.h"
 #include "projection/occlusion.h"
 
 namespace qrelief {
@@ -55,16 +56,19 @@ struct VisiblePatch {
 /// before any other facet with occluders is (induction along the straight path), so nothing of D is lost.
 ///
 /// Preconditions: the surface does not cross itself (else see crossings.h); frame.centre lies on the seed (to
-/// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins. A
-/// search that has looked at 50 contour edges for each triangle, and at a million, enters no more facets that may have
-/// occluders: the patch stays right but may be smaller.
+/// kOnSurfaceMm). Cost: O(F + E) for F facets in the clusters about the code, and E contour edges of them in uniform
+/// bins, besides an array of a few bytes for each triangle and vertex. A search that has looked at 50 contour edges for
+/// each triangle, and at a million, enters no more facets that may have occluders: the patch stays right but may be
+/// smaller.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out,
 ///                  and the edge towards them is not part of the silhouette
 /// @param region    the silhouette leaves this region as much room as possible; it may leave others less
+/// @param clusters  of the mesh, to look at facets about the code only; null: looks at all
 /// @returns NoSolution if the seed faces away from the eye, lies level with it or behind it, or something hides the
 ///          centre (the message names the obstacle, its place, and how near the eye would have to come)
 Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                    std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc);
+                                    std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc,
+                                    const ClusteredTriangles* clusters = nullptr);
 
 }  // namespace qrelief

@@ -6,7 +6,7 @@
 #include "base/colour.h"
 #include "gl/objects.h"
 #include "mesh/mesh.h"
-#include "render/triangle_clusters.h"
+#include "mesh/triangle_clusters.h"
 
 namespace qrelief {
 

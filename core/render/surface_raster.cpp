@@ -92,7 +92,11 @@ class Canvas {
 
 }  // namespace
 
-SurfaceRaster::SurfaceRaster(const Mesh& mesh) : mesh_(&mesh), clustered_(clusterTriangles(mesh)) {}
+SurfaceRaster::SurfaceRaster(const Mesh& mesh)
+    : SurfaceRaster(mesh, std::make_shared<const ClusteredTriangles>(clusterTriangles(mesh))) {}
+
+SurfaceRaster::SurfaceRaster(const Mesh& mesh, std::shared_ptr<const ClusteredTriangles> clusters)
+    : mesh_(&mesh), clustered_(std::move(clusters)) {}
 
 /// Draws the facets that face the eye, or those seen from behind, with their corners reversed.
 template <class Canvas>
@@ -100,11 +104,11 @@ void SurfaceRaster::drawFacets(Canvas& canvas, const ProjectionFrame& frame, con
                                bool front) const {
   const ViewPyramid pyramid(frame, window.extentMm);
   const Vec3 eye = frame.eye();
-  for (const TriangleCluster& cluster : clustered_.clusters) {
+  for (const TriangleCluster& cluster : clustered_->clusters) {
     if (!pyramid.mayMeet(cluster.box)) continue;
     for (std::uint32_t t = cluster.begin; t < cluster.end; ++t) {
       std::array<Vec3, 3> fromEye;
-      for (std::size_t k = 0; k < 3; ++k) fromEye[k] = Vec3(mesh_->positions[clustered_.triangles[t][k]]) - eye;
+      for (std::size_t k = 0; k < 3; ++k) fromEye[k] = Vec3(mesh_->positions[clustered_->triangles[t][k]]) - eye;
       if (!front) std::swap(fromEye[1], fromEye[2]);
       const Vec3 normal = glm::cross(fromEye[1] - fromEye[0], fromEye[2] - fromEye[0]);
       if (!(glm::dot(normal, fromEye[0]) < 0)) continue;  // faces away

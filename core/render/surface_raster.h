@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "math/frame.h"
 #include "mesh/mesh.h"
+#include "mesh/triangle_clusters.h"
 #include "render/surface_renderer.h"
-#include "render/triangle_clusters.h"
 
 namespace qrelief {
 
@@ -16,6 +17,8 @@ class SurfaceRaster final : public SurfaceRenderer {
  public:
   /// @param mesh  kept by reference
   explicit SurfaceRaster(const Mesh& mesh);
+  /// @param clusters  of the same mesh
+  SurfaceRaster(const Mesh& mesh, std::shared_ptr<const ClusteredTriangles> clusters);
 
   /// Draw the maps of render() and renderBack(); never fail.
   /// Cost: O(T' + texels²) for the T' triangles of the clusters that the window may show.
@@ -34,7 +37,7 @@ class SurfaceRaster final : public SurfaceRenderer {
   void drawFacets(Canvas& canvas, const ProjectionFrame& frame, const MapWindow& window, bool front) const;
 
   const Mesh* mesh_;
-  ClusteredTriangles clustered_;
+  std::shared_ptr<const ClusteredTriangles> clustered_;
 };
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #include "verification/mesh_luminance.h"
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 
 #include "light/height_light.h"
@@ -22,7 +23,7 @@ HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const
 }  // namespace
 
 BottomUp<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options) {
-  const SurfaceRaster raster(mesh);
+  const SurfaceRaster raster(mesh, std::make_shared<const ClusteredTriangles>(oneCluster(mesh)));
   const MapWindow window{options.pixelMm * options.pixels, options.pixels};
   Box3 box;
   for (const Vec3f& position : mesh.positions) box.add(Vec3(position));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/occlusion.h"
 
+#include <array>
 #include <gtest/gtest.h>
 
+#include "support/facets.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -21,9 +23,9 @@ struct Scene {
   }
 
   std::optional<Occluder> test(std::uint32_t from, std::uint32_t to) const {
-    const EyeView view = viewFrom(mesh, kFrame);
-    const ContourEdge edge{
-        {Vec3(mesh.positions[from]), Vec3(mesh.positions[to])}, {from, to}, {view.projected[from], view.projected[to]}};
+    const EyeView view = viewFrom(mesh, kFrame, allFacets(mesh));
+    const std::array<Vec3, 2> ends{Vec3(mesh.positions[from]), Vec3(mesh.positions[to])};
+    const ContourEdge edge{ends, {from, to}, {kFrame.project(ends[0]), kFrame.project(ends[1])}};
     return occluderOf(mesh, 0, edge, kFrame.eye(), kFrame, view);
   }
 };
@@ -114,12 +116,13 @@ TEST(CentreObstruction, NamesTheNearestFacetAndTheDistanceThatClearsAll) {
   const Mesh plates = shapes::together(shapes::translated(shapes::box({9, 8, 10}), {1, 0, 25}),
                                        shapes::translated(shapes::box({9, 8, 10}), {1, 0, 65}));
   const Mesh mesh = shapes::together(floor, plates);
-  const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, kFrame, viewFrom(mesh, kFrame));
+  const std::optional<CentreObstruction> obstruction =
+      whatHidesCentre(mesh, kFrame, viewFrom(mesh, kFrame, allFacets(mesh)), allFacets(mesh));
   ASSERT_TRUE(obstruction);
   EXPECT_DOUBLE_EQ(obstruction->fromEyeMm, 30);
   EXPECT_DOUBLE_EQ(obstruction->clearDistanceMm, 20);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(mesh.corner(obstruction->triangle, k).z, 70);
-  EXPECT_FALSE(whatHidesCentre(floor, kFrame, viewFrom(floor, kFrame)));
+  EXPECT_FALSE(whatHidesCentre(floor, kFrame, viewFrom(floor, kFrame, allFacets(floor)), allFacets(floor)));
 }
 
 }  // namespace

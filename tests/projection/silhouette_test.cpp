@@ -313,6 +313,50 @@ TEST(Silhouette, OmitsFacetsBeyondTheRadiusWithoutASilhouette) {
   EXPECT_EQ(patch->triangles, expected);
 }
 
+/// Expects the same patch whether the search looks at all facets or at the clusters about the code.
+void expectSamePatchFromClusters(const Mesh& mesh, const brute_force::Spot& spot, double radius) {
+  const Adjacency adjacency = buildAdjacency(mesh.triangles);
+  const ClusteredTriangles clusters = clusterTriangles(mesh);
+  ASSERT_GT(clusters.clusters.size(), 1u);
+  for (const GrowingRegion region : {GrowingRegion::Disc, GrowingRegion::Square}) {
+    const auto all = findSilhouette(mesh, adjacency, spot.frame, spot.seed, radius, region);
+    const auto near = findSilhouette(mesh, adjacency, spot.frame, spot.seed, radius, region, &clusters);
+    ASSERT_EQ(all.has_value(), near.has_value());
+    if (!all) {
+      EXPECT_EQ(sentence(all.error().message), sentence(near.error().message));
+      continue;
+    }
+    EXPECT_EQ(all->triangles, near->triangles);
+    EXPECT_EQ(all->partlyHidden, near->partlyHidden);
+    const auto ends = [](const VisiblePatch& patch) {
+      std::vector<std::array<double, 4>> sorted;
+      for (const Segment2& s : patch.silhouette) sorted.push_back({s[0].x, s[0].y, s[1].x, s[1].y});
+      std::sort(sorted.begin(), sorted.end());
+      return sorted;
+    };
+    EXPECT_EQ(ends(*all), ends(*near));
+  }
+}
+
+TEST(Silhouette, IsTheSameIfTheSearchLooksAtClustersAboutTheCodeOnly) {
+  const std::array<Mesh, 3> meshes{shapes::bumpySphere(50, 6, 5, 6), shapes::torus(40, 12, 160, 80),
+                                   // A wide roof over a fine plate: its facets reach far beyond the radius.
+                                   shapes::together(shapes::plate({120, 120}, 4, 60, 60),
+                                                    shapes::translated(shapes::box({400, 40, 3}), {200, 0, 30}))};
+  Random random(23);
+  for (const Mesh& mesh : meshes)
+    for (int k = 0; k < 12; ++k) {
+      const Vec3 at = (boundingBox(mesh).min + boundingBox(mesh).max) / 2.0;
+      const Vec3 outwards = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.5, 1)) +
+                                           Vec3(0, 0, 0.01));
+      const brute_force::Spot seen = brute_force::spotSeen(mesh, at + outwards * 300.0, -outwards, outwards, {0, 1, 0});
+      if (seen.seed == kNoTriangle) continue;
+      // Half of the eyes are near, between parts of the model.
+      const brute_force::Spot spot{makeFrame(seen.frame.centre, outwards, {0, 1, 0}, k % 2 ? 250 : 25), seen.seed};
+      for (const double radius : {4.0, 15.0, 60.0}) expectSamePatchFromClusters(mesh, spot, radius);
+    }
+}
+
 TEST(Silhouette, HasTheSilhouetteInsideTheRadiusOnly) {
   const Mesh mesh = shapes::box({40, 40, 40});
   EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 14)->silhouette.size(), 0u);

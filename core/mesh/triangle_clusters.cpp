@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/triangle_clusters.h"
+#include "mesh/triangle_clusters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <iterator>
+#include <numeric>
 
 namespace qrelief {
 namespace {
@@ -48,10 +49,22 @@ ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   }
   ClusteredTriangles result;
   result.triangles.resize(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    result.triangles[cells[cellOfTriangle[t]].end++] = mesh.triangles[t];
+  result.origins.resize(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t at = cells[cellOfTriangle[t]].end++;
+    result.triangles[at] = mesh.triangles[t];
+    result.origins[at] = t;
+  }
   std::copy_if(cells.begin(), cells.end(), std::back_inserter(result.clusters),
                [](const TriangleCluster& cell) { return cell.begin < cell.end; });
+  return result;
+}
+
+ClusteredTriangles oneCluster(const Mesh& mesh) {
+  ClusteredTriangles result{mesh.triangles, std::vector<std::uint32_t>(mesh.triangles.size()), {}};
+  std::iota(result.origins.begin(), result.origins.end(), 0u);
+  if (!mesh.triangles.empty())
+    result.clusters.push_back({boundingBox(mesh), 0, static_cast<std::uint32_t>(mesh.triangles.size())});
   return result;
 }
 

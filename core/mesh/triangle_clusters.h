@@ -18,11 +18,15 @@ struct TriangleCluster {
 /// A mesh's triangles, ordered so that neighbours in space are neighbours in memory.
 struct ClusteredTriangles {
   std::vector<Triangle> triangles;        ///< the mesh's triangles; in their old order within a cluster
+  std::vector<std::uint32_t> origins;     ///< index of each in the mesh
   std::vector<TriangleCluster> clusters;  ///< contiguous, none empty
 };
 
 /// Clusters triangles by a uniform grid over the mesh's box, a few hundred triangles per cell. Cost: O(T).
 ClusteredTriangles clusterTriangles(const Mesh& mesh);
+
+/// Returns all triangles as one cluster, for a mesh that is drawn only once or twice: clustering would cost more.
+ClusteredTriangles oneCluster(const Mesh& mesh);
 
 /// The part of space that the eye sees through a square on the QR plane, bounded by four planes through the eye.
 class ViewPyramid {

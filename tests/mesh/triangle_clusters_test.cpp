@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/triangle_clusters.h"
+#include "mesh/triangle_clusters.h"
 
 #include <algorithm>
 #include <cmath>
