@@ -10,6 +10,7 @@
 #include "mesh/collinear.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_separation.h"
+#include "mesh/vertex_stars.h"
 #include "message_codes/model.h"
 
 namespace qrelief {
@@ -112,12 +113,15 @@ bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
 class PairList {
  public:
   /// @param pieces  of the vertices; empty: pairs of any pieces count
-  PairList(const Mesh& mesh, std::span<const std::uint32_t> pieces, std::size_t limit, std::size_t maxLooks)
-      : mesh_(mesh), pieces_(pieces), limit_(limit), maxLooks_(maxLooks) {}
+  /// @param stars   see simpleStars()
+  PairList(const Mesh& mesh, std::span<const std::uint32_t> pieces, std::span<const std::uint8_t> stars,
+           std::size_t limit, std::size_t maxLooks)
+      : mesh_(mesh), pieces_(pieces), stars_(stars), limit_(limit), maxLooks_(maxLooks) {}
 
   void look(std::size_t pairs) { looks_ += pairs; }
   void test(std::uint32_t t, std::uint32_t u) {
     if (!pieces_.empty() && pieces_[mesh_.triangles[t][0]] != pieces_[mesh_.triangles[u][0]]) return;
+    if (shareSimpleStar(mesh_.triangles[t], mesh_.triangles[u])) return;
     looks_ += kLooksATest;
     if (!full() && meet(mesh_, mesh_.triangles[std::min(t, u)], mesh_.triangles[std::max(t, u)]))
       pairs_.push_back({std::min(t, u), std::max(t, u)});
@@ -127,8 +131,15 @@ class PairList {
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
  private:
+  bool shareSimpleStar(const Triangle& a, const Triangle& b) const {
+    for (const std::uint32_t v : a)
+      if ((v == b[0] || v == b[1] || v == b[2]) && stars_[v]) return true;
+    return false;
+  }
+
   const Mesh& mesh_;
   std::span<const std::uint32_t> pieces_;
+  std::span<const std::uint8_t> stars_;
   std::size_t limit_, maxLooks_;
   std::size_t looks_ = 0;
   std::vector<TrianglePair> pairs_;
@@ -176,8 +187,9 @@ void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char>
 Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const std::uint32_t> pieces,
                                             std::span<const std::uint32_t> suspects, std::size_t limit,
                                             std::optional<std::size_t> maxLooks) {
-  const BoxTree tree(mesh, suspects);
   const bool allSuspect = suspects.size() == mesh.triangles.size();
+  const std::vector<std::uint8_t> stars = simpleStars(mesh, allSuspect ? std::span<const std::uint32_t>() : suspects);
+  const BoxTree tree(mesh, suspects);
   std::vector<char> isSuspect(allSuspect ? 0 : mesh.triangles.size(), 0);
   if (!allSuspect)
     for (const std::uint32_t t : suspects) isSuspect[t] = 1;
@@ -187,7 +199,7 @@ Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const st
       allSuspect || suspects.empty() ? 0 : (mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece;
   const std::size_t tasks = leafPieces + bystanderPieces;
   const std::size_t looksAPiece = std::max(kMaxLooksAPiece, kMaxLooks / std::max<std::size_t>(tasks, 1));
-  std::vector<PairList> lists(tasks, PairList(mesh, pieces, limit, maxLooks.value_or(looksAPiece)));
+  std::vector<PairList> lists(tasks, PairList(mesh, pieces, stars, limit, maxLooks.value_or(looksAPiece)));
   parallelFor(lists.size(), [&](std::size_t task) {
     if (task < leafPieces) {
       const std::size_t begin = task * kLeavesAPiece;

@@ -15,8 +15,9 @@ namespace qrelief {
 using TrianglePair = std::array<std::uint32_t, 2>;
 
 /// Finds pairs of triangles that cross or touch elsewhere than along a shared edge or at a shared vertex, of whichever
-/// shells. Pairs are sorted, first index < second. Exact: most pairs are cleared by a plane between them
-/// (mesh/triangle_separation.h), the rest by exact predicates (CGAL, EPICK).
+/// shells. Pairs are sorted, first index < second. Exact: most neighbours are cleared together, as triangles round one
+/// vertex (mesh/vertex_stars.h), most other pairs by a plane between them (mesh/triangle_separation.h), the rest by
+/// exact predicates (CGAL, EPICK).
 ///
 /// Shared vertices are recognised by index, so the mesh has to be welded. Two triangles that share an edge count only
 /// if they are folded onto each other in one plane. Triangles without area are ignored.

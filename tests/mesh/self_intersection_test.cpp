@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/random.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -106,6 +107,29 @@ TEST(FindCrossings, FindsTheSameInALargeMeshAsInItsParts) {
   EXPECT_EQ(first.size(), 50u);
   EXPECT_EQ(first, *findCrossings(mesh, {}, 50));
   EXPECT_TRUE(std::includes(all.begin(), all.end(), first.begin(), first.end()));
+}
+
+/// Returns the crossing pairs, each tested as a mesh of two triangles.
+Pairs pairsTestedAlone(const Mesh& mesh) {
+  Pairs pairs;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::uint32_t u = t + 1; u < mesh.triangles.size(); ++u)
+      if (!pairsOf({mesh.positions, {mesh.triangles[t], mesh.triangles[u]}}).empty()) pairs.push_back({t, u});
+  return pairs;
+}
+
+TEST(FindCrossings, FindsInACrumpledSurfaceWhatPairsTestedAloneShow) {
+  Random random(7);
+  for (const double crumple : {0.2, 0.6, 2.0})
+    for (const double grid : {0.0, 0.5}) {  // on a grid many corners lie exactly on other triangles
+      Mesh mesh = shapes::icosphere(5, 1);
+      for (Vec3f& p : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis) {
+          const double moved = static_cast<double>(p[axis]) + random.uniform(-crumple, crumple);
+          p[axis] = static_cast<float>(grid > 0 ? grid * std::round(moved / grid) : moved);
+        }
+      EXPECT_EQ(findCrossings(mesh, {}, 1'000'000).value(), pairsTestedAlone(mesh)) << crumple << " " << grid;
+    }
 }
 
 TEST(FindCrossings, StopsAtTheLimit) { EXPECT_EQ(findCrossings(crossingBoxes(), {}, 3)->size(), 3u); }
