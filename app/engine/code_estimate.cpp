@@ -26,8 +26,9 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
                          const PlacementRequest& request) {
   if (request.direction) return *request.direction;
   DirectionOptions options;
-  options.method =
-      request.directionMethod == DirectionMethod::Optimal ? DirectionMethod::DepthBalanced : request.directionMethod;
+  const bool isRefined =
+      request.directionMethod == DirectionMethod::Optimal || request.directionMethod == DirectionMethod::Largest;
+  options.method = isRefined ? DirectionMethod::DepthBalanced : request.directionMethod;
   options.sizeMm = sizeMm;
   options.samples = kDirectionSamples;
   options.mapTexels = kDirectionTexels;

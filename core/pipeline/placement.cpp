@@ -28,6 +28,10 @@ constexpr double kFirstShare = 0.15;  // first estimate of the size, of the mode
 constexpr double kFirstReach = 1.25;  // first search radius, of the expected size's half diagonal
 constexpr double kNextReach = 1.5;    // growth of the search radius
 
+// The search for the direction of the largest code.
+constexpr double kFirstAngleDeg = 8, kLastAngleDeg = 2, kLarger = 1.001;
+constexpr int kSides = 6, kMaxLooks = 36;
+
 /// Largest magnification on the QR plane of a margin measured on the surface: surface nearer to the eye than the plane
 /// looks larger, twice as large halfway to the eye.
 constexpr double kNearnessFactor = 2;
@@ -322,6 +326,38 @@ Result<bool> PlacementSearch::refine() {
   return true;
 }
 
+/// Does one look of the search for the direction of the largest code.
+/// @returns true when done
+bool PlacementSearch::grow() {
+  if (!growth_) {
+    const Placement& largest = fitToTake(fits_).placement;
+    growth_ = Growth{largest.frame.normal, largest.symbolMm, kFirstAngleDeg};
+  }
+  Growth& growth = *growth_;
+  if (growth.angleDeg < kLastAngleDeg || growth.looks == kMaxLooks || growth.bestMm >= largestMm()) return true;
+  const ProjectionFrame round = frameFor(growth.best);
+  const double side = 2 * std::numbers::pi / kSides * growth.side, angle = toRadians(growth.angleDeg);
+  const Vec3 sideways = round.right * std::cos(side) + round.up * std::sin(side);
+  ++growth.looks;
+  if (++growth.side == kSides) {
+    growth.side = 0;
+    growth.angleDeg /= 2;
+  }
+  const Placement before = placement_;
+  std::vector<Fit> known = std::move(fits_);
+  fits_.clear();
+  const Vec3 normal = growth.best * std::cos(angle) + sideways * std::sin(angle);
+  if (measure(normal) && fitMm_ >= kLarger * growth.bestMm) {
+    growth = {normal, fitMm_, toDegrees(angle), 0, growth.looks};
+    known.insert(known.end(), std::move_iterator(fits_.begin()), std::move_iterator(fits_.end()));
+  } else {
+    placement_ = before;
+    fitMm_ = growth.bestMm;
+  }
+  fits_ = std::move(known);
+  return false;
+}
+
 /// Reduces a found size if walls are too thin for its pockets. If they take no code at all, keeps the size; the depth
 /// search then decides whether anything can be carved.
 Status PlacementSearch::leaveWalls(Fit& fit) const {
@@ -387,7 +423,9 @@ Status PlacementSearch::takeBestFit() {
 }
 
 Result<bool> PlacementSearch::step() {
-  if (free_) {
+  if (growth_) {
+    // The search before it is done.
+  } else if (free_) {
     if (!lookFromFree()) return false;
     if (fits_.empty()) return tl::unexpected(*doesNotFit_);
   } else {
@@ -398,11 +436,16 @@ Result<bool> PlacementSearch::step() {
       if (!done) doesNotFit_ = done.error();
       PlacementRequest free = request_;
       free.sizeMode = SizeMode::Free;
+      free.directionMethod = request_.directionMethod == DirectionMethod::Largest ? DirectionMethod::DepthBalanced
+                                                                                  : request_.directionMethod;
       free_ = std::make_unique<PlacementSearch>(*model_, *surface_, modules_, free);
       return false;
     }
     if (!done || !*done) return done;
   }
+  const bool isForLargest = request_.directionMethod == DirectionMethod::Largest && !request_.direction &&
+                            request_.sizeMode != SizeMode::Fixed;
+  if (isForLargest && !grow()) return false;
   QRELIEF_TRY(takeBestFit());
   placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;

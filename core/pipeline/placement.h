@@ -46,6 +46,10 @@ struct FoundPlacement {
 /// found, starting from the depth-balanced direction. For SizeMode::Best the round with the largest size wins. Unless
 /// that is the size limit, it also looks from the direction that SizeMode::Free finds.
 ///
+/// For DirectionMethod::Largest a pattern search [Hooke, Jeeves 1961] begins at the direction found. It looks from six
+/// directions round the best one, 8° away, goes on from the first where the code is larger by at least 0.1 %, and
+/// halves the angle where none is, down to 2°; at most 36 looks. It ignores walls, which may then reduce the size.
+///
 /// Walls too thin for the pockets reduce a found size. From the same direction, with walls counted, a code turned to
 /// fit is at least as large as an upright one, and that as one that fits at every rotation.
 class PlacementSearch {
@@ -73,6 +77,14 @@ class PlacementSearch {
     bool leavesWalls = false;  ///< false: walls may still reduce its size
   };
 
+  /// State of the search for the direction of the largest code.
+  struct Growth {
+    Vec3 best{0};
+    double bestMm = 0;
+    double angleDeg = 0;      ///< of the next looks to `best`
+    int side = 0, looks = 0;  ///< looks round `best` at this angle, and all
+  };
+
   Result<bool> searchOnce();
   Status start();
   Status leaveWalls(Fit& fit) const;
@@ -89,6 +101,7 @@ class PlacementSearch {
   Error doesNotFit() const;
   Status checkCrossings() const;
   Result<bool> refine();
+  bool grow();
   Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
   double sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const;
   double largestMm() const;
@@ -108,6 +121,7 @@ class PlacementSearch {
   std::vector<Fit> fits_;                  // of the last round; SizeMode::Best: of all rounds that fit
   std::unique_ptr<PlacementSearch> free_;  // SizeMode::Best: the search for the free size's direction
   std::optional<Error> doesNotFit_;        // the error of all rounds, if none fits
+  std::optional<Growth> growth_;           // DirectionMethod::Largest: the search for a larger code
   int round_ = 0;
   bool started_ = false;
   double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate

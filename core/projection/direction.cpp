@@ -159,7 +159,7 @@ bool seesCentre(const NormalMap& map, const DirectionOptions& options) {
   return false;
 }
 
-constexpr std::array<const char*, 4> kMethodNames = {"mean-normal", "depth-balanced", "pca", "optimal"};
+constexpr std::array<const char*, 5> kMethodNames = {"mean-normal", "depth-balanced", "pca", "optimal", "largest"};
 
 }  // namespace
 

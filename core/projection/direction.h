@@ -16,10 +16,11 @@ enum class DirectionMethod {
   MeanNormal,     ///< mean of the surface's normals [Papp 2022, §3, first method]
   DepthBalanced,  ///< the distance to the eye varies little [Papp 2022, §3, second method]
   Pca,            ///< axis along which surface points vary least [Kikuchi et al. 2018]
-  Optimal         ///< refines DepthBalanced's answer, see optimal_direction.h
+  Optimal,        ///< refines DepthBalanced's answer, see optimal_direction.h
+  Largest         ///< the largest code near DepthBalanced's answer, see pipeline/placement.h; for found sizes only
 };
 
-/// Returns "mean-normal", "depth-balanced", "pca" or "optimal". Scripts rely on these names.
+/// Returns "mean-normal", "depth-balanced", "pca", "optimal" or "largest". Scripts rely on these names.
 const char* directionMethodName(DirectionMethod method);
 
 struct DirectionOptions {

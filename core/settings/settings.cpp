@@ -40,7 +40,7 @@ std::vector<std::string> sizeModeNames() {  // without Fixed, which is given as 
 }
 
 std::vector<std::string> directionMethodNames() {
-  return namesOf(4, [](int i) { return directionMethodName(static_cast<DirectionMethod>(i)); });
+  return namesOf(5, [](int i) { return directionMethodName(static_cast<DirectionMethod>(i)); });
 }
 
 std::vector<std::string> buildPoseNames() {

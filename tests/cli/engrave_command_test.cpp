@@ -382,7 +382,7 @@ TEST_F(EngraveCommandTest, AcceptsEveryNamedDirectionAndSize) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return nlohmann::json::parse(contentOf(path("out.json")));
   };
-  for (const std::string direction : {"mean-normal", "depth-balanced", "pca", "optimal"})
+  for (const std::string direction : {"mean-normal", "depth-balanced", "pca", "optimal", "largest"})
     EXPECT_EQ(engraved(direction, "25")["projection"]["method"], direction);
   const auto given = engraved("0.1,0,1", "best");
   EXPECT_EQ(given["projection"]["method"], "given");

@@ -306,6 +306,43 @@ TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOne) {
   }
 }
 
+TEST_F(PlacementTest, TheDirectionOfTheLargestCodeGivesNoSmallerOne) {
+  load(shapes::bumpySphere(40, 3, 5, 5));
+  int larger = 0;
+  for (const SizeMode mode : {SizeMode::Best, SizeMode::Oriented, SizeMode::Free})
+    for (const Vec3 centre : {Vec3(0, 0, 40), Vec3(25, 20, 25), Vec3(-30, 5, 25)}) {
+      PlacementRequest request;
+      request.centreMm = centre;
+      request.sizeMode = mode;
+      request.maxSizeMm = 200;
+      const auto balanced = place(request);
+      request.directionMethod = DirectionMethod::Largest;
+      const auto largest = place(request);
+      ASSERT_TRUE(balanced.has_value() && largest.has_value());
+      EXPECT_GE(largest->symbolMm, balanced->symbolMm * (1 - 1e-9));
+      larger += largest->symbolMm > 1.01 * balanced->symbolMm;
+      EXPECT_GT(glm::dot(largest->frame.normal, balanced->frame.normal), 0.5);
+    }
+  EXPECT_GE(larger, 5);
+}
+
+TEST_F(PlacementTest, TheDirectionOfTheLargestCodeStaysWhereTheSizeIsGivenOrTheLargestAllowed) {
+  load(shapes::bumpySphere(40, 3, 5, 5));
+  PlacementRequest request;
+  request.centreMm = {0, 0, 40};
+  for (const double maxMm : {10.0, 200.0}) {
+    request.maxSizeMm = maxMm;
+    request.sizeMode = maxMm > 100 ? SizeMode::Fixed : SizeMode::Best;
+    request.sizeMm = 12;
+    request.directionMethod = DirectionMethod::DepthBalanced;
+    const auto balanced = place(request);
+    request.directionMethod = DirectionMethod::Largest;
+    const auto largest = place(request);
+    ASSERT_TRUE(balanced.has_value() && largest.has_value());
+    EXPECT_EQ(largest->frame, balanced->frame);
+  }
+}
+
 TEST_F(PlacementTest, RefusesADirectionFromBehindWithTheReason) {
   load(shapes::icosphere(40, 4));
   PlacementRequest request;

@@ -237,7 +237,7 @@ std::string chosenText(Choices& choices) {
 constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
 constexpr std::array kSizeModes = {SizeMode::Fixed, SizeMode::Free, SizeMode::Oriented, SizeMode::Best};
 constexpr std::array kMethods = {DirectionMethod::DepthBalanced, DirectionMethod::MeanNormal, DirectionMethod::Pca,
-                                 DirectionMethod::Optimal};
+                                 DirectionMethod::Optimal, DirectionMethod::Largest};
 constexpr std::array kSurfaceModes = {SurfaceMode::Preserved, SurfaceMode::Resampled};
 constexpr std::array kModulePatterns = {ModulePattern::Square, ModulePattern::None, ModulePattern::ThinPlus,
                                         ModulePattern::Diamond, ModulePattern::ThickPlus};

@@ -54,7 +54,7 @@
  * @property {boolean} [quietZone]                 the quiet zone has to fit on the surface
  * @property {[number, number, number]} [up]
  * @property {number} [rotateDeg]
- * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal' | [number, number, number]} [direction]
+ * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal' | 'largest' | [number, number, number]} [direction]
  * @property {number} [eyeDistanceMm]
  * @property {import('./lamps.js').Lamp[]} [light]   in addition to the sky
  * @property {number} [albedo]

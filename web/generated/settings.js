@@ -47,7 +47,7 @@ export const kSettings = {
   quietZone: {"group":"placement","kind":"switch","default":true},
   up: {"group":"placement","kind":"vector","default":[0.0,0.0,1.0]},
   rotateDeg: {"group":"placement","kind":"number","unit":"deg","min":-360.0,"max":360.0,"step":5.0,"default":0.0},
-  direction: {"group":"placement","kind":"choice-or-vector","choices":["mean-normal","depth-balanced","pca","optimal"],"default":"depth-balanced"},
+  direction: {"group":"placement","kind":"choice-or-vector","choices":["mean-normal","depth-balanced","pca","optimal","largest"],"default":"depth-balanced"},
   eyeDistanceMm: {"group":"placement","kind":"number","unit":"mm","min":20.0,"max":100000.0,"step":10.0,"default":250.0},
   light: {"group":"light","kind":"lamps","default":[],"parts":{"azimuthDeg":{"min":-360.0,"max":360.0,"step":15.0,"default":0.0},"elevationDeg":{"min":0.1,"max":90.0,"step":5.0,"default":45.0},"strength":{"min":0.0,"max":1000.0,"step":0.25,"default":1.0}},"most":2},
   albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7},
