@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
+import { findCode } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
+import { meanDifference } from './support/pixels.js';
 import { poll } from './support/poll.js';
+import { readPng } from './support/read_png.js';
 
 /** @typedef {[number, number]} Point */
 
@@ -29,12 +32,14 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
   await app.expectReady();
   const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
 
+  await app.showLive();
   await test.step('the pointer', async () => {
     const before = await app.centre();
     await page.mouse.move(box.x + 0.63 * box.width, box.y + 0.49 * box.height);
     await page.mouse.move(box.x + 0.64 * box.width, box.y + 0.5 * box.height);
     await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+\smm/);
     await expect(app.chip).toHaveAttribute('data-exact', 'true');
+    await expect(app.chip).toContainText(/[\d.]+\smm deep, [\d.]+\smm at most/); // it is shown as it will be carved
     const promised = Number(/^([\d.]+)\smm wide/.exec(await app.chip.innerText())?.[1]);
     expect(promised).toBeGreaterThan(3);
     expect(await app.centre()).toEqual(before);
@@ -225,4 +230,24 @@ test('Each drag of a handle is undone and redone separately', async ({ page }) =
     await app.expectReady();
   }
   await expect(redo).toBeDisabled();
+});
+
+test('A placed code is shown as it will be carved, and looks alike once it is', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=plate&text=QRelief');
+  await app.expectReady();
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();
+  await app.showLive();
+  await page.locator('.code-handles').evaluate((handles) => {
+    handles.style.visibility = 'hidden';
+  });
+  const before = await app.settledPicture();
+  const code = await findCode(before);
+  expect(code).toBeDefined();
+  await app.engrave();
+  const after = await app.settledPicture();
+  const { topLeft, bottomRight } = /** @type {NonNullable<typeof code>} */ (code).position;
+  const module = Math.round((bottomRight.x - topLeft.x) / 21);
+  expect(meanDifference(readPng(before), readPng(after), topLeft, bottomRight, module)).toBeLessThan(0.02);
 });

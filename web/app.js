@@ -52,6 +52,7 @@ import { WorkPanel } from './ui/work_panel.js';
 import { InspectorView } from './view/inspector_view.js';
 import { Legend } from './view/legend.js';
 import { View } from './view/view.js';
+import { LiveView } from './view/live_view.js';
 import { ViewTools } from './view/view_tools.js';
 
 /** Creates the panels. They know no other part of the page. */
@@ -92,16 +93,22 @@ function makeEngine({ view, inspector, toolbar }, guard, { onEvent, onReplaced }
     onReplaced,
   });
   const overlays = byId('view-overlays', HTMLElement);
-  const tools = new ViewTools({ client, stage: byId('view', HTMLElement), overlays });
-  return { client, tools, inspectorControl: new InspectorControl({ client, view, window: inspector, toolbar, guard }) };
+  const live = new LiveView(() => toolbar.liveShown);
+  const tools = new ViewTools({ client, stage: byId('view', HTMLElement), overlays, live });
+  return {
+    client,
+    tools,
+    live,
+    inspectorControl: new InspectorControl({ client, view, window: inspector, toolbar, guard }),
+  };
 }
 
 /**
  * Prepares the next carving in idle moments.
- * @param {{ client: EngineClient, jobs: Jobs, placing: Placing, carving: Carving }} parts
+ * @param {{ client: EngineClient, jobs: Jobs, placing: Placing, carving: Carving, live: LiveView }} parts
  * @param {ReturnType<typeof makePanels>} panels
  */
-function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePanel }) {
+function prepareCarvings({ client, jobs, placing, carving, live }, { placePanel }) {
   const preparation = new IdlePreparation({
     client,
     prepareReader: () => {
@@ -109,7 +116,7 @@ function prepareCarvings({ client, jobs, placing, carving }, { toolbar, placePan
       void messageWords.load();
     },
     isBusy: () => jobs.busy || carving.isPrinting,
-    isLive: () => toolbar.liveShown,
+    live,
     onDepths: (depths) => placePanel.showDepths(depths),
     user: window,
     isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
@@ -126,7 +133,7 @@ function connect(notices) {
   const recovery = new Recovery(messages, () => client.replace());
   const guard = recovery.guard.bind(recovery);
   const theme = new Theme((dark) => guard(() => client.show({ dark })));
-  const { client, tools, inspectorControl } = makeEngine(panels, guard, {
+  const { client, tools, live, inspectorControl } = makeEngine(panels, guard, {
     onEvent: (event) => guard(() => recovery.recoverFrom(event)),
     onReplaced: () => guard(() => startup.restore()),
   });
@@ -173,7 +180,7 @@ function connect(notices) {
   const { view, toolbar } = panels;
   const parts = { view, toolbar, theme, inspectorControl, batchCarving, exporter, autosave, opener, session };
   const startup = new Startup({ ...carved, ...parts });
-  prepareCarvings(carved, panels);
+  prepareCarvings({ ...carved, live }, panels);
   byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opener.startOver()));
   return startup;
 }

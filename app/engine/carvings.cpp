@@ -38,7 +38,7 @@ std::vector<std::optional<Colour>> carvedColours(const EngraveResult& result, co
 }
 
 constexpr std::size_t kCarvings = 2;  // to keep: more would cost memory without limit
-constexpr std::size_t kPlaces = 1;    // to remember: the page shows one
+constexpr std::size_t kPlaces = 2;    // to remember: of the placed code and the hovered one
 
 }  // namespace
 
@@ -54,6 +54,11 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
   Engraver& with = engraver(ground);
   with.remember(request, placed->modules(), placed->found());
   return with.prepare(request, withSearch);
+}
+
+const CarveJob* Carvings::prepared(EngraveRequest request) const {
+  request.depth.recordSearch = true;
+  return engraver_ ? engraver_->prepared(request) : nullptr;
 }
 
 void Carvings::start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,

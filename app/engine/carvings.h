@@ -33,7 +33,7 @@ class Carvings {
   /// @returns true if nothing is left to do
   bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch);
   /// Returns the job of that work; null: there is none.
-  const CarveJob* prepared() const { return engraver_ ? engraver_->prepared() : nullptr; }
+  const CarveJob* prepared(EngraveRequest request) const;
   /// Starts another engraving. Keeps the current carving, if there is one.
   /// @param placed  the request's place, if known
   void start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,

@@ -29,6 +29,8 @@ Json jsonOf(const std::vector<SettingChange>& changes) {
   return json;
 }
 
+const Json kNothingToPrepare = {{"ok", true}, {"done", true}, {"depths", nullptr}};
+
 /// Returns the depths that a search has found, over its carved submodules.
 Json depthsOf(const SearchRecord& search) {
   const std::vector<float>& depths = search.passes.back().depthMm;
@@ -73,18 +75,24 @@ std::string Engine::startSpotSearch() {
 std::string Engine::advancePreparation(const std::string& options) {
   const Result<Json> parsed = parseJson(options);
   if (!parsed) return answer(parsed.error());
-  const bool withSearch = parsed->value("search", false);
-  bool isDone = true;
+  const bool withSearch = parsed->value("search", false), ofHovered = parsed->value("hovered", false);
+  if (!model_ || !wanted_.symbol() || carvings_.isRunning() || offers_.isRunning()) return textOf(kNothingToPrepare);
+  if (ofHovered ? !preview_.hoveredRequest() : !wanted_.centreMm()) return textOf(kNothingToPrepare);
+  const EngraveRequest request = ofHovered ? *preview_.hoveredRequest() : wanted_.request(scene_.camera().modelUp());
+  const PlacementSearch* const placed =
+      ofHovered ? preview_.hoveredSearch() : preview_.found(request, wanted_.symbol());
+  const bool isDone = carvings_.prepare(ground(), request, placed, withSearch);
   Json depths;
-  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
-    const EngraveRequest request = wanted_.request(scene_.camera().modelUp());
-    isDone = carvings_.prepare(ground(), request, preview_.found(request, wanted_.symbol()), withSearch);
-    if (const CarveJob* const job = carvings_.prepared(); job && isDone && withSearch && job->hasSearched()) {
-      const SearchRecord& search = *job->inspectorMaps().search;
+  if (const CarveJob* const job = carvings_.prepared(request); job && isDone && withSearch && job->hasSearched()) {
+    const SearchRecord& search = *job->inspectorMaps().search;
+    if (ofHovered) {
+      preview_.showHovered(search, *wanted_.symbol());
+      scene_.setGhost(preview_.hovered());
+    } else {
       preview_.show(search, *wanted_.symbol());
       updateView();
-      depths = depthsOf(search);
     }
+    depths = depthsOf(search);
   }
   return textOf({{"ok", true}, {"done", isDone}, {"depths", std::move(depths)}});
 }

@@ -5,15 +5,23 @@
 
 namespace qrelief {
 
+bool PlacementPreview::isFor(const std::optional<Found>& found, const EngraveRequest& request,
+                             const Result<Symbol>& symbol) {
+  return found && symbol && found->modules == symbol->size &&
+         found->request == searchedPlacement(request, symbol->size);
+}
+
 const PlacementSearch* PlacementPreview::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
-  const bool isThat = found_ && symbol && found_->modules == symbol->size &&
-                      found_->request == searchedPlacement(request, symbol->size);
-  return isThat ? &found_->search : nullptr;
+  return isFor(found_, request, symbol) ? &found_->search : nullptr;
 }
 
 Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& request) {
   const Result<Symbol>& symbol = task.wanted.symbol();
   if (found(request, symbol)) return {};
+  if (isFor(hoveredFound_, request, symbol)) {
+    found_ = std::exchange(hoveredFound_, std::nullopt);
+    return {};
+  }
   found_.reset();
   const PlacementRequest placement = searchedPlacement(request, symbol->size);
   const EngravableModel& model = *task.model.engravable;
@@ -66,6 +74,7 @@ Status PlacementPreview::hover(const PlacementTask& task, const SurfacePoint& at
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   QRELIEF_TRY(code);
   hoveredAt_ = at;
+  hoveredFound_.reset();
   hovered_ = std::move(*code);
   return {};
 }
@@ -80,22 +89,23 @@ bool PlacementPreview::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
   const SurfacePoint centre = centreNear(task.model, task.wanted, task.sceneUp, *hoveredAt_);
-  settling_.emplace(model.prepared, *model.renderer, task.wanted.symbol()->size,
-                    task.wanted.placementAt(centre.position, task.sceneUp));
+  hoveredFound_.reset();
+  hoveredRequest_ = task.wanted.requestAt(centre.position, task.sceneUp);
+  const int modules = task.wanted.symbol()->size;
+  settling_.emplace(model.prepared, *model.renderer, modules, searchedPlacement(hoveredRequest_, modules));
   return true;
 }
 
 Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   const Result<bool> isSettled = settling_->step();
   if (isSettled && !*isSettled) return false;
-  const auto settled = [&](const Placement& placement) {
-    const EngraveRequest request = task.wanted.requestAt(placement.frame.centre, task.sceneUp);
-    return exactCode(task.model, *task.wanted.symbol(), request, placement);
-  };
-  auto code = isSettled ? settled(settling_->placement()) : tl::unexpected(isSettled.error());
-  settling_.reset();
+  auto code = isSettled ? exactCode(task.model, *task.wanted.symbol(), hoveredRequest_, settling_->placement())
+                        : tl::unexpected(isSettled.error());
+  std::optional<PlacementSearch> search = std::exchange(settling_, std::nullopt);
   QRELIEF_TRY(code);
   hovered_ = std::move(*code);
+  const int modules = search->modules();
+  hoveredFound_ = {searchedPlacement(hoveredRequest_, modules), modules, std::move(*search)};
   return true;
 }
 
@@ -108,6 +118,7 @@ void PlacementPreview::forget() {
 void PlacementPreview::forgetFound() {
   forget();
   found_.reset();
+  hoveredFound_.reset();
 }
 
 }  // namespace qrelief

@@ -23,10 +23,9 @@ class PlacementPreview {
   Status place(const PlacementTask& task);
   /// Takes over an engraving's place and its code.
   void take(const Placement& placement, Result<CodeOnSurface> code);
-  /// Shows the exact code as it will be carved, see showSearch().
-  void show(const SearchRecord& search, const Symbol& symbol) {
-    if (code_ && code_->isExact) showSearch(code_->decal, symbol, code_->symbolMm, search);
-  }
+  /// Show the exact code, or the exact hovered one, as it will be carved, see showSearch().
+  void show(const SearchRecord& search, const Symbol& symbol) { showIn(code_, search, symbol); }
+  void showHovered(const SearchRecord& search, const Symbol& symbol) { showIn(hovered_, search, symbol); }
   /// @returns null if the last search was for another request
   const PlacementSearch* found(const EngraveRequest& request, const Result<Symbol>& symbol) const;
 
@@ -47,6 +46,9 @@ class PlacementPreview {
   void stopSettling() { settling_.reset(); }
   /// Does one bounded piece of work. @returns true once the hovered code is at its exact place
   Result<bool> settle(const PlacementTask& task);
+  /// Returns the request for an engraving of the hovered code, if it is at its exact place, and the search for that.
+  const EngraveRequest* hoveredRequest() const { return hovered_ && hoveredFound_ ? &hoveredRequest_ : nullptr; }
+  const PlacementSearch* hoveredSearch() const { return hoveredFound_ ? &hoveredFound_->search : nullptr; }
 
   /// Forgets the place, the code and the hovered code, but not the result of the last search.
   void forget();
@@ -59,9 +61,15 @@ class PlacementPreview {
     int modules;
     PlacementSearch search;
   };
+  static bool isFor(const std::optional<Found>& found, const EngraveRequest& request, const Result<Symbol>& symbol);
+  static void showIn(std::optional<CodeOnSurface>& code, const SearchRecord& search, const Symbol& symbol) {
+    if (code && code->isExact) showSearch(code->decal, symbol, code->symbolMm, search);
+  }
   Status find(const PlacementTask& task, const EngraveRequest& request);
 
-  std::optional<Found> found_;  // by the last search
+  std::optional<Found> found_;         // by the last search
+  std::optional<Found> hoveredFound_;  // of the code that the pointer rested on last; a click places it there
+  EngraveRequest hoveredRequest_;      // for its engraving, or that of the code that is settling
   std::optional<Placement> placement_;
   std::optional<CodeOnSurface> code_, hovered_;
   std::optional<SurfacePoint> hoveredAt_;

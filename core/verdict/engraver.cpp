@@ -59,8 +59,9 @@ Result<Engraver::Work> Engraver::create(const EngraveRequest& request, bool shar
 
 /// Begins a carving, with the work done ahead if it is for the same request.
 Result<Engraver::Work> Engraver::begin(const EngraveRequest& request) {
-  std::optional<Work> prepared = std::exchange(prepared_, std::nullopt);
-  if (prepared && prepared->request == request) return std::move(*prepared);
+  std::list<Work> prepared = std::exchange(prepared_, {});
+  for (Work& work : prepared)
+    if (work.request == request) return std::move(work);
   return create(request, true);
 }
 
@@ -84,22 +85,33 @@ bool Engraver::isPrepared(const Work& work, bool withSearch) {
   return withSearch ? work.job->hasSearched() : work.steps >= kPreparedSteps;
 }
 
+const CarveJob* Engraver::prepared(const EngraveRequest& request) const {
+  for (const Work& work : prepared_)
+    if (work.request == request) return work.job.get();
+  return nullptr;
+}
+
 bool Engraver::prepare(const EngraveRequest& request, bool withSearch) {
   const auto symbol = requestedSymbol(request.code);
   const bool isPlaced = symbol && placeOf(request, symbol->size);
-  if (prepared_ && !(isPlaced && prepared_->request == request)) prepared_.reset();
   if (!isPlaced) return true;
-  if (!prepared_) {
+  const auto known =
+      std::find_if(prepared_.begin(), prepared_.end(), [&](const Work& work) { return work.request == request; });
+  if (known != prepared_.end()) {
+    prepared_.splice(prepared_.begin(), prepared_, known);
+    if (!isPrepared(*known, withSearch) && !advance(*known)) {
+      prepared_.pop_front();
+      return true;
+    }
+  } else {
     const auto start = Clock::now();
     auto work = create(request, false);  // the measurement may belong to a carving that is shown
     if (!work) return true;              // the engraving itself reports the error
-    prepared_ = std::move(*work);
-    prepared_->ms += millisecondsSince(start);
-  } else if (!isPrepared(*prepared_, withSearch) && !advance(*prepared_)) {
-    prepared_.reset();
-    return true;
+    work->ms += millisecondsSince(start);
+    prepared_.push_front(std::move(*work));
+    if (prepared_.size() > kPreparedKept) prepared_.pop_back();
   }
-  return isPrepared(*prepared_, withSearch);
+  return isPrepared(prepared_.front(), withSearch);
 }
 
 }  // namespace qrelief

@@ -28,12 +28,13 @@ class Engraver {
   /// @param modules  along the symbol's edge
   /// @param found    for searchedPlacement(request, modules)
   void remember(const EngraveRequest& request, int modules, FoundPlacement found);
-  /// Does one bounded piece of the work that the engraving of a request begins with, if its place is known.
+  /// Does one bounded piece of the work that the engraving of a request begins with, if its place is known. Keeps the
+  /// work of the last kPreparedKept requests.
   /// @param withSearch  also the whole first search for depths
   /// @returns true if nothing is left to do
   bool prepare(const EngraveRequest& request, bool withSearch);
   /// Returns the job of that work; null: there is none.
-  const CarveJob* prepared() const { return prepared_ ? prepared_->job.get() : nullptr; }
+  const CarveJob* prepared(const EngraveRequest& request) const;
 
  private:
   friend class Engraving;
@@ -65,7 +66,8 @@ class Engraver {
   Device device_ = Device::Faster;
   std::shared_ptr<const LuminancePrograms> programs_;
   std::list<Place> places_;  // the last one first
-  std::optional<Work> prepared_;
+  static constexpr std::size_t kPreparedKept = 2;
+  std::list<Work> prepared_;  // the last one first
 };
 
 }  // namespace qrelief

@@ -70,6 +70,28 @@ export class Engraver {
     return Number(await this.page.locator('#rotate').inputValue());
   }
 
+  /** Returns a picture of the view, once it is refined. */
+  async settledPicture() {
+    let picture = await this.canvas.screenshot();
+    await poll(async () => {
+      const before = picture;
+      await this.page.waitForTimeout(500);
+      picture = await this.canvas.screenshot();
+      return before.equals(picture);
+    }).toBe(true);
+    return picture;
+  }
+
+  /** Shows codes as they will be carved, however slow the machine is. */
+  async showLive() {
+    const placed = this.page.locator('#placement-depth');
+    const live = this.page.locator('#show-live');
+    await live.click();
+    await expect(placed).toBeHidden();
+    await live.click(); // tries again where a search took too long
+    await expect(placed).toBeVisible({ timeout: 30_000 });
+  }
+
   /** Asks for suggested spots and waits for them. */
   async suggest() {
     await this.page.getByRole('button', { name: 'Suggest spots' }).click();

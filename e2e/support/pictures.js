@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes a picture of every state of the built page for visual checks, and the pictures for README and guide:
 // `script/pictures`.
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, expect as expectFrom } from '@playwright/test';
@@ -10,7 +10,7 @@ import { openFile, truncatedFile } from './models.js';
 import { Site } from './site.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
-/** @typedef {(app: Engraver, page: Page) => Promise<void>} Walk */
+/** @typedef {(app: Engraver, page: Page, shoot: () => Promise<void>) => Promise<void>} Walk  `shoot`: takes a frame of a film */
 
 const kRoot = fileURLToPath(new URL('../../', import.meta.url));
 const kSettleMs = 2500; // for the view to refine its picture
@@ -47,6 +47,38 @@ async function engraveAndPrint(app, page) {
   await expect(page.locator('.verdict .under-way')).toHaveCount(0);
 }
 
+/** Follows the code from the pointer to the carved model, in six frames. @type {Walk} */
+async function followCode(app, page, shoot) {
+  const box = await app.canvas.boundingBox();
+  if (!box) throw new Error('there is no view');
+  const at = (/** @type {number} */ x, /** @type {number} */ y) => [box.x + x * box.width, box.y + y * box.height];
+  const depths = app.chip.getByText('mm at most');
+  await app.showLive();
+  const [x, y] = at(0.66, 0.7);
+  await page.mouse.move(x - 6, y - 6);
+  await page.mouse.move(x, y);
+  await expect(app.chip).toBeVisible();
+  await shoot(); // where the code would lie
+  await expect(depths).toBeVisible();
+  await shoot(); // as it will be carved
+  const [toX, toY] = at(0.29, 0.41);
+  await page.mouse.move(toX - 6, toY);
+  await page.mouse.move(toX, toY);
+  await expect(depths).toBeVisible();
+  await shoot(); // elsewhere
+  await page.mouse.click(toX, toY);
+  await expect(app.status).toHaveText('Ready.');
+  await page.mouse.move(2, 2);
+  await expect(page.locator('#placement-depth')).toBeVisible();
+  await shoot(); // placed there
+  await app.engraveButton.click();
+  await expect(app.status).toContainText('Finding the depth');
+  await shoot(); // the search goes on
+  await app.expectResult();
+  await page.waitForTimeout(kSettleMs);
+  await shoot(); // carved
+}
+
 const kPlate = '?sample=plate&text=QRelief';
 
 /** @param {Engraver} app @param {Page} page @param {Record<string, string>} settings  by the names of their controls */
@@ -73,6 +105,7 @@ const kStates = {
       await expect(app.chip).toBeVisible();
     },
   },
+  film: { walk: followCode },
   spots: { walk: async (app) => app.suggest() },
   wifi: {
     walk: async ({ page }) => {
@@ -164,6 +197,7 @@ const kShown = [
   { file: 'docs/suggested_spots.jpg', state: 'spots', look: 'desktop-dark' },
   { file: 'docs/phone.jpg', state: 'reader', look: 'phone-light' },
   { file: 'docs/painted_code.jpg', state: 'painted', look: 'view' },
+  { file: 'web/guide/pictures/live.jpg', state: 'film', look: 'view' },
   { file: 'web/guide/pictures/place.jpg', state: 'ready', look: 'view' },
   { file: 'web/guide/pictures/carved.jpg', state: 'result', look: 'view' },
   { file: 'web/guide/pictures/read.jpg', state: 'reader', look: 'view' },
@@ -175,12 +209,22 @@ const kShown = [
   { file: 'web/guide/pictures/printed_painted.jpg', state: 'printed-painted', look: 'view' },
 ];
 
-/** @param {Page} page @param {string} file */
-async function takeView(page, file) {
+/** Returns a picture of the view without the buttons over it. @param {Page} page */
+async function viewOf(page) {
   await page.addStyleTag({ content: '.tools, .view-cube, .reader-view p, .of-print { visibility: hidden; }' });
   const clip = await page.getByRole('main').boundingBox();
   if (!clip) throw new Error('there is no view');
-  await page.screenshot({ path: file, clip, type: 'jpeg', quality: 82 });
+  return page.screenshot({ clip, type: 'jpeg', quality: 82 });
+}
+
+/** Writes frames as one picture, three in a row. @param {Page} page @param {Buffer[]} frames @param {string} file */
+async function writeFilm(page, frames, file) {
+  const images = frames.map((frame) => `<img src="data:image/jpeg;base64,${frame.toString('base64')}">`);
+  await page.setContent(`<style>
+    body { margin: 0; display: grid; grid-template-columns: repeat(3, 320px); gap: 2px; width: max-content; align-content: start; }
+    img { width: 320px; display: block; }
+  </style>${images.join('')}`);
+  await page.locator('body').screenshot({ path: file, type: 'jpeg', quality: 82 });
 }
 
 /**
@@ -201,11 +245,13 @@ async function take(browser, site, { state, look, file }) {
     const app = new Engraver(page);
     await app.open(query);
     await expect(app.status).toHaveText('Ready.');
-    await walk(app, page);
+    /** @type {Buffer[]} */ const frames = [];
+    await walk(app, page, async () => void frames.push(await viewOf(page)));
     if (state !== 'carving') await page.waitForTimeout(kSettleMs);
     const path = kRoot + file;
     mkdirSync(dirname(path), { recursive: true });
-    if (look === 'view') await takeView(page, path);
+    if (frames.length > 0) await writeFilm(page, frames, path);
+    else if (look === 'view') writeFileSync(path, await viewOf(page));
     else await page.screenshot({ path, fullPage: wholePage });
   } finally {
     await context.close();

@@ -21,6 +21,30 @@ export async function shareOf(element, colour) {
   return countOf(picture, colour) / (picture.width * picture.height);
 }
 
+/**
+ * Returns how far the brightness of two pictures in a rectangle is apart, in the mean over blocks; 1: black and white.
+ * @param {import('./read_png.js').Pixels} one
+ * @param {import('./read_png.js').Pixels} other  of the same size
+ * @param {{ x: number, y: number }} from  its upper left corner
+ * @param {{ x: number, y: number }} to    its lower right corner
+ * @param {number} edge  of a block, in pixels
+ */
+export function meanDifference(one, other, from, to, edge) {
+  const inBlock = (/** @type {number} */ left, /** @type {number} */ top) => {
+    let sum = 0;
+    for (let y = top; y < top + edge; y += 1)
+      for (let x = left; x < left + edge; x += 1) {
+        const at = one.channels * (y * one.width + x) + 1; // of green
+        sum += one.data[at] - other.data[at];
+      }
+    return Math.abs(sum) / edge ** 2 / 255;
+  };
+  const differences = [];
+  for (let y = Math.ceil(from.y); y + edge <= to.y; y += edge)
+    for (let x = Math.ceil(from.x); x + edge <= to.x; x += edge) differences.push(inBlock(x, y));
+  return differences.reduce((sum, difference) => sum + difference, 0) / differences.length;
+}
+
 /** A section, or the part of a code that misses the surface. @type {Colour} */
 export const isOrange = (red, green, blue) => red > 1.35 * green && green > 1.1 * blue && red > 90;
 

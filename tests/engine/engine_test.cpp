@@ -308,6 +308,40 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) {
   expectError(engine_->startJob("settling"), "BadUsage", "no-code-placed");
 }
 
+TEST_F(EngineTest, AClickGoesOnFromTheSearchOfTheCodeUnderThePointer) {
+  const auto prepare = [&](const char* options) {
+    Json answer;
+    int steps = 0;
+    do {
+      answer = Json::parse(engine_->advanceJob("preparation", options));
+      ++steps;
+    } while (!answer["done"].get<bool>());
+    answer["steps"] = steps;
+    return answer;
+  };
+  constexpr const char* kHovered = R"({"search": true, "hovered": true})";
+  load(shapes::icosphere(30, 5));
+  engine_->configure(kSettings);
+  EXPECT_TRUE(prepare(kHovered)["depths"].is_null()) << "nothing is hovered";
+  engine_->hover("[200, 150]");
+  EXPECT_TRUE(prepare(kHovered)["depths"].is_null()) << "it has not settled";
+  engine_->startJob("settling");
+  while (!Json::parse(engine_->advanceJob("settling"))["done"].get<bool>()) continue;
+  const Json hovered = prepare(kHovered);
+  EXPECT_GT(hovered["steps"], 1);
+  ASSERT_FALSE(hovered["depths"].is_null());
+  EXPECT_GT(hovered["depths"]["meanMm"], 0.05);
+  EXPECT_GE(hovered["depths"]["maxMm"], hovered["depths"]["meanMm"]);
+
+  engine_->setCentre(R"({"at": [200, 150]})");
+  engine_->hover("null");
+  engine_->placement();
+  const Json placed = prepare(R"({"search": true})");
+  EXPECT_EQ(placed["steps"], 1) << "the click goes on from there";
+  EXPECT_EQ(placed["depths"], hovered["depths"]);
+  EXPECT_NE(Json::parse(engine_->startJob("engrave"))["stage"]["code"], "measuring-surface");
+}
+
 constexpr const char* kLabelled = R"({"text": "A", "size": "free", "label": "No 7", "frame": "rounded"})";
 
 TEST_F(EngineTest, ALabelTakesTheSameRoomUnderThePointerAsWherePlaced) {

@@ -149,8 +149,8 @@ TEST_F(EngravingTest, EngravingsOfOneModelShareThePlaceAndWorkDoneAhead) {
   EXPECT_EQ(third, first);
   while (!engraver.prepare(request, true)) {
   }
-  ASSERT_NE(engraver.prepared(), nullptr);
-  EXPECT_TRUE(engraver.prepared()->hasSearched());
+  ASSERT_NE(engraver.prepared(request), nullptr);
+  EXPECT_TRUE(engraver.prepared(request)->hasSearched());
   const auto [fourthSteps, fourth] = carve();
   EXPECT_LE(fourthSteps, thirdSteps) << "a few steps may be the whole search";
   EXPECT_EQ(fourth, first);

@@ -47,7 +47,7 @@ const kReplaced = internal(message('engine-replaced'));
 /** @typedef {import('./verbs.js').Calls<typeof kBatchVerbs>} BatchCalls */
 /** @typedef {import('./verbs.js').Calls<typeof kFactVerbs>} FactCalls */
 /** @typedef {Pick<import('./engine_host.js').EngineHost, typeof kHostVerbs[number]>} HostCalls */
-/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'engrave' | 'continueEngrave'} OwnMethods  of EngineClient */
+/** @typedef {'loadModel' | 'findSpots' | 'prepareEngrave' | 'carvePreview' | 'engrave' | 'continueEngrave'} OwnMethods  of EngineClient */
 /** @typedef {Remote<Omit<PageCalls & BatchCalls & FactCalls & HostCalls, OwnMethods>>} VerbMethods */
 
 /** The methods of the client that only hand a verb to the host. */
@@ -208,6 +208,14 @@ export class EngineClient extends Verbs {
   async prepareEngrave(search) {
     // Without a worker, it would block the page.
     return this.backend_ instanceof WorkerBackend ? this.call_('prepareEngrave', search) : null;
+  }
+
+  /**
+   * Searches the depths of the preview; see EngineHost.carvePreview.
+   * @returns {Promise<import('./types.js').FoundDepths | null>}
+   */
+  async carvePreview() {
+    return this.backend_ instanceof WorkerBackend ? this.call_('carvePreview') : null;
   }
 
   /**

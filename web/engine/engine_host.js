@@ -164,7 +164,17 @@ export class EngineHost {
    * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
    */
   async prepareEngrave(search) {
-    const depths = await this.jobs_.prepare(search);
+    const depths = await this.jobs_.prepare({ search });
+    return depths && this.drawn_(depths);
+  }
+
+  /**
+   * Searches the depths of the preview, once its exact placement is found, and shows it as it will be carved.
+   * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown, or the pointer moved meanwhile
+   */
+  async carvePreview() {
+    const { hovers_: hover } = this;
+    const depths = await this.jobs_.prepare({ search: true, hovered: true }, () => this.hovers_ !== hover);
     return depths && this.drawn_(depths);
   }
 

@@ -94,12 +94,13 @@ export class JobRunner {
 
   /**
    * Does work that the next carving needs, unless a job runs.
-   * @param {boolean} search  also the whole first search for depths, which then shows the code as it will be carved
+   * @param {import('./verbs.js').PreparationOptions} options
+   * @param {() => boolean} [isOutdated]  is called between slices
    * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
    */
-  async prepare(search) {
-    while (!this.job_) {
-      const { done, depths } = this.engine_.advanceJob('preparation', { search });
+  async prepare(options, isOutdated = () => false) {
+    while (!this.job_ && !isOutdated()) {
+      const { done, depths } = this.engine_.advanceJob('preparation', options);
       if (done) return depths;
       await yieldToMessages();
     }

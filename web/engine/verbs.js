@@ -24,6 +24,7 @@
  * @property {{ done: boolean, depths: import('./types.js').FoundDepths | null }} preparation
  * @property {import('./types.js').ViewTrialProgress} view-trials
  */
+/** @typedef {{ search: boolean, hovered?: boolean }} PreparationOptions  of `preparation`; see Engine::advanceJob() */
 /** @typedef {JobProgress & { all?: undefined } | { stage?: undefined, all?: number }} StartedJob */
 /** @typedef {import('./types.js').EngraveOptions & { withOverrides?: boolean }} JobOptions  of `engrave` */
 
@@ -124,7 +125,7 @@ export const kInnerVerbs = {
   startJob: { of: 'InspectedEngine' },
   /**
    * Does one bounded piece of work. `given`: see Engine::advanceJob().
-   * @type {Verb<<Name extends keyof JobAnswers>(job: Name, given: { read?: boolean, search?: boolean }) => JobAnswers[Name]>}
+   * @type {Verb<<Name extends keyof JobAnswers>(job: Name, given: { read?: boolean } | PreparationOptions) => JobAnswers[Name]>}
    */
   advanceJob: {},
   /** @type {Verb<(job: 'engrave' | 'spots') => void>} */
@@ -255,6 +256,7 @@ export const kHostVerbs = /** @type {const} */ ([
   'settle',
   'findSpots',
   'prepareEngrave',
+  'carvePreview',
   'engrave',
   'continueEngrave',
   'endEngrave',

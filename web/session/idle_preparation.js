@@ -2,7 +2,6 @@
 // Uses idle moments to start the next carving's first steps and to load its decoder. These steps include the first
 // search for depths, so that the placed code is shown as it will be carved.
 const kQuietMs = 300; // idle time before preparing: user input has to wait while the module prepares
-const kPatienceMs = 1000; // where a search takes longer, the next code is shown without
 // Events of a user. Nothing is prepared before the first one.
 const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];
 
@@ -12,18 +11,17 @@ export class IdlePreparation {
    * @param {Pick<import('../engine/client.js').EngineClient, 'prepareEngrave'>} options.client
    * @param {() => void} options.prepareReader
    * @param {() => boolean} options.isBusy
-   * @param {() => boolean} options.isLive  whether to show placed codes as they will be carved
+   * @param {import('../view/live_view.js').LiveView} options.live
    * @param {(depths: import('../engine/types.js').FoundDepths) => void} options.onDepths  of the code that is shown so
    * @param {Pick<EventTarget, 'addEventListener'>} options.user  target of the user's events
    * @param {(event: Event) => boolean} options.isOverModel  true: the module has to answer each move
    */
-  constructor({ client, prepareReader, isBusy, isLive, onDepths, user, isOverModel }) {
+  constructor({ client, prepareReader, isBusy, live, onDepths, user, isOverModel }) {
     this.client_ = client;
     this.prepareReader_ = prepareReader;
     this.isBusy_ = isBusy;
-    this.isLive_ = isLive;
+    this.live_ = live;
     this.onDepths_ = onDepths;
-    this.isSlow_ = false; // the last search took too long
     this.isUsed_ = false;
     this.isDue_ = false; // a code is placed and nothing is prepared for it yet
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.timer_ = undefined;
@@ -39,7 +37,6 @@ export class IdlePreparation {
   /** Notes a new placement. @param {boolean} isPlaced  false: there is no placement any more */
   setPlaced(isPlaced) {
     this.isDue_ = isPlaced;
-    if (!this.isLive_()) this.isSlow_ = false; // switching it on tries again
     this.plan();
   }
 
@@ -52,11 +49,10 @@ export class IdlePreparation {
   async prepare_() {
     if (this.isBusy_()) return;
     this.isDue_ = false;
-    const withSearch = this.isLive_() && !this.isSlow_;
-    const begun = performance.now();
+    const { isOn: withSearch } = this.live_;
+    const prepare = () => this.client_.prepareEngrave(withSearch);
     try {
-      const depths = await this.client_.prepareEngrave(withSearch);
-      if (withSearch) this.isSlow_ = performance.now() - begun > kPatienceMs;
+      const depths = await (withSearch ? this.live_.time(prepare) : prepare());
       if (depths && !this.isDue_) this.onDepths_(depths); // else the code has moved on
     } catch {
       // carving meets the error again, or the client reports it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
+import { LiveView } from '../view/live_view.js';
 import { IdlePreparation } from './idle_preparation.js';
 
 const { setTimeout: realSetTimeout, clearTimeout: realClearTimeout } = globalThis;
@@ -22,7 +23,7 @@ const make = () =>
     },
     prepareReader: () => void done.push('reader'),
     isBusy: () => busy,
-    isLive: () => live,
+    live: new LiveView(() => live),
     onDepths: ({ meanMm }) => void done.push(`${meanMm} mm`),
     user,
     isOverModel: () => overModel,
@@ -157,7 +158,7 @@ test('Errors are left for the carving to report', async () => {
     client: { prepareEngrave: () => Promise.reject(new Error('no memory')) },
     prepareReader: () => {},
     isBusy: () => false,
-    isLive: () => false,
+    live: new LiveView(() => false),
     onDepths: () => {},
     user,
     isOverModel: () => true,

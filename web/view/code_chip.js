@@ -16,7 +16,8 @@ export class CodeChip {
     this.size_ = make('strong');
     this.module_ = make('span');
     this.warning_ = make('span', { className: 'warning' });
-    this.element_ = make('div', { className: 'code-chip' }, this.size_, this.module_, this.warning_);
+    this.depths_ = make('span');
+    this.element_ = make('div', { className: 'code-chip' }, this.size_, this.module_, this.depths_, this.warning_);
     this.element_.hidden = true;
     this.element_.setAttribute('aria-hidden', 'true'); // the panel announces the size, but not for every pixel
     overlay.append(this.element_);
@@ -33,6 +34,7 @@ export class CodeChip {
         ? text('view.chipModules', { mm: millimetres(moduleMm, 2) })
         : text('view.chipCapitals', { mm: millimetres(capitalMm) });
     this.module_.textContent = isPossible ? detail : '';
+    this.depths_.textContent = '';
     const missing = Math.max(1, Math.round(missingShare * 100));
     this.warning_.textContent = !isPossible
       ? text('view.chipTooSmall')
@@ -48,10 +50,17 @@ export class CodeChip {
     this.place_(x, y);
   }
 
+  /** Adds how deep the code will be. @param {import('../engine/types.js').FoundDepths} depths */
+  showDepths({ meanMm, maxMm }) {
+    const depths = { mean: millimetres(meanMm, 2), deepest: millimetres(maxMm, 2) };
+    this.depths_.textContent = text('view.chipDepths', depths);
+  }
+
   /** @param {number} x @param {number} y */
   showNoRoom(x, y) {
     this.size_.textContent = '';
     this.module_.textContent = '';
+    this.depths_.textContent = '';
     this.warning_.textContent = text('view.chipNoRoom');
     this.place_(x, y);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code that follows the mouse over the model: a quick estimate while the mouse moves, exact once it rests.
+// The code that follows the mouse over the model: a quick estimate while the mouse moves, exact once it rests, and then
+// as it will be carved.
 import { isReplaced } from '../engine/client.js';
 import { NewestOnly } from './newest_only.js';
 
@@ -9,10 +10,11 @@ import { NewestOnly } from './newest_only.js';
 const kRestMs = 250;
 
 export class HoverPreview {
-  /** @param {EngineClient} client @param {CodeChip} chip */
-  constructor(client, chip) {
+  /** @param {EngineClient} client @param {CodeChip} chip @param {import('./live_view.js').LiveView} live */
+  constructor(client, chip, live) {
     this.client_ = client;
     this.chip_ = chip;
+    this.live_ = live;
     this.shown_ = false;
     this.isEnabled_ = false;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.rest_ = undefined;
@@ -68,7 +70,11 @@ export class HoverPreview {
     const isCurrent = () => this.shown_ && asked === this.latest_;
     try {
       const result = await this.client_.settle();
-      if (result?.code && isCurrent()) this.chip_.show(result.code, x, y);
+      if (!result?.code || !isCurrent()) return;
+      this.chip_.show(result.code, x, y);
+      if (!this.live_.isOn) return;
+      const depths = await this.live_.time(() => this.client_.carvePreview());
+      if (depths && isCurrent()) this.chip_.showDepths(depths);
     } catch (thrown) {
       if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);
     }

@@ -19,6 +19,7 @@ import { ViewCube } from './view_cube.js';
  * @property {EngineClient} client
  * @property {HTMLElement} stage     holds the canvas
  * @property {HTMLElement} overlays  holds the overlays outside the canvas
+ * @property {import('./live_view.js').LiveView} live
  */
 
 /**
@@ -32,12 +33,12 @@ const kClearShare = 0.22; // edge of such a code, as a part of the view's shorte
 
 export class ViewTools {
   /** @param {ViewToolsOptions} options */
-  constructor({ client, stage, overlays }) {
+  constructor({ client, stage, overlays, live }) {
     /** @type {ToolsListener | undefined} */ this.listener_ = undefined;
     const surface = make('div', { className: 'code-overlay' });
     stage.append(surface);
     const chip = new CodeChip(surface);
-    this.hover_ = new HoverPreview(client, chip);
+    this.hover_ = new HoverPreview(client, chip, live);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
     this.lamps_ = new LampMarks(surface);
     this.height_ = new HeightMark(surface);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether codes are shown as they will be carved before they are: if the user wants it, and the search is quick enough.
+const kPatienceMs = 1000; // where a search takes longer, the next codes are shown without
+
+export class LiveView {
+  /** @param {() => boolean} isWanted */
+  constructor(isWanted) {
+    this.isWanted_ = isWanted;
+    this.isSlow_ = false; // the last search took too long
+  }
+
+  get isOn() {
+    if (!this.isWanted_()) this.isSlow_ = false; // switching it on tries again
+    return this.isWanted_() && !this.isSlow_;
+  }
+
+  /**
+   * Does a search, and notes if it takes too long.
+   * @template Found
+   * @param {() => Promise<Found>} search
+   */
+  async time(search) {
+    const begun = performance.now();
+    const found = await search();
+    this.isSlow_ = performance.now() - begun > kPatienceMs;
+    return found;
+  }
+}
