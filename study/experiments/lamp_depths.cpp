@@ -34,7 +34,9 @@ Experiment lampDepths() {
       }};
   for (const std::string& model : StudyContext::models())
     for (const char* modules : {"none", "square"})
-      for (const char* lamps : {"0", "1", "2"}) experiment.cases.push_back({model, modules, lamps, kPublishedSearch});
+      for (const char* lamps : {"0", "1", "2"})
+        for (const char* search : {kPublishedSearch, kLiteralSearch})
+          experiment.cases.push_back({model, modules, lamps, search});
   return experiment;
 }
 

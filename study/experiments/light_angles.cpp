@@ -47,7 +47,8 @@ Experiment lightAngles() {
   for (const char* modules : {"none", "square"})
     for (const char* carved : {"sky", "8", "33"})
       for (const char* read : {"4", "8", "15", "23", "33", "38", "48", "63", "78", "88"})
-        experiment.cases.push_back({modules, carved, read, kPublishedSearch});
+        for (const char* search : {kPublishedSearch, kLiteralSearch})
+          experiment.cases.push_back({modules, carved, read, search});
   return experiment;
 }
 

@@ -18,7 +18,7 @@ constexpr const char* kRounded = "rounded";
 /// Returns the search's options for "rounded", or for e.g. "0.02 last-iteration".
 LiteralOptions optionsOf(const Row& key) {
   LiteralOptions options;
-  if (key[3] == "exact") options.hbao.reset();
+  if (key[3] == "hbao") options.hbao = HbaoOptions();
   if (key[4] == "light") options.surroundings = Surroundings::LightModules;
   options.roundSteps = key[5] == kRounded;
   options.significantChange = options.roundSteps ? DepthSearchOptions{}.significantChange : std::stod(key[5]);

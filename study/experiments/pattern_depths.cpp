@@ -29,11 +29,11 @@ Experiment patternDepths() {
       readingColumns(), {},
       measure,          [](const Row& key) { return versionOfSearch(key[3], {kLight, kPrint, kDecoding}); }};
   for (const std::string& model : StudyContext::models())
-    for (int pattern = 0; pattern < 5; ++pattern)
-      for (int finder = 0; finder < 5; ++finder)
-        experiment.cases.push_back({model, std::string(modulePatternName(static_cast<ModulePattern>(pattern))),
-                                    std::string(finderPatternName(static_cast<FinderPattern>(finder))),
-                                    kPublishedSearch});
+    for (const char* search : {kPublishedSearch, kLiteralSearch})
+      for (int pattern = 0; pattern < 5; ++pattern)
+        for (int finder = 0; finder < 5; ++finder)
+          experiment.cases.push_back({model, std::string(modulePatternName(static_cast<ModulePattern>(pattern))),
+                                      std::string(finderPatternName(static_cast<FinderPattern>(finder))), search});
   return experiment;
 }
 

@@ -58,11 +58,15 @@ Experiment robustness() {
                           return versionOfSearch(key[1], {kLight, kDecoding});
                         }};
   for (const char* model : {"plate", "cylinder", "bumpy-sphere"}) {
-    experiment.cases.push_back({model, kPublishedSearch, "none", "none"});
-    for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})
-      for (const char* finders : {"diamond", "thick-plus"})
-        experiment.cases.push_back({model, kPublishedSearch, modules, finders});
+    const auto add = [&](const char* search) {
+      experiment.cases.push_back({model, search, "none", "none"});
+      for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})
+        for (const char* finders : {"diamond", "thick-plus"})
+          experiment.cases.push_back({model, search, modules, finders});
+    };
+    add(kPublishedSearch);
     experiment.cases.push_back({model, "ours", "thick-plus", "thick-plus-sharp"});
+    add(kLiteralSearch);
   }
   return experiment;
 }

@@ -18,6 +18,8 @@ const kStyles = {
   'papp-2022-whole-modules': [kColours.blue, 'square', [4, 3]],
   'tilted-2021': [kColours.teal, 'triangle-left', []],
   'wavy-2021': [kColours.teal, 'triangle-up', [2, 3]],
+  'papp-2022-literal': [kColours.blue, 'diamond', [2, 3]],
+  'papp-2022-literal-whole-modules': [kColours.blue, 'triangle-down', [1, 3]],
   'even-depth': [kColours.grey, 'cross', []],
   'ours-reading': [kColours.green, 'triangle-right', [2, 3]],
   'ours-one-light': [kColours.green, 'diamond', [1, 3]],

@@ -52,7 +52,7 @@ Result<CarvedCode> carveBySearch(const std::string& search, const StudyPlacement
 }
 
 std::string versionOfSearch(const std::string& search, std::initializer_list<Part> others) {
-  const std::string own = search == kLiteralSearch ? versionOf({kLiteral, kHbao}) : versionOf({kSearch});
+  const std::string own = search == kLiteralSearch ? versionOf({kLiteral, kSearch}) : versionOf({kSearch});
   return others.size() == 0 ? own : own + " " + versionOf(others);
 }
 

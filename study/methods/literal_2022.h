@@ -12,15 +12,17 @@ namespace qrelief::study {
 
 /// The depth search of Papp 2022, §7 by its words, where the program's own published search departs from them:
 ///   - AL: the four darkest of all eight neighbours, dark ones included (Surroundings::EightNeighbours);
-///   - light: horizon-based ambient occlusion (hbao_light.h), without reflected light;
 ///   - O(x): steps as they are, not rounded up, so that they grow where luminance stays the same (decision 0054).
-/// Each can be set apart from the others. Limits are those of the other methods: walls, and kPublishedMaxDepthModules.
+/// The paper computes ambient occlusion by an approximation, HBAO, and gives no radius. The default is the program's
+/// exact light without a radius; HBAO (hbao_light.h) with one of a few modules ends at the depth limit (decision 0053).
+/// Each part can be set apart from the others. Limits are those of the other methods: walls, and
+/// kPublishedMaxDepthModules.
 struct LiteralOptions {
   Surroundings surroundings = Surroundings::EightNeighbours;
   double significantChange = 0.02;  ///< of luminance; the paper gives none
   ChangeSince changeSince = ChangeSince::LastIteration;
   bool roundSteps = false;
-  std::optional<HbaoOptions> hbao = HbaoOptions();  ///< none: the program's exact light [HeightLight]
+  std::optional<HbaoOptions> hbao = {};  ///< none: the program's exact light [HeightLight]
   int maxPasses = 300;
 };
 

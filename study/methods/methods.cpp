@@ -6,6 +6,7 @@
 #include "pipeline/default_patterns.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/groove_2018.h"
+#include "study/methods/literal_2022.h"
 #include "study/methods/one_light_2020.h"
 #include "study/methods/reading_search.h"
 #include "study/methods/self_shadow_2019.h"
@@ -62,6 +63,15 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
     EngraveRequest request = publishedRequest(spot, modules, finders);
     request.depth.contrast = contrast;
     return carveByEngine(spot, request);
+  };
+}
+
+/// Carves by Papp 2022 by its words (literal_2022.h).
+auto literal2022(ModulePattern modules, FinderPattern finders) {
+  return [modules, finders](const StudyPlacement& spot, double contrast) {
+    EngraveRequest request = publishedRequest(spot, modules, finders);
+    request.depth.contrast = contrast;
+    return carveLiteral2022(spot, request);
   };
 }
 
@@ -132,6 +142,7 @@ Result<Symbol> symbolAtLevel(const StudyPlacement& spot, ErrorCorrection level) 
 const std::vector<Method>& methods() {
   // Kikuchi 2018, Papp 2021 and Papp 2022 publish no contrast. Theirs is ours, so that their depths compare.
   static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.7};
+  static const std::vector<double> kLiteralContrasts = {0.1, 0.2, 0.3};
   static const double usual = EngraveRequest{}.depth.contrastAsked();
   static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).depth.contrastAsked();
   static const std::vector<Method> kAll = {
@@ -154,6 +165,10 @@ const std::vector<Method>& methods() {
        paper2022(ModulePattern::Square, FinderPattern::ThickPlus)},
       {"papp-2022-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
        paper2022(ModulePattern::None, FinderPattern::None)},
+      {"papp-2022-literal", kLiteralContrasts, usual, DirectionMethod::DepthBalanced,
+       literal2022(ModulePattern::Square, FinderPattern::ThickPlus), kLiteral},
+      {"papp-2022-literal-whole-modules", kLiteralContrasts, usual, DirectionMethod::DepthBalanced,
+       literal2022(ModulePattern::None, FinderPattern::None), kLiteral},
       {"even-depth", {0.15, 0.25, 0.35, 0.45, 0.6, 0.8}, 0.45, DirectionMethod::DepthBalanced, evenDepth},
       {"ours-reading", {0.03, 0.05, 0.08, 0.12, 0.2}, 0.08, DirectionMethod::DepthBalanced, oursReading},
       {"ours-one-light", {0.1, 0.15, 0.2, 0.3, 0.4}, usual, DirectionMethod::DepthBalanced, oursOneLight},

@@ -27,7 +27,6 @@ TEST_F(Literal2022, AllEightNeighboursMakeACodeOnAPlateDeeper) {
   const StudyPlacement spot = plateSpot(2);
   const EngraveRequest request = requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus);
   LiteralOptions options{.surroundings = Surroundings::LightModules, .significantChange = 0.005, .roundSteps = true};
-  options.hbao.reset();
   const double ofLight = meanMm(carveLiteral2022(spot, request, options));
   EXPECT_NEAR(ofLight, meanMm(carveByEngine(spot, request)), 0.02);  // the program's search, with these options
   options.surroundings = Surroundings::EightNeighbours;
@@ -38,7 +37,7 @@ TEST_F(Literal2022, AllEightNeighboursMakeACodeOnAPlateDeeper) {
 TEST_F(Literal2022, UnderItsOcclusionLightModulesEndWhereNoSubmoduleIsTooBright) {
   const StudyPlacement spot = plateSpot(2);
   const auto code = carveLiteral2022(spot, requestAt(spot, ModulePattern::Square, FinderPattern::ThickPlus),
-                                     {.surroundings = Surroundings::LightModules});
+                                     {.surroundings = Surroundings::LightModules, .hbao = HbaoOptions()});
   ASSERT_TRUE(code.has_value());
   EXPECT_EQ(code->limited, 0u);
   EXPECT_EQ(code->ownEstimate.size(), carvedOf(code->mask).size());
