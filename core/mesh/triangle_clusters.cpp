@@ -7,6 +7,9 @@
 #include <glm/vector_relational.hpp>
 #include <iterator>
 #include <numeric>
+#include <span>
+
+#include "base/parallel.h"
 
 namespace qrelief {
 namespace {
@@ -18,7 +21,38 @@ constexpr int kMaxCells = 64;  // along an edge
 /// Factor that widens the square by more than any rounding error, so that the very edge is drawn as well.
 constexpr double kSlack = 1 + 1e-3;
 
+constexpr double kAngleSlack = 1e-4;  // more than any rounding error of a normal
+
+/// Finds the cone of a cluster's normals. Triangles without area face no eye and do not count.
+void setCone(const Mesh& mesh, std::span<const Triangle> triangles, TriangleCluster& cluster) {
+  std::vector<Vec3> normals;
+  Vec3 sum(0);
+  for (const Triangle& t : triangles) {
+    const Vec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    normals.push_back(normal / length);
+    sum += normals.back();
+  }
+  const double length = glm::length(sum);
+  if (!(length > 0)) return;
+  cluster.axis = sum / length;
+  double least = 1;
+  for (const Vec3 normal : normals) least = std::min(least, glm::dot(normal, cluster.axis));
+  cluster.spread = std::min(std::numbers::pi, std::acos(std::clamp(least, -1.0, 1.0)) + kAngleSlack);
+}
+
 }  // namespace
+
+/// @param awayFromEye  the cone's axis, or its opposite
+bool TriangleCluster::turnsTo(Vec3 eye, Vec3 awayFromEye) const {
+  const Vec3 fromEye = (box.min + box.max) / 2.0 - eye;
+  const double distance = glm::length(fromEye), radius = glm::length(box.size()) / 2;
+  if (distance <= radius) return false;
+  const double towards = std::acos(std::clamp(glm::dot(fromEye, awayFromEye) / distance, -1.0, 1.0));
+  return towards + spread + std::asin(radius / distance) < std::numbers::pi / 2;
+}
 
 ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   const Box3 box = boundingBox(mesh);
@@ -57,6 +91,10 @@ ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   }
   std::copy_if(cells.begin(), cells.end(), std::back_inserter(result.clusters),
                [](const TriangleCluster& cell) { return cell.begin < cell.end; });
+  parallelFor(result.clusters.size(), [&](std::size_t k) {
+    TriangleCluster& cluster = result.clusters[k];
+    setCone(mesh, std::span(result.triangles).subspan(cluster.begin, cluster.end - cluster.begin), cluster);
+  });
   return result;
 }
 

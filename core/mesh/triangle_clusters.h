@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "math/frame.h"
@@ -9,10 +10,19 @@
 
 namespace qrelief {
 
-/// Triangles that lie near one another, and the box around them.
+/// Triangles that lie near one another, the box around them, and the cone of their normals [Shirman, Abi-Ezzi 1993].
 struct TriangleCluster {
   Box3 box;
   std::uint32_t begin = 0, end = 0;  ///< range among the reordered triangles
+  Vec3 axis{0, 0, 1};                ///< unit; of the cone
+  double spread = std::numbers::pi;  ///< greatest angle between axis and a normal, rounded up; at most π
+
+  /// Return true only if all triangles face away from the eye, or if all face it.
+  bool facesAwayFrom(Vec3 eye) const { return turnsTo(eye, axis); }
+  bool faces(Vec3 eye) const { return turnsTo(eye, -axis); }
+
+ private:
+  bool turnsTo(Vec3 eye, Vec3 awayFromEye) const;
 };
 
 /// A mesh's triangles, ordered so that neighbours in space are neighbours in memory.

@@ -53,11 +53,12 @@ bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request) {
   return glm::dot(up, frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
 }
 
-double unevenLightOn(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm,
+double unevenLightOn(const EngravableModel& model, const ProjectionFrame& frame, double symbolMm,
                      const SpotSearchRequest& request) {
   if (request.placement.isText) return 0;  // people read letters in any light
   const int quietModules = static_cast<int>((request.outerFactor() - 1) * request.modules / 2);
-  return unevenLight(mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
+  return unevenLight(*model.raster, model.box, frame, symbolMm, request.modules,
+                     std::min(kLitRingModules, quietModules));
 }
 
 Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& placement,
@@ -77,7 +78,7 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   concerns.takesPockets = taking + thin >= thickness.size();
   concerns.coversColours = coversColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
-  concerns.unevenLight = unevenLightOn(mesh, placement.frame, placement.symbolMm, request);
+  concerns.unevenLight = unevenLightOn(model, placement.frame, placement.symbolMm, request);
   concerns.wallMm = thickness[thin];
   concerns.reasons = inWords(concerns, request);
   return concerns;

@@ -31,6 +31,7 @@ bool coversColours(const PreparedModel& model, const Placement& placement, doubl
 bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request);
 
 /// Returns unevenLight() for a code of that size on the frame.
-double unevenLightOn(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, const SpotSearchRequest& request);
+double unevenLightOn(const EngravableModel& model, const ProjectionFrame& frame, double symbolMm,
+                     const SpotSearchRequest& request);
 
 }  // namespace qrelief

@@ -15,11 +15,12 @@ constexpr double kPercentile = 0.98;
 
 }  // namespace
 
-double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules, int ring) {
+double unevenLight(const SurfaceRaster& raster, const Box3& box, const ProjectionFrame& frame, double symbolMm,
+                   int modules, int ring) {
   assert(modules > 0 && ring >= 0);
   const int edge = modules + 2 * (ring + kNeighbours), pixels = kPixels * edge;
-  const BottomUp<float> picture =
-      meshLuminance(mesh, frame, {.pixels = pixels, .pixelMm = symbolMm / modules / kPixels, .nearMm = symbolMm});
+  const BottomUp<float> picture = meshLuminance(
+      raster, box, frame, {.pixels = pixels, .pixelMm = symbolMm / modules / kPixels, .nearMm = symbolMm});
   BottomUp<float> means(edge, edge);
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) means.at(y / kPixels, x / kPixels) += picture.at(y, x) / (kPixels * kPixels);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/frame.h"
-#include "mesh/mesh.h"
+#include "render/surface_raster.h"
 
 namespace qrelief {
 
@@ -15,10 +15,11 @@ inline constexpr int kLitRingModules = 2;
 /// Decoders compare a module with its neighbourhood. Where folds and ridges of the model cast shadows, deeper pockets
 /// do not help.
 ///
-/// Cost: O(triangles); 10 ms for 70,000 triangles.
+/// Cost: O(triangles).
+/// @param raster, box  of the model
 /// @param ring  width of the part of the quiet zone that counts, in modules, ≥ 0
-double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules,
-                   int ring = kLitRingModules);
+double unevenLight(const SurfaceRaster& raster, const Box3& box, const ProjectionFrame& frame, double symbolMm,
+                   int modules, int ring = kLitRingModules);
 
 /// Greatest unevenLight() that counts as even. Of 67 spots up to this value, 66 decode as designed and as printed; of
 /// 14 spots beyond it, 6 do (docs/decisions/0041).

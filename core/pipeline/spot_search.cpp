@@ -180,7 +180,7 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
   const PlacementRequest& place = request.placement;
   const ProjectionFrame frame = makeFrame(spot.position, spot.direction, place.upHint, place.eyeDistanceMm);
   const double symbolMm = std::min(wantedMm(), spot.sizeMm / outer);
-  return facesDown(frame, request) || unevenLightOn(model->prepared.mesh, frame, symbolMm, request) > kMostUnevenLight;
+  return facesDown(frame, request) || unevenLightOn(*model, frame, symbolMm, request) > kMostUnevenLight;
 }
 
 /// Screens the next candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.

@@ -72,13 +72,14 @@ bool isWithin(const Triangle2& image, double radius) {
   return distanceToTriangle(Vec2(0), image) <= radius;
 }
 
-/// Returns the facets of the clusters whose boxes may show within a square about the centre.
+/// Returns the facets of the clusters that may face the eye and show within a square about the centre.
 std::vector<std::uint32_t> facetsInView(const ClusteredTriangles& clusters, const ProjectionFrame& frame,
                                         double halfWidth) {
   const ViewPyramid pyramid(frame, 2 * halfWidth);
+  const Vec3 eye = frame.eye();
   std::vector<std::uint32_t> facets;
   for (const TriangleCluster& cluster : clusters.clusters)
-    if (pyramid.mayMeet(cluster.box))
+    if (pyramid.mayMeet(cluster.box) && !cluster.facesAwayFrom(eye))
       facets.insert(facets.end(), clusters.origins.begin() + cluster.begin, clusters.origins.begin() + cluster.end);
   return facets;
 }

@@ -64,7 +64,7 @@ struct VisiblePatch {
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out,
 ///                  and the edge towards them is not part of the silhouette
 /// @param region    the silhouette leaves this region as much room as possible; it may leave others less
-/// @param clusters  of the mesh, to look at facets about the code only; null: looks at all
+/// @param clusters  of the mesh, if it is closed, to look only at facets about the code; null: looks at all
 /// @returns NoSolution if the seed faces away from the eye, lies level with it or behind it, or something hides the
 ///          centre (the message names the obstacle, its place, and how near the eye would have to come)
 Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,

@@ -105,7 +105,7 @@ void SurfaceRaster::drawFacets(Canvas& canvas, const ProjectionFrame& frame, con
   const ViewPyramid pyramid(frame, window.extentMm);
   const Vec3 eye = frame.eye();
   for (const TriangleCluster& cluster : clustered_->clusters) {
-    if (!pyramid.mayMeet(cluster.box)) continue;
+    if (!pyramid.mayMeet(cluster.box) || (front ? cluster.facesAwayFrom(eye) : cluster.faces(eye))) continue;
     for (std::uint32_t t = cluster.begin; t < cluster.end; ++t) {
       std::array<Vec3, 3> fromEye;
       for (std::size_t k = 0; k < 3; ++k) fromEye[k] = Vec3(mesh_->positions[clustered_->triangles[t][k]]) - eye;

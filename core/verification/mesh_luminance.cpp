@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "light/height_light.h"
-#include "render/surface_raster.h"
 #include "verification/baked_light.h"
 
 namespace qrelief {
@@ -23,10 +22,15 @@ HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const
 }  // namespace
 
 BottomUp<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options) {
-  const SurfaceRaster raster(mesh, std::make_shared<const ClusteredTriangles>(oneCluster(mesh)));
-  const MapWindow window{options.pixelMm * options.pixels, options.pixels};
   Box3 box;
   for (const Vec3f& position : mesh.positions) box.add(Vec3(position));
+  return meshLuminance(SurfaceRaster(mesh, std::make_shared<const ClusteredTriangles>(oneCluster(mesh))), box, frame,
+                       options);
+}
+
+BottomUp<float> meshLuminance(const SurfaceRaster& raster, const Box3& box, const ProjectionFrame& frame,
+                              const MeshLuminanceOptions& options) {
+  const MapWindow window{options.pixelMm * options.pixels, options.pixels};
   const HeightMap map = drawn(raster, frame, window);
   const HeightMap around = drawn(raster, frame, surroundingsOf(window, frame, box));
   const HeightLight surface(map,

@@ -7,6 +7,7 @@
 #include "light/directional_light.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
+#include "render/surface_raster.h"
 
 namespace qrelief {
 
@@ -25,5 +26,10 @@ struct MeshLuminanceOptions {
 ///
 /// Cost: O(T + pixels²).
 BottomUp<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options);
+
+/// The same for a mesh that has a raster already. Cost: O(T) only for the surroundings.
+/// @param box  of the mesh
+BottomUp<float> meshLuminance(const SurfaceRaster& raster, const Box3& box, const ProjectionFrame& frame,
+                              const MeshLuminanceOptions& options);
 
 }  // namespace qrelief

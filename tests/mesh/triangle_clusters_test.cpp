@@ -21,6 +21,7 @@ TEST(TriangleClusters, HoldEveryTriangleOnceWithinItsBox) {
     EXPECT_LT(cluster.begin, cluster.end);
     next = cluster.end;
     for (std::uint32_t t = cluster.begin; t < cluster.end; ++t) {
+      EXPECT_EQ(clustered.triangles[t], mesh.triangles[clustered.origins[t]]);
       for (const std::uint32_t v : clustered.triangles[t]) {
         const Vec3 p(mesh.positions[v]);
         EXPECT_TRUE(glm::all(glm::lessThanEqual(cluster.box.min, p)) &&
@@ -39,6 +40,29 @@ TEST(TriangleClusters, OfASmallOrFlatMeshAreASingleOne) {
   EXPECT_EQ(clusterTriangles(shapes::box({1, 2, 3})).clusters.size(), 1u);
   EXPECT_EQ(clusterTriangles({{Vec3f(0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, {{0, 1, 2}}}).clusters.size(), 1u);
   EXPECT_TRUE(clusterTriangles({}).clusters.empty());
+}
+
+TEST(TriangleClusters, FaceAnEyeOrAwayOnlyIfAllTheirTrianglesDo) {
+  Random random(11);
+  int facing = 0, away = 0;
+  for (const Mesh& mesh : {shapes::bumpySphere(50, 3, 5, 6), shapes::torus(40, 12, 160, 80)}) {
+    const ClusteredTriangles clustered = clusterTriangles(mesh);
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 eye(random.uniform(-200, 200), random.uniform(-200, 200), random.uniform(-200, 200));
+      for (const TriangleCluster& cluster : clustered.clusters) {
+        const bool allAway = cluster.facesAwayFrom(eye), allFace = cluster.faces(eye);
+        facing += allFace;
+        away += allAway;
+        for (std::uint32_t i = cluster.begin; (allAway || allFace) && i < cluster.end; ++i) {
+          const std::uint32_t t = clustered.origins[i];
+          const bool faces = glm::dot(triangleNormal(mesh, t), eye - mesh.corner(t, 0)) > 0;
+          ASSERT_EQ(faces, allFace);
+        }
+      }
+    }
+  }
+  EXPECT_GT(facing, 200);
+  EXPECT_GT(away, 200);
 }
 
 TEST(ViewPyramid, IntersectsEveryBoxWithAPointInTheSquaresView) {

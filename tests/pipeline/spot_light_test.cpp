@@ -17,7 +17,8 @@ Mesh ridged(double atX) {
 }
 
 double lightOn(const Mesh& mesh, int ring = kLitRingModules) {
-  return unevenLight(mesh, makeFrame(Vec3(0), Vec3(0, 0, 1), Vec3(0, 1, 0), 250), kSymbolMm, kModules, ring);
+  return unevenLight(SurfaceRaster(mesh), boundingBox(mesh), makeFrame(Vec3(0), Vec3(0, 0, 1), Vec3(0, 1, 0), 250),
+                     kSymbolMm, kModules, ring);
 }
 
 TEST(SpotLight, OfAPlaneIsEven) { EXPECT_LT(lightOn(shapes::plate(Vec2(80, 80), 6, 1, 1)), 1e-3); }
