@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "viewer/grid_plane.h"
+
 namespace qrelief {
 namespace {
 
@@ -53,22 +55,17 @@ void drawPlate(const gl::Program& program, const BuildPlate& plate, const Camera
   const double fadeMm = std::max(kLeastFadeMm, kFadeShare * diagonalMm);
   const Vec3 lowered = plate.centre - plate.up * (kBelowShare * diagonalMm);
   const bool isBelow = glm::dot(camera.eye() - lowered, plate.up) < 0;
-  program.set("u_centre", camera.pointInView(lowered));
-  program.set("u_right", camera.inView(plate.right));
-  program.set("u_back", camera.inView(plate.back));
-  program.set("u_half", glm::vec2(plate.halfMm));
-  program.set("u_fade", static_cast<float>(fadeMm));
   const float line = (dark ? kDarkLineOpacity : kLightLineOpacity) * (isBelow ? kLineBelow : 1);
   const float ground = (dark ? kDarkGroundOpacity : kLightGroundOpacity) * (isBelow ? kGroundBelow : 1);
-  program.set("u_line", glm::vec4(dark ? kDarkLine : kLightLine, line));
-  program.set("u_ground", glm::vec4(dark ? kDarkGround : kLightGround, ground));
-  glBindVertexArray(0);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  glDisable(GL_BLEND);
+  drawGridPlane(program,
+                {lowered,
+                 plate.right,
+                 plate.back,
+                 plate.halfMm,
+                 fadeMm,
+                 {dark ? kDarkLine : kLightLine, line},
+                 {dark ? kDarkGround : kLightGround, ground}},
+                camera);
 }
 
 }  // namespace qrelief

@@ -79,6 +79,9 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
     QRELIEF_TRY(program);
     viewer.*source.program = std::move(*program);
   }
+  auto lines = LinePass::create();
+  QRELIEF_TRY(lines);
+  viewer.linePass_ = std::move(*lines);
   return viewer;
 }
 
@@ -136,6 +139,13 @@ void Viewer::setMarker(std::optional<Vec3> marker) {
   marker_ = marker;
   printsChanged_ = true;
   plainIsCurrent_ = false;
+}
+
+void Viewer::setLines(LineDrawing lines) {
+  if (lines == lines_) return;
+  lines_ = std::move(lines);
+  linePass_.set(lines_);
+  printsChanged_ = true;
 }
 
 void Viewer::setTheme(bool dark) {
@@ -373,7 +383,18 @@ void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& ca
 void Viewer::drawPrints(const CameraView& camera, const gl::Framebuffer* target) {
   drawDecal(decal_, ghost_.decal ? kBesideGhost : 1, camera, target);
   drawDecal(ghost_, kGhostStrength, camera, target);
+  drawLines(camera);
   printsChanged_ = false;
+}
+
+void Viewer::drawLines(const CameraView& camera) const {
+  if (lines_.plane) {
+    setSight(plateProgram_, camera);
+    drawGridPlane(plateProgram_, *lines_.plane, camera);
+  }
+  if (linePass_.isEmpty()) return;
+  setSight(linePass_.program(), camera);
+  linePass_.draw(camera, dark_);
 }
 
 void Viewer::uploadPrints() {
@@ -419,6 +440,7 @@ Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* ta
   } else {
     drawDecal(decal_, 1, camera, target);
   }
+  drawLines(camera);
   printsChanged_ = false;
   return {};
 }

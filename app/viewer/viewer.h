@@ -11,6 +11,7 @@
 #include "projection/visibility_map.h"
 #include "render/gpu_mesh.h"
 #include "viewer/build_plate.h"
+#include "viewer/line_drawing.h"
 #include "viewer/orbit_camera.h"
 
 namespace qrelief {
@@ -89,6 +90,8 @@ class Viewer {
   /// Draws a printer's plate, and marks the surfaces that hang over it too steeply to print well.
   void setPlate(std::optional<BuildPlate> plate);
   void setMarker(std::optional<Vec3> marker);
+  /// Draws lines over the model, and over codes on it.
+  void setLines(LineDrawing lines);
   void setTheme(bool dark);
 
   /// Draws the next picture, if one is due.
@@ -139,6 +142,7 @@ class Viewer {
   void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
   void drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target);
   void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
+  void drawLines(const CameraView& camera) const;
   void uploadDecal(Shown& layer);
   void uploadInk();
   void uploadPrints();
@@ -170,6 +174,8 @@ class Viewer {
   std::optional<Vec3> marker_;
   std::optional<CuttingPlane> cut_;
   std::optional<BuildPlate> plate_;
+  LineDrawing lines_;
+  LinePass linePass_;
   bool dark_ = false;
   HeatShown heatShown_ = HeatShown::None;
   SurfaceColours colours_;

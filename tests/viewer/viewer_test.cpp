@@ -114,6 +114,36 @@ TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerButNotAnOpenPlate) {
   EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 
+TEST_F(ViewerTest, LinesAreDrawnOverTheModelAndFaintBehindIt) {
+  show(shapes::box({40, 40, 40}));
+  camera_.lookFrom(StandardView::Front);
+  camera_.finishGlide();
+  const Picture without = refined();
+  const Vec3f red(1, 0, 0);
+  viewer_->setLines({{{{-15, -25, 10}, {15, -25, 10}, red, 6, 6}, {{-15, 25, -10}, {15, 25, -10}, red, 6, 6}}, {}});
+  const Picture with = refined();
+  const auto redness = [&](Vec3 point) {
+    const Vec2 pixel = camera_.toScreen(point);
+    return (with.at(pixel).x - with.at(pixel).y) - (without.at(pixel).x - without.at(pixel).y);
+  };
+  EXPECT_GT(redness({0, -25, 10}), 0.9);
+  EXPECT_GT(redness({0, 25, -10}), 0.1);
+  EXPECT_LT(redness({0, 25, -10}), 0.4);
+  EXPECT_NEAR(redness({18, -25, 10}), 0, 0.01) << "beside its end";
+  viewer_->setLines({});
+  EXPECT_NEAR(glm::distance(refined().at(camera_.toScreen({0, -25, 10})), without.at(camera_.toScreen({0, -25, 10}))),
+              0, 0.01);
+}
+
+TEST_F(ViewerTest, ALineThatPassesTheEyeIsCutOff) {
+  show(shapes::box({40, 40, 40}));
+  const CameraView view = camera_.view();
+  viewer_->setLines({{{view.target, view.eye() + view.back * 1000.0 + view.up * 3.0, {1, 0, 0}, 4, 4}}, {}});
+  EXPECT_LT(refined().brightness({20, 20}), 1);
+  const Picture picture = refined();
+  EXPECT_NEAR(picture.at({20, 20}).x, picture.at({20, 20}).y, 0.1) << "nothing away from the line";
+}
+
 /// A decal that moves over a finished picture is redrawn in its own box only.
 TEST_F(ViewerTest, MovingDecalsLookLikeAFullRedraw) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
