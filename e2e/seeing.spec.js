@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-import { isOrange, isTeal, shareOf } from './support/pixels.js';
+import { isOrange, isTeal, isViolet, shareOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
 
 test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours assume this size
@@ -93,4 +93,33 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await expect(legend).toBeHidden();
     await expect(before).toBeHidden();
   });
+});
+
+test('The construction shows how the code was placed, also after a move and after carving', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere&text=HELLO&process=none');
+  await app.expectReady();
+  const button = page.getByRole('button', { name: 'Construction' });
+  const legend = page.locator('.construction-legend');
+  const closestMm = async () => Number(/S, its point closest to C: ([\d.]+)\smm/.exec(await legend.innerText())?.[1]);
+  await poll(() => shareOf(app.canvas, isViolet)).toBeLessThan(0.0005);
+
+  await button.click();
+  await expect(legend).toContainText('Central projection from the eye, 250 mm away');
+  await poll(() => shareOf(app.canvas, isViolet)).toBeGreaterThan(0.002);
+  const first = await closestMm();
+  expect(first).toBeGreaterThan(20);
+  await expect(page.locator('.construction-names')).toContainText(/C.*S/);
+
+  await app.openSettings();
+  await app.setting('Viewing distance').fill('120'); // the nearer the eye, the smaller the silhouette
+  await app.setting('Viewing distance').blur();
+  await expect(legend).toContainText('120 mm away');
+  await poll(closestMm).toBeLessThan(first);
+
+  await app.engrave();
+  await expect(legend).toContainText('120 mm away');
+  await button.click();
+  await expect(legend).toBeHidden();
+  await poll(() => shareOf(app.canvas, isViolet)).toBeLessThan(0.0005);
 });

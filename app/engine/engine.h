@@ -63,6 +63,9 @@ class Engine {
   /// that does.
   std::string placement();
 
+  /// Returns {construction: Construction}, how the placed code was placed; null if none is placed.
+  std::string construction() const;
+
   /// Shows the code about where it would lie. Returns HoverResult; its concerns are known once it is exact.
   /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
   std::string hover(const std::string& at);
@@ -179,10 +182,10 @@ class Engine {
   /// colour and of the deepest pocket; 0 where nothing is carved.
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
   ///              are known, "depths": true: carved depths as colours, "buildPlate": true: the printer's plate under
-  ///              the model in the pose in which it is printed, "section": cuts the model open across the code, from
-  ///              top to bottom as its viewer sees it, at that offset from the code's middle in half edges of its
-  ///              square, -1 … 1; null: no section, "upAxis": the model's axis, "y" or "z", that points up in the view
-  ///              and along which the code's top points}
+  ///              the model in the pose in which it is printed, "construction": true: how the code was placed,
+  ///              "section": cuts the model open across the code, from top to bottom as its viewer sees it, at that
+  ///              offset from the code's middle in half edges of its square, -1 … 1; null: no section, "upAxis": the
+  ///              model's axis, "y" or "z", that points up in the view and along which the code's top points}
   std::string show(const std::string& what);
   /// Shows the simulated print on the surface in place of the carved model, until the camera moves or another model is
   /// shown. BadUsage if nothing is engraved.
@@ -195,15 +198,19 @@ class Engine {
   ///                {"kind": "standard", "name": "front", "back", "left", "right", "top", "bottom" or "iso"}; and where
   ///                a code is placed: {"kind": "readerView"}: as a phone sees it, without a plate, until the next
   ///                action, {"kind": "face"}: from the viewer's side, with the surroundings in view, {"kind":
-  ///                "faceSection"}: to where the section is visible
+  ///                "faceSection"}: to where the section is visible, {"kind": "faceConstruction"}: to where the
+  ///                construction is
   std::string look(const std::string& action);
 
   /// Returns {code: {corners: [[x, y]], facing, edgeMm, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null,
-  /// to: [x, y]}], buildPlate: {foot: [x, y], top: [x, y], heightMm} or null, axes: [right, up, back]}. `corners`: of
+  /// to: [x, y]}], buildPlate: {foot: [x, y], top: [x, y], heightMm} or null, construction: {centre, closest, eye,
+  /// directions: [position]} or null, axes: [right, up, back]}. `corners`: of
   /// the code with its quiet zone or label, a square of `edgeMm` on the QR plane, on the screen, upper left first,
   /// clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a line from
   /// each lamp to the middle of the code, `from` null for a lamp behind the camera; `buildPlate`: the shown one, with
-  /// an upright edge of the model's box over it, at its left on the screen; `axes`: the camera's, z up.
+  /// an upright edge of the model's box over it, at its left on the screen; `construction`: if it is shown,
+  /// positions [x, y] of C, S, the eye and the tips of the arrows, null for what is not there or behind the camera;
+  /// `axes`: the camera's, z up.
   std::string viewState() const;
   /// Draws a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);
@@ -261,6 +268,7 @@ class Engine {
   void endHover();
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   std::optional<BuildPlate> buildPlate() const;
+  std::optional<Construction> placedConstruction() const;
   void updateView();
 
   bool hasGl_;
@@ -275,6 +283,7 @@ class Engine {
   std::optional<Decal> print_;  // while it is shown
   Plate plate_;
   Scene scene_;
+  std::optional<Construction> construction_;  // while it is shown
 };
 
 }  // namespace qrelief

@@ -123,6 +123,8 @@ std::string Engine::moveCode(double x, double y) {
   const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
   if (!at) return textOf({{"ok", true}, {"hit", false}});
   if (const Status moved = preview_.move(task(), *at); !moved) return answer(moved.error());
+  construction_.reset();
+  scene_.setConstruction(nullptr);
   scene_.setGhost(nullptr);
   scene_.setDecal(preview_.code());
   return describeCode(*preview_.code());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the verbs that control and describe the view.
+#include <cmath>
+
 #include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
@@ -73,6 +75,22 @@ Json onScreen(const BuildPlate& plate, const OrbitCamera& camera) {
   return {{"foot", jsonOf(*foot)}, {"top", jsonOf(*top)}, {"heightMm", plate.heightMm}};
 }
 
+/// Returns the points of a construction that have names.
+Json onScreen(const Construction& construction, const OrbitCamera& camera) {
+  const CameraView view = camera.view();
+  const auto at = [&](Vec3 point) {
+    return glm::dot(view.eye() - point, view.back) > 0 ? jsonOf(camera.toScreen(point)) : Json();
+  };
+  const ProjectionFrame& frame = construction.frame;
+  Json directions = Json::array();
+  for (const Construction::Direction& direction : construction.directions)
+    directions.push_back(at(construction.tip(direction)));
+  return {{"centre", at(frame.centre)},
+          {"closest", construction.closest ? at(frame.onPlane(*construction.closest)) : Json()},
+          {"eye", at(frame.eye())},
+          {"directions", directions}};
+}
+
 }  // namespace
 
 std::optional<BuildPlate> Engine::buildPlate() const {
@@ -83,16 +101,39 @@ std::optional<BuildPlate> Engine::buildPlate() const {
   return plateUnder(model_->mesh(), build.resolve(placement ? placement->frame : ProjectionFrame{}));
 }
 
+std::optional<Construction> Engine::placedConstruction() const {
+  const Placement* const placement = preview_.placement();
+  if (!placement) return {};
+  const int modules = static_cast<int>(std::lround(placement->symbolMm / placement->moduleMm));
+  return constructionOf(*placement, roomFactor(modules, searchedPlacement(settings(), modules)));
+}
+
+std::string Engine::construction() const {
+  const std::optional<Construction> placed = placedConstruction();
+  if (!placed) return textOf({{"ok", true}, {"construction", Json()}});
+  Json directions = Json::array();
+  for (const Construction::Direction& direction : placed->directions) directions.push_back(direction.varianceMm2);
+  return textOf({{"ok", true},
+                 {"construction",
+                  {{"eyeMm", placed->frame.eyeDistance},
+                   {"closestMm", placed->closest ? Json(glm::length(*placed->closest)) : Json()},
+                   {"largestMm", placed->largestMm},
+                   {"squareMm", placed->squareMm},
+                   {"variancesMm2", directions},
+                   {"chosen", placed->chosen ? Json(*placed->chosen) : Json()}}}});
+}
+
 void Engine::updateView() {
   const auto inkOf = [](const EngraveRequest* request) {
     return request && request->marking.isInColour() ? std::optional(request->marking.ink) : std::nullopt;
   };
   const EngraveResult* const result = carvings_.result();
+  construction_ = scene_.constructionShown() ? placedConstruction() : std::nullopt;
   const auto sizes = scene_.surface() == Scene::Surface::Sizes ? offers_.sizesDisplay() : nullptr;
   scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), sizes, preview_.code(),
                  preview_.hovered(), print_ ? &*print_ : nullptr, wanted_.centreMm(), inkOf(&wanted_.settings()),
                  inkOf(result ? &result->request : nullptr), model_ && !model_->engravable->prepared.colours.empty(),
-                 buildPlate()});
+                 buildPlate(), construction_ ? &*construction_ : nullptr});
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -139,6 +180,8 @@ std::string Engine::look(const std::string& action) {
     scene_.faceCode(placement->frame, code->decal.edgeMm, model_->engravable->box.diagonal());
   else if (kind == "faceSection" && code)
     scene_.faceSection(*code);
+  else if (kind == "faceConstruction" && construction_)
+    scene_.faceConstruction(*construction_);
   return done();
 }
 
@@ -149,6 +192,7 @@ std::string Engine::show(const std::string& what) {
   if (parsed->contains("sizes")) showSizes(parsed->at("sizes"));
   if (parsed->contains("depths")) scene_.showDepths(parsed->at("depths"));
   if (parsed->contains("buildPlate")) scene_.showPlate(parsed->at("buildPlate"));
+  if (parsed->contains("construction")) scene_.showConstruction(parsed->at("construction"));
   if (parsed->contains("upAxis")) setUpAxis(parsed->at("upAxis"));
   if (parsed->contains("section")) {
     const Json& offset = parsed->at("section");
@@ -197,7 +241,11 @@ std::string Engine::viewState() const {
   const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
   const std::optional<BuildPlate> plate = scene_.shownPlate();
   const Json plateOnScreen = plate ? onScreen(*plate, camera) : Json();
-  return textOf({{"code", code}, {"lamps", lamps}, {"buildPlate", plateOnScreen}, {"axes", axes}});
+  return textOf({{"code", code},
+                 {"lamps", lamps},
+                 {"buildPlate", plateOnScreen},
+                 {"construction", construction_ && !scene_.isReaders() ? onScreen(*construction_, camera) : Json()},
+                 {"axes", axes}});
 }
 
 Result<BackDistanceMap> Engine::backDistances() const {

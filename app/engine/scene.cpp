@@ -21,6 +21,9 @@ constexpr double kReaderMargin = 1.1;    // room around symbol and quiet zone in
 constexpr double kSectionYaw = 0.9;      // angle of the camera from the reader's direction when it faces a section,
                                          // radians
 constexpr double kSectionPitch = 0.3;
+constexpr double kConstructionYaw = 0.75;  // the same for the construction
+constexpr double kConstructionPitch = 0.45;
+constexpr double kConstructionEdges = 3;
 constexpr double kPictureEdges = 1.7;  // edge of the square in a place's picture, in code edges
 constexpr int kPictureFrames = 6;
 
@@ -81,6 +84,7 @@ void Scene::update(const SceneContents& contents) {
   viewer_->setMarker(carved || contents.code ? std::nullopt : contents.centreMm);
   viewer_->setCut(cut(contents.code));
   setPlate(contents.plate);
+  setConstruction(contents.construction);
 }
 
 void Scene::setGhost(const CodeOnSurface* hovered) {
@@ -103,6 +107,16 @@ void Scene::showPlate(bool isShown) {
 
 std::optional<BuildPlate> Scene::shownPlate() const { return plateShown_ && !isReaders_ ? plate_ : std::nullopt; }
 
+void Scene::setConstruction(const Construction* construction) {
+  construction_ = construction ? drawingOf(*construction, devicePixelRatio_) : LineDrawing{};
+  setLines();
+}
+
+/// Shows the construction. A phone sees none.
+void Scene::setLines() {
+  if (viewer_) viewer_->setLines(isReaders_ ? LineDrawing{} : construction_);
+}
+
 void Scene::show(Surface surface, bool isShown) {
   if (isShown) surface_ = surface;
   if (!isShown && surface_ == surface) surface_ = Surface::Model;
@@ -115,6 +129,7 @@ void Scene::showSection(bool isShown, double offset) {
 
 void Scene::resize(double width, double height, double devicePixelRatio) {
   camera_.setViewport(width, height);
+  devicePixelRatio_ = devicePixelRatio;
   const auto devicePixels = [=](double length) { return static_cast<int>(std::lround(length * devicePixelRatio)); };
   if (viewer_) viewer_->resize(devicePixels(width), devicePixels(height));
 }
@@ -130,13 +145,16 @@ void Scene::standardView(const std::string& name) {
 
 void Scene::lookAsReader(const ProjectionFrame& frame, double edgeMm) {
   camera_.lookThrough(frame, edgeMm * kReaderMargin);
-  isReaders_ = true;
-  setPlate(plate_);
+  setReaders(true);
 }
 
-void Scene::freeLook() {
-  isReaders_ = false;
+void Scene::freeLook() { setReaders(false); }
+
+void Scene::setReaders(bool isReaders) {
+  if (isReaders == isReaders_) return;
+  isReaders_ = isReaders;
   setPlate(plate_);
+  setLines();
 }
 
 void Scene::faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm) {
@@ -150,6 +168,14 @@ void Scene::faceSection(const CodeOnSurface& code) {
   const ProjectionFrame oblique =
       makeFrame(frame.centre, sideways + camera_.skyward() * kSectionPitch, camera_.skyward(), frame.eyeDistance);
   camera_.lookThrough(oblique, kSectionEdges * code.decal.edgeMm);
+}
+
+void Scene::faceConstruction(const Construction& construction) {
+  const ProjectionFrame& frame = construction.frame;
+  const Vec3 sideways = frame.normal * std::cos(kConstructionYaw) + frame.right * std::sin(kConstructionYaw);
+  const ProjectionFrame oblique =
+      makeFrame(frame.centre, sideways + camera_.skyward() * kConstructionPitch, camera_.skyward(), frame.eyeDistance);
+  camera_.lookThrough(oblique, kConstructionEdges * construction.squareMm);
 }
 
 Result<bool> Scene::draw(bool always) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/code_on_surface.h"
+#include "engine/construction.h"
 #include "verification/ink.h"
 #include "viewer/orbit_camera.h"
 #include "viewer/viewer.h"
@@ -30,6 +31,7 @@ struct SceneContents {
   std::optional<Ink> ink, carvedInk;  ///< materials of the code that is wanted, or carved; none: no code in colour
   bool isColoured = false;            ///< the model's file has colours
   std::optional<BuildPlate> plate;    ///< under the model as it is printed
+  const Construction* construction = nullptr;
 };
 
 /// Chooses what is shown, from which camera and in which colours. Screen positions as in Engine.
@@ -53,6 +55,10 @@ class Scene {
   void showPlate(bool isShown);
   /// Returns the plate as it is shown. A phone sees none.
   std::optional<BuildPlate> shownPlate() const;
+  /// Shows how the code was placed, from the next update on.
+  void showConstruction(bool isShown) { constructionShown_ = isShown; }
+  bool constructionShown() const { return constructionShown_; }
+  void setConstruction(const Construction* construction);
   /// Cuts the model open across the code. @param offset  in half edges of its square, clamped to -1 … 1
   void showSection(bool isShown, double offset);
 
@@ -65,11 +71,14 @@ class Scene {
   /// Looks as a phone does, until freeLook().
   void lookAsReader(const ProjectionFrame& frame, double edgeMm);
   void freeLook();
+  bool isReaders() const { return isReaders_; }
   /// Looks from the viewer's side of the code, with the surroundings in view.
   /// @param diagonalMm  of the model
   void faceCode(const ProjectionFrame& frame, double edgeMm, double diagonalMm);
   /// Turns the camera to where the section is visible.
   void faceSection(const CodeOnSurface& code);
+  /// Turns the camera to where the construction is visible.
+  void faceConstruction(const Construction& construction);
 
   /// @param always  present again even if nothing changed
   /// @returns true if another call would improve the picture
@@ -82,15 +91,19 @@ class Scene {
   const Viewer* viewer() const { return viewer_.get(); }
 
  private:
+  void setReaders(bool isReaders);
+  void setLines();
   std::optional<CuttingPlane> cut(const CodeOnSurface* code) const;
 
   std::unique_ptr<Viewer> viewer_, pictureViewer_;
   OrbitCamera camera_;
   SurfaceColours colours_;
   std::optional<BuildPlate> plate_;
+  LineDrawing construction_;
   Surface surface_ = Surface::Model;
-  bool depthsShown_ = false, sectionShown_ = false, plateShown_ = false, isReaders_ = false, dark_ = false;
-  double sectionOffset_ = 0;
+  bool depthsShown_ = false, sectionShown_ = false, plateShown_ = false, constructionShown_ = false, isReaders_ = false,
+       dark_ = false;
+  double sectionOffset_ = 0, devicePixelRatio_ = 1;
 };
 
 }  // namespace qrelief

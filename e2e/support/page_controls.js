@@ -45,6 +45,13 @@ export const kOfTheView = {
     await press('show-plate');
     await expect(height).toBeVisible();
   },
+  'show-construction': async ({ page, press }) => {
+    const legend = page.locator('.construction-legend');
+    await press('show-construction');
+    await expect(legend).toContainText(/S, its point closest to C: [\d.]+\smm/);
+    await press('show-construction');
+    await expect(legend).toBeHidden();
+  },
   views: async ({ at, press }) => {
     await press('views');
     await expect(at('views-menu')).toBeVisible();

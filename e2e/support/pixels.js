@@ -53,3 +53,6 @@ export const isDark = (red, green, blue) => Math.max(red, green, blue) < 75;
 
 /** The middle colour of the depth map. The page's own green, as in buttons over the view, counts too. @type {Colour} */
 export const isTeal = (red, green, blue) => green > 1.3 * red && blue > 1.1 * red && blue < 1.15 * green && green > 60;
+
+/** The rays of the projection in the construction. @type {Colour} */
+export const isViolet = (red, green, blue) => red > 1.15 * green && blue > 1.2 * red && blue > 120;

@@ -20,6 +20,8 @@ constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test"
 
 using EngineViewTest = EngineFixture;
 
+Vec2 vec2Of(const Json& position) { return {position.at(0), position.at(1)}; }
+
 TEST_F(EngineViewTest, TheTopOfTheCodePointsAlongTheUpAxis) {
   load(shapes::box({60, 60, 20}));
   engine_->show(R"({"upAxis": "y"})");
@@ -83,6 +85,38 @@ TEST_F(EngineViewTest, ShowsThePlateInThePoseOnThePrinter) {
   EXPECT_NEAR(heightMm(), 50, 1e-5);
   engine_->show(R"({"buildPlate": false})");
   EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null());
+}
+
+TEST_F(EngineViewTest, ShowsHowTheCodeWasPlaced) {
+  EXPECT_TRUE(Json::parse(engine_->construction())["construction"].is_null()) << "nothing is placed";
+  load(shapes::box({60, 36, 20}));
+  engine_->configure(R"({"text": "A"})");
+  engine_->setCentre(R"({"mm": [3, 0, 10]})");
+  ASSERT_EQ(Json::parse(engine_->placement())["ok"], true);
+  const Json construction = Json::parse(engine_->construction())["construction"];
+  EXPECT_NEAR(construction["closestMm"].get<double>(), 18, 1e-3) << "to the long sides";
+  EXPECT_NEAR(construction["squareMm"].get<double>(), 36, 0.1);
+  EXPECT_LT(construction["largestMm"], construction["squareMm"]) << "the quiet zone";
+  EXPECT_EQ(construction["eyeMm"], 250);
+  EXPECT_EQ(construction["chosen"], 0) << "a flat surface is seen frontally at once";
+
+  const auto shown = [&] { return Json::parse(engine_->viewState())["construction"]; };
+  EXPECT_TRUE(shown().is_null());
+  engine_->show(R"({"construction": true})");
+  EXPECT_FALSE(shown()["centre"].is_null());
+  EXPECT_FALSE(shown()["closest"].is_null());
+  EXPECT_EQ(shown()["directions"].size(), construction["variancesMm2"].size());
+  engine_->look(R"({"kind": "faceConstruction"})");
+  for (bool gliding = true; gliding;) gliding = engine_->draw();
+  const Vec2 centre = vec2Of(shown()["centre"]), tip = vec2Of(shown()["directions"][0]);
+  EXPECT_NEAR(glm::distance(centre, Vec2(200, 150)), 0, 2) << "in the middle of the view";
+  EXPECT_GT(glm::distance(centre, tip), 30) << "an arrow seen from aside";
+  engine_->look(R"({"kind": "readerView"})");
+  EXPECT_TRUE(shown().is_null()) << "a phone sees none";
+  engine_->look(R"({"kind": "fit"})");
+  EXPECT_FALSE(shown().is_null());
+  engine_->show(R"({"construction": false})");
+  EXPECT_TRUE(shown().is_null());
 }
 
 TEST_F(EngineViewTest, AFaceOnThePlateIsBelowOnTheScreen) {

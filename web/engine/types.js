@@ -98,8 +98,19 @@
  * @typedef {{ foot: [number, number], top: [number, number], heightMm: number }} PlateOnScreen
  *   upright edge of the model's box over the plate, at its left on the screen, CSS pixels
  * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], buildPlate: PlateOnScreen | null,
- *   axes: [number, number, number][] }} ViewState
- *   `buildPlate`: if it is shown; `axes`: right, up and back of the camera, in a space with z up
+ *   construction: ConstructionOnScreen | null, axes: [number, number, number][] }} ViewState
+ *   `buildPlate`, `construction`: if they are shown; `axes`: right, up and back of the camera, in a space with z up
+ */
+
+/**
+ * How a code was placed. `eyeMm`: distance of the eye; `closestMm`: distance of S, the silhouette's point closest to the
+ * centre, null: too far away to limit the size; `largestMm`: largest code; `squareMm`: edge of the square that has to
+ * fit for it; `variancesMm2`: variance of the distance from each direction that was tried; `chosen`: the code's one
+ * @typedef {{ eyeMm: number, closestMm: number | null, largestMm: number, squareMm: number, variancesMm2: number[],
+ *   chosen: number | null }} Construction
+ * @typedef {[number, number] | null} PointOnScreen  CSS pixels; null: not there, or behind the camera
+ * @typedef {{ centre: PointOnScreen, closest: PointOnScreen, eye: PointOnScreen, directions: PointOnScreen[] }} ConstructionOnScreen
+ *   `directions`: the tips of the arrows
  */
 
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
@@ -293,7 +304,7 @@
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'body', index: number }
  *   | { kind: 'readerView' } | { kind: 'face' }
- *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }} LookAction
+ *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' } | { kind: 'faceConstruction' }} LookAction
  */
 
 /**
@@ -313,9 +324,9 @@
 
 /**
  * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
- * `depths`: carved depths as colours; `buildPlate`: the printer's plate under the model; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
+ * `depths`: carved depths as colours; `buildPlate`: the printer's plate under the model; `construction`: how the code was placed; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
  * dark colours; `upAxis`: the model's axis that points up, and along which the code's top points.
- * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, buildPlate?: boolean, section?: number | null, dark?: boolean,
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, buildPlate?: boolean, construction?: boolean, section?: number | null, dark?: boolean,
  *   upAxis?: UpAxis }} Shown
  */
 

@@ -57,6 +57,8 @@ export const kPageVerbs = {
   configure: { draws: true },
   /** Finds the placement at the centre. @type {Verb<() => import('./types.js').Placement>} */
   placement: { part: 'placement', draws: true },
+  /** Returns how the placed code was placed; null: none is. @type {Verb<() => import('./types.js').Construction | null>} */
+  construction: { part: 'construction' },
   /** Previews a change of the placed code. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
   adjustCode: { draws: true },
   /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */

@@ -87,7 +87,7 @@ export class Startup {
   async prepareView_() {
     const { client, view, theme, toolbar } = this.options_;
     view.announceSize();
-    await client.show({ dark: theme.dark, buildPlate: toolbar.plateShown });
+    await client.show({ dark: theme.dark, buildPlate: toolbar.plateShown, construction: toolbar.constructionShown });
   }
 
   /** Restores the work in a new module. */

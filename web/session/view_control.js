@@ -23,6 +23,7 @@ const kVectorDigits = 5;
 export class ViewControl {
   /** @param {ViewControlOptions} options */
   constructor({ client, toolbar, tools, legend, spotsPanel, carving, guard, ...options }) {
+    /** @type {import('../view/construction_view.js').ConstructionView | undefined} */ this.construction_ = undefined;
     this.client_ = client;
     this.toolbar_ = toolbar;
     this.tools_ = tools;
@@ -72,6 +73,7 @@ export class ViewControl {
     placing.placed.on((placement) => {
       toolbar.setPlaced(placement !== undefined, placement?.capitalMm === null);
       tools.set({ placed: placement !== undefined });
+      if (toolbar.constructionShown) void guard(() => this.explain_());
     });
   }
 
@@ -89,6 +91,7 @@ export class ViewControl {
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
       onLive: () => guard(() => placing.place()),
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
+      onConstruction: (isShown) => guard(() => this.showConstruction_(isShown)),
       onInspector: (isShown) => guard(() => inspectorControl.show(isShown)),
     });
   }
@@ -121,6 +124,22 @@ export class ViewControl {
           }
         : undefined,
     );
+  }
+
+  /** Shows or hides how the code was placed. @param {boolean} isShown */
+  async showConstruction_(isShown) {
+    await this.client_.show({ construction: isShown });
+    await this.explain_();
+    if (isShown) this.tools_.act({ kind: 'faceConstruction' });
+  }
+
+  /** Writes the legend of the construction, if it is shown. */
+  async explain_() {
+    const { ConstructionView } = await import('../view/construction_view.js');
+    const construction = this.toolbar_.constructionShown ? await this.client_.construction() : null;
+    this.construction_ ??= new ConstructionView();
+    this.tools_.onConstruction = (points) => this.construction_?.mark(points);
+    this.construction_.explain(construction);
   }
 
   /** Shows or hides the depths as colours on the carved model. @param {boolean} areShown */

@@ -17,6 +17,7 @@ import { recall, remember } from '../storage/remembered.js';
  * @property {() => void} onFaceSection  turn to face the section
  * @property {(shown: boolean) => void} onDepths
  * @property {(shown: boolean) => void} onPlate
+ * @property {(shown: boolean) => void} onConstruction
  * @property {() => void} onLive  `liveShown` has changed
  * @property {(shown: boolean) => void} onInspector
  */
@@ -37,6 +38,7 @@ export class ViewToolbar {
     this.plate_.setAttribute('aria-pressed', String(recall(kPlateName) !== 'off'));
     this.live_ = byId('show-live', HTMLButtonElement);
     this.live_.setAttribute('aria-pressed', String(recall(kLiveName) !== 'off'));
+    this.construction_ = byId('show-construction', HTMLButtonElement);
     this.inspector_ = byId('inspector', HTMLButtonElement);
     this.hint_ = byId('view-hint', HTMLElement);
     this.views_ = byId('views', HTMLButtonElement);
@@ -52,6 +54,7 @@ export class ViewToolbar {
       remember(kLiveName, toggle(this.live_) ? 'on' : 'off');
       this.listener_?.onLive();
     });
+    this.construction_.addEventListener('click', () => this.listener_?.onConstruction(toggle(this.construction_)));
     this.inspector_.addEventListener('click', () => this.listener_?.onInspector(toggle(this.inspector_)));
     this.reader_.addEventListener('click', () => this.listener_?.onReaderView());
     byId('fit', HTMLButtonElement).addEventListener('click', () => this.listener_?.onFit());
@@ -153,6 +156,7 @@ export class ViewToolbar {
     const why = placed ? undefined : 'page.whyNoPlace';
     setDisabled(this.reader_, why ?? (forPhone ? undefined : 'page.whyForPeople'));
     setDisabled(this.section_, why);
+    setDisabled(this.construction_, why);
     this.hint_.hidden = placed;
     if (!placed && isPressed(this.section_)) this.showSection(false);
   }
@@ -169,6 +173,11 @@ export class ViewToolbar {
   /** Placed codes are shown as they will be carved, unless the user chose otherwise at this visit or the last one. */
   get liveShown() {
     return isPressed(this.live_);
+  }
+
+  /** It stays pressed while no code is placed. */
+  get constructionShown() {
+    return isPressed(this.construction_);
   }
 
   /** Resets the button after the inspector could not be opened. */

@@ -47,6 +47,8 @@ export class ViewTools {
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
     this.reader = new ReaderView(overlays, surface, (picture) => this.listener_?.onPrint(picture));
     /** Announces that the user moves the camera. @type {(() => void) | undefined} */ this.onMoved = undefined;
+    /** Shows the names of a construction's points. @type {((points: import('../engine/types.js').ConstructionOnScreen | null) => void) | undefined} */
+    this.onConstruction = undefined;
     /** @type {import('../engine/types.js').CodeOnScreen | null} */ this.code_ = null;
     this.engravable_ = false;
     this.busy_ = false;
@@ -80,11 +82,12 @@ export class ViewTools {
   }
 
   /** @param {import('../engine/types.js').ViewState} state */
-  update({ code, lamps, buildPlate, axes }) {
+  update({ code, lamps, buildPlate, construction, axes }) {
     this.code_ = code;
     this.height_.show(buildPlate);
     this.editor_.update(code);
     this.lamps_.show(lamps);
+    this.onConstruction?.(construction);
     this.reader.update(code);
     this.cube_.turn(axes);
   }
