@@ -112,8 +112,8 @@ test('The construction shows how the code was placed, also after a move and afte
   await expect(page.locator('.construction-names')).toContainText(/C.*S/);
 
   await app.openSettings();
-  await app.setting('Viewing distance').fill('120'); // the nearer the eye, the smaller the silhouette
-  await app.setting('Viewing distance').blur();
+  await app.setting('Viewing distance (mm)').fill('120'); // the nearer the eye, the smaller the silhouette
+  await app.setting('Viewing distance (mm)').blur();
   await expect(legend).toContainText('120 mm away');
   await poll(closestMm).toBeLessThan(first);
 
