@@ -29,7 +29,8 @@ void describeRecord() {
   for (GLuint location = 0; location < fields.size(); ++location) {
     const auto [size, offset] = fields[location];
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Record), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Record),
+                          reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr): GL wants it so
     glVertexAttribDivisor(location, 1);
   }
 }

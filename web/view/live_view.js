@@ -10,8 +10,12 @@ export class LiveView {
   }
 
   get isOn() {
-    if (!this.isWanted_()) this.isSlow_ = false; // switching it on tries again
     return this.isWanted_() && !this.isSlow_;
+  }
+
+  /** Notes that the user may have switched it off: switching it on tries again. */
+  update() {
+    if (!this.isWanted_()) this.isSlow_ = false;
   }
 
   /**

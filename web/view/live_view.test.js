@@ -20,6 +20,7 @@ test('a search that takes more than a second turns it off, until the user turns 
   await searchTaking(1100);
   assert.ok(!live.isOn);
   isWanted = false;
+  live.update();
   assert.ok(!live.isOn);
   isWanted = true;
   assert.ok(live.isOn);
