@@ -15,7 +15,7 @@ if (!figure) {
   process.exit(2);
 }
 const kCommand = 'build/release/bin/qrelief';
-const kText = 'https://example.org/p/0123456789';
+const kText = 'HTTPS://EXAMPLE.ORG/P/01'; // fits in version 2
 const kRadiusMm = 60;
 const kLeastMs = 5; // shorter stages have no meaningful exponent
 const folder = mkdtempSync(join(tmpdir(), 'qrelief-growth-'));
