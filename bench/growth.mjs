@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures how the time of `engrave` grows with triangles, modules and layers, and that of `batch` with rows. Prints a
-// table for each: seconds, the longest stage, and the exponent of each stage (time ~ size^exponent, fitted by least
-// squares on logarithms to the larger half of the sizes). Draws all totals as FIGURE.svg.
+// Measures how `engrave` takes longer with more triangles, modules or layers, and `batch` with more rows. Prints a table
+// for each: seconds, the longest stage, and the exponent of each stage (time ~ size^exponent, fitted by least squares on
+// logarithms to the larger half of the sizes). Draws all totals as FIGURE.svg.
 //
 //     script/bench growth FIGURE.svg [RUNS]
 import { spawnSync } from 'node:child_process';

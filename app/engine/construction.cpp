@@ -10,13 +10,7 @@
 namespace qrelief {
 namespace {
 
-// sRGB colours, those of the legend (web/styles/construction.css).
-constexpr Vec3f kPlane{0.08f, 0.40f, 0.84f};
-constexpr Vec3f kProjection{0.56f, 0.30f, 0.82f};
-constexpr Vec3f kSilhouette{0.86f, 0.10f, 0.30f};
-constexpr Vec3f kSquare{0.02f, 0.55f, 0.30f};
-constexpr Vec3f kDirection{0.91f, 0.48f, 0.02f};
-
+constexpr ConstructionColours kColours;
 constexpr float kPlaneLine = 0.45f, kPlaneGround = 0.10f;  // opacities
 constexpr double kPlaneFade = 0.35;                        // width of the plane's margin, in edges of the square
 constexpr int kCircleSides = 96;                           // every other one is drawn
@@ -60,12 +54,13 @@ void drawClosest(Pen& pen, const ProjectionFrame& frame, Vec2 closest) {
     const double angle = 2 * std::numbers::pi * side / kCircleSides;
     return radius * Vec2(std::cos(angle), std::sin(angle));
   };
-  for (int side = 0; side < kCircleSides; side += 2) pen.line(onCircle(side), onCircle(side + 1), kSilhouette, kThinPx);
+  for (int side = 0; side < kCircleSides; side += 2)
+    pen.line(onCircle(side), onCircle(side + 1), kColours.silhouette, kThinPx);
   for (int dash = 0; dash < kDashes; ++dash) {
     const auto at = [&](int end) { return closest * (end / (2.0 * kDashes - 1)); };
-    pen.line(at(2 * dash), at(2 * dash + 1), kSilhouette, kThinPx);
+    pen.line(at(2 * dash), at(2 * dash + 1), kColours.silhouette, kThinPx);
   }
-  pen.dot(frame.onPlane(closest), kSilhouette);
+  pen.dot(frame.onPlane(closest), kColours.silhouette);
 }
 
 }  // namespace
@@ -92,23 +87,25 @@ LineDrawing drawingOf(const Construction& construction, double pixelRatio) {
   const double half = construction.squareMm / 2;
   Pen pen(frame, pixelRatio);
   const std::array<Vec2, 4> corners = cornersOf(construction.squareMm);
-  for (const Vec2 corner : corners) pen.line(frame.eye(), frame.onPlane(corner), kProjection, kThinPx);
-  pen.dot(frame.eye(), kProjection);
-  for (const Segment2& segment : construction.silhouette) pen.line(segment[0], segment[1], kSilhouette, kLinePx);
-  for (std::size_t i = 0; i < 4; ++i) pen.line(corners[i], corners[(i + 1) % 4], kSquare, kStrongPx);
+  for (const Vec2 corner : corners) pen.line(frame.eye(), frame.onPlane(corner), kColours.projection, kThinPx);
+  pen.dot(frame.eye(), kColours.projection);
+  for (const Segment2& segment : construction.silhouette)
+    pen.line(segment[0], segment[1], kColours.silhouette, kLinePx);
+  for (std::size_t i = 0; i < 4; ++i) pen.line(corners[i], corners[(i + 1) % 4], kColours.square, kStrongPx);
   if (construction.closest) drawClosest(pen, frame, *construction.closest);
   for (std::size_t i = 0; i < construction.directions.size(); ++i) {
     const bool isChosen = i == construction.chosen;
-    pen.arrow(frame.centre, construction.tip(construction.directions[i]), kDirection, isChosen ? kStrongPx : kThinPx);
+    pen.arrow(frame.centre, construction.tip(construction.directions[i]), kColours.directions,
+              isChosen ? kStrongPx : kThinPx);
   }
-  pen.dot(frame.centre, kPlane);
+  pen.dot(frame.centre, kColours.plane);
   return {std::move(pen.strokes), GridPlane{frame.centre,
                                             frame.right,
                                             frame.up,
                                             {half, half},
                                             kPlaneFade * construction.squareMm,
-                                            {kPlane, kPlaneLine},
-                                            {kPlane, kPlaneGround}}};
+                                            {kColours.plane, kPlaneLine},
+                                            {kColours.plane, kPlaneGround}}};
 }
 
 }  // namespace qrelief

@@ -9,6 +9,15 @@
 
 namespace qrelief {
 
+/// Colours of the parts of a drawn construction, sRGB.
+struct ConstructionColours {
+  Vec3f plane{0.08f, 0.40f, 0.84f};
+  Vec3f projection{0.56f, 0.30f, 0.82f};
+  Vec3f silhouette{0.86f, 0.10f, 0.30f};
+  Vec3f square{0.02f, 0.55f, 0.30f};
+  Vec3f directions{0.91f, 0.48f, 0.02f};
+};
+
 /// How a code was placed, in the terms of [Papp 2022, §3 and §4].
 struct Construction {
   ProjectionFrame frame;               ///< the QR plane and the eye of its central projection

@@ -106,8 +106,7 @@ class Engine {
   ///             "view-trials": notes whether one of the trial's pictures decoded. Returns {done, tried, all, views:
   ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
   /// @param answers  of "view-trials": {"read"}; of "preparation": {"search": the whole first search, too, "hovered":
-  /// of the hovered code};
-  ///                 all other
+  ///                 of the hovered code}; all other
   ///                 jobs ignore it
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots". The best carving of an engraving so far becomes the current one.

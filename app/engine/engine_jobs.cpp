@@ -77,8 +77,9 @@ std::string Engine::advancePreparation(const std::string& options) {
   if (!parsed) return answer(parsed.error());
   const bool withSearch = parsed->value("search", false), ofHovered = parsed->value("hovered", false);
   if (!model_ || !wanted_.symbol() || carvings_.isRunning() || offers_.isRunning()) return textOf(kNothingToPrepare);
-  if (ofHovered ? !preview_.hoveredRequest() : !wanted_.centreMm()) return textOf(kNothingToPrepare);
-  const EngraveRequest request = ofHovered ? *preview_.hoveredRequest() : wanted_.request(scene_.camera().modelUp());
+  const EngraveRequest* const hovered = ofHovered ? preview_.hoveredRequest(task()) : nullptr;
+  if (ofHovered ? !hovered : !wanted_.centreMm()) return textOf(kNothingToPrepare);
+  const EngraveRequest request = ofHovered ? *hovered : wanted_.request(scene_.camera().modelUp());
   const PlacementSearch* const placed =
       ofHovered ? preview_.hoveredSearch() : preview_.found(request, wanted_.symbol());
   const bool isDone = carvings_.prepare(ground(), request, placed, withSearch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the verbs that control and describe the view.
 #include <cmath>
+#include <fmt/format.h>
 
 #include "base/parse_json.h"
 #include "engine/answers.h"
@@ -101,6 +102,16 @@ std::optional<BuildPlate> Engine::buildPlate() const {
   return plateUnder(model_->mesh(), build.resolve(placement ? placement->frame : ProjectionFrame{}));
 }
 
+namespace {
+
+/// Returns a colour as in CSS: "#1466d6".
+std::string cssColour(Vec3f colour) {
+  const auto part = [](float value) { return std::lround(255 * value); };
+  return fmt::format("#{:02x}{:02x}{:02x}", part(colour.x), part(colour.y), part(colour.z));
+}
+
+}  // namespace
+
 std::optional<Construction> Engine::placedConstruction() const {
   const Placement* const placement = preview_.placement();
   if (!placement) return {};
@@ -111,6 +122,7 @@ std::optional<Construction> Engine::placedConstruction() const {
 std::string Engine::construction() const {
   const std::optional<Construction> placed = placedConstruction();
   if (!placed) return textOf({{"ok", true}, {"construction", Json()}});
+  constexpr ConstructionColours colours;
   Json directions = Json::array();
   for (const Construction::Direction& direction : placed->directions) directions.push_back(direction.varianceMm2);
   return textOf({{"ok", true},
@@ -120,7 +132,13 @@ std::string Engine::construction() const {
                    {"largestMm", placed->largestMm},
                    {"squareMm", placed->squareMm},
                    {"variancesMm2", directions},
-                   {"chosen", placed->chosen ? Json(*placed->chosen) : Json()}}}});
+                   {"chosen", placed->chosen ? Json(*placed->chosen) : Json()},
+                   {"colours",
+                    {{"plane", cssColour(colours.plane)},
+                     {"projection", cssColour(colours.projection)},
+                     {"silhouette", cssColour(colours.silhouette)},
+                     {"square", cssColour(colours.square)},
+                     {"directions", cssColour(colours.directions)}}}}}});
 }
 
 void Engine::updateView() {

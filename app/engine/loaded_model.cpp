@@ -56,8 +56,7 @@ std::optional<Vec3> proposedCentre(const LoadedModel& model, const OrbitCamera& 
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;
     const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.modelUp(), eyeDistanceMm);
-    const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, proposedMm,
-                                      GrowingRegion::Disc, model.engravable->prepared.clusters.get());
+    const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, proposedMm);
     const double fits = patch ? std::min(proposedMm, freeSize(patch->silhouette)) : 0;
     if (centre && fits <= largest) continue;
     centre = surface->position;

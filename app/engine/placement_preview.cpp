@@ -96,6 +96,12 @@ bool PlacementPreview::startSettling(const PlacementTask& task) {
   return true;
 }
 
+const EngraveRequest* PlacementPreview::hoveredRequest(const PlacementTask& task) const {
+  if (!hovered_ || !hoveredFound_ || !isFor(hoveredFound_, hoveredRequest_, task.wanted.symbol())) return nullptr;
+  const bool isWanted = hoveredRequest_ == task.wanted.requestAt(hoveredRequest_.placement.centreMm, task.sceneUp);
+  return isWanted ? &hoveredRequest_ : nullptr;
+}
+
 Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   const Result<bool> isSettled = settling_->step();
   if (isSettled && !*isSettled) return false;

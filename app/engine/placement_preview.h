@@ -46,8 +46,9 @@ class PlacementPreview {
   void stopSettling() { settling_.reset(); }
   /// Does one bounded piece of work. @returns true once the hovered code is at its exact place
   Result<bool> settle(const PlacementTask& task);
-  /// Returns the request for an engraving of the hovered code, if it is at its exact place, and the search for that.
-  const EngraveRequest* hoveredRequest() const { return hovered_ && hoveredFound_ ? &hoveredRequest_ : nullptr; }
+  /// Returns the request to engrave the hovered code where it has settled, and the search that found that place.
+  /// @returns null if no code has settled, or for other settings
+  const EngraveRequest* hoveredRequest(const PlacementTask& task) const;
   const PlacementSearch* hoveredSearch() const { return hoveredFound_ ? &hoveredFound_->search : nullptr; }
 
   /// Forgets the place, the code and the hovered code, but not the result of the last search.
@@ -69,7 +70,7 @@ class PlacementPreview {
 
   std::optional<Found> found_;         // by the last search
   std::optional<Found> hoveredFound_;  // of the code that the pointer rested on last; a click places it there
-  EngraveRequest hoveredRequest_;      // for its engraving, or that of the code that is settling
+  EngraveRequest hoveredRequest_;      // to engrave the hovered code, or the one that is settling
   std::optional<Placement> placement_;
   std::optional<CodeOnSurface> code_, hovered_;
   std::optional<SurfacePoint> hoveredAt_;

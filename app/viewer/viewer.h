@@ -120,7 +120,8 @@ class Viewer {
   // A decal and its data on the graphics processor.
   struct Shown {
     std::optional<Decal> decal;
-    gl::Texture reach;
+    gl::Texture ink, reach;
+    std::vector<std::uint8_t> inkUploaded;
     bool isUploaded = false;
   };
   struct Sample {
@@ -144,7 +145,6 @@ class Viewer {
   void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
   void drawLines(const CameraView& camera) const;
   void uploadDecal(Shown& layer);
-  void uploadInk();
   void uploadPrints();
   void setSight(const gl::Program& program, const CameraView& camera) const;
   void setPicture(const gl::Program& program, const CameraView& camera) const;
@@ -169,8 +169,7 @@ class Viewer {
   bool plainIsCurrent_ = false, plainHasPrint_ = false;
   std::shared_ptr<const GpuMesh> mesh_;
   Shown decal_, ghost_;
-  gl::Texture ink_, nothing_;
-  std::vector<std::uint8_t> inkShown_;
+  gl::Texture nothing_;
   std::optional<Vec3> marker_;
   std::optional<CuttingPlane> cut_;
   std::optional<BuildPlate> plate_;

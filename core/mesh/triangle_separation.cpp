@@ -11,10 +11,7 @@ namespace {
 // Bounds of rounding errors, with u = 2^-53 ≈ 1.1e-16, doubled for directed rounding. m is the largest coordinate of
 // the differences of corners; each difference has a relative error of u.
 constexpr double kDotError = 1e-15;       // of a dot product with differences, in |axis|₁·m: at most 4u
-constexpr double kVolumeError = 3e-14;    // of a triple product of differences, in m³: at most 6 products, 9u each
 constexpr double kCrossDotError = 1e-13;  // of (d × e)·(d × f), in m⁴: at most 12 products, 11u each
-
-double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 double sumOf(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -51,6 +48,8 @@ bool onOneSide(Vec3 u, Vec3 v, Vec3 p, Vec3 q, double largest) {
 }
 
 }  // namespace
+
+double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 bool certainlySeparate(const Corners& a, const Corners& b) {
   const Differences d(a, b);

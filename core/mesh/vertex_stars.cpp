@@ -8,18 +8,13 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
+#include "mesh/triangle_separation.h"
 
 namespace qrelief {
 namespace {
 
 constexpr std::size_t kMostTriangles = 32;
 constexpr std::size_t kVerticesAPiece = 1 << 13;  // of parallel work: about a millisecond
-
-/// Bound of the rounding error of a triple product of differences of corners, in the product of their largest
-/// coordinates: 6 products, with a relative error of 9 · 2^-53 each, doubled for directed rounding.
-constexpr double kVolumeError = 3e-14;
-
-double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// The corners of each vertex: 3 · triangle + k.
 struct CornerList {

@@ -422,26 +422,31 @@ Status PlacementSearch::takeBestFit() {
   return {};
 }
 
-Result<bool> PlacementSearch::step() {
-  if (growth_) {
-    // The search before it is done.
-  } else if (free_) {
+/// Does one step of the search for direction and size, and for the free size if the best one is wanted.
+/// @returns true when done
+Result<bool> PlacementSearch::find() {
+  if (free_) {
     if (!lookFromFree()) return false;
     if (fits_.empty()) return tl::unexpected(*doesNotFit_);
-  } else {
-    const Result<bool> done = searchOnce();
-    const bool isBest = request_.sizeMode == SizeMode::Best && !request_.direction && !optimal_;
-    const bool mayGrow = done ? *done && fitMm_ < largestMm() : done.error().kind == ErrorKind::NoSolution;
-    if (isBest && mayGrow) {
-      if (!done) doesNotFit_ = done.error();
-      PlacementRequest free = request_;
-      free.sizeMode = SizeMode::Free;
-      free.directionMethod = request_.directionMethod == DirectionMethod::Largest ? DirectionMethod::DepthBalanced
-                                                                                  : request_.directionMethod;
-      free_ = std::make_unique<PlacementSearch>(*model_, *surface_, modules_, free);
-      return false;
-    }
+    return true;
+  }
+  Result<bool> done = searchOnce();
+  const bool isBest = request_.sizeMode == SizeMode::Best && !request_.direction && !optimal_;
+  const bool mayGrow = done ? *done && fitMm_ < largestMm() : done.error().kind == ErrorKind::NoSolution;
+  if (!isBest || !mayGrow) return done;
+  if (!done) doesNotFit_ = done.error();
+  PlacementRequest free = request_;
+  free.sizeMode = SizeMode::Free;
+  if (free.directionMethod == DirectionMethod::Largest) free.directionMethod = DirectionMethod::DepthBalanced;
+  free_ = std::make_unique<PlacementSearch>(*model_, *surface_, modules_, free);
+  return false;
+}
+
+Result<bool> PlacementSearch::step() {
+  if (!isFound_) {
+    const Result<bool> done = find();
     if (!done || !*done) return done;
+    isFound_ = true;
   }
   const bool isForLargest = request_.directionMethod == DirectionMethod::Largest && !request_.direction &&
                             request_.sizeMode != SizeMode::Fixed;

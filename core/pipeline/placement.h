@@ -85,6 +85,7 @@ class PlacementSearch {
     int side = 0, looks = 0;  ///< looks round `best` at this angle, and all
   };
 
+  Result<bool> find();
   Result<bool> searchOnce();
   Status start();
   Status leaveWalls(Fit& fit) const;
@@ -124,7 +125,8 @@ class PlacementSearch {
   std::optional<Growth> growth_;           // DirectionMethod::Largest: the search for a larger code
   int round_ = 0;
   bool started_ = false;
-  double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate
+  bool isFound_ = false;  // but for a larger code
+  double fitMm_ = 0;      // symbol size that the last silhouette allows; at first an estimate
   double directionMs_ = 0, sizeMs_ = 0;
 };
 

@@ -50,7 +50,7 @@ async function engraveAndPrint(app, page) {
 /** Follows the code from the pointer to the carved model, in six frames. @type {Walk} */
 async function followCode(app, page, shoot) {
   const box = await app.canvas.boundingBox();
-  if (!box) throw new Error('there is no view');
+  if (!box) throw new Error('The view has no size');
   const at = (/** @type {number} */ x, /** @type {number} */ y) => [box.x + x * box.width, box.y + y * box.height];
   const depths = app.chip.getByText('mm at most');
   await app.showLive();
@@ -100,7 +100,7 @@ const kStates = {
   hover: {
     walk: async (app, page) => {
       const box = await app.canvas.boundingBox();
-      if (!box) throw new Error('there is no view');
+      if (!box) throw new Error('The view has no size');
       await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.4 * box.height, { steps: 4 });
       await expect(app.chip).toBeVisible();
     },
@@ -213,7 +213,7 @@ const kShown = [
 async function viewOf(page) {
   await page.addStyleTag({ content: '.tools, .view-cube, .reader-view p, .of-print { visibility: hidden; }' });
   const clip = await page.getByRole('main').boundingBox();
-  if (!clip) throw new Error('there is no view');
+  if (!clip) throw new Error('The view has no size');
   return page.screenshot({ clip, type: 'jpeg', quality: 82 });
 }
 

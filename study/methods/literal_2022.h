@@ -15,8 +15,7 @@ namespace qrelief::study {
 ///   - O(x): steps as they are, not rounded up, so that they grow where luminance stays the same (decision 0054).
 /// The paper computes ambient occlusion by an approximation, HBAO, and gives no radius. The default is the program's
 /// exact light without a radius; HBAO (hbao_light.h) with one of a few modules ends at the depth limit (decision 0053).
-/// Each part can be set apart from the others. Limits are those of the other methods: walls, and
-/// kPublishedMaxDepthModules.
+/// Each option can be set by itself. Walls and kPublishedMaxDepthModules limit the depths, as for the other methods.
 struct LiteralOptions {
   Surroundings surroundings = Surroundings::EightNeighbours;
   double significantChange = 0.02;  ///< of luminance; the paper gives none

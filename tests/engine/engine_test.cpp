@@ -333,6 +333,9 @@ TEST_F(EngineTest, AClickGoesOnFromTheSearchOfTheCodeUnderThePointer) {
   EXPECT_GT(hovered["depths"]["meanMm"], 0.05);
   EXPECT_GE(hovered["depths"]["maxMm"], hovered["depths"]["meanMm"]);
 
+  engine_->configure(R"({"text": "another text, which needs a larger symbol", "size": "free"})");
+  EXPECT_TRUE(prepare(kHovered)["depths"].is_null()) << "it is for another text";
+  engine_->configure(kSettings);
   engine_->setCentre(R"({"at": [200, 150]})");
   engine_->hover("null");
   engine_->placement();

@@ -98,6 +98,7 @@ TEST_F(EngineViewTest, ShowsHowTheCodeWasPlaced) {
   EXPECT_NEAR(construction["squareMm"].get<double>(), 36, 0.1);
   EXPECT_LT(construction["largestMm"], construction["squareMm"]) << "the quiet zone";
   EXPECT_EQ(construction["eyeMm"], 250);
+  EXPECT_EQ(construction["colours"]["plane"], "#1466d6");
   EXPECT_EQ(construction["chosen"], 0) << "a flat surface is seen frontally at once";
 
   const auto shown = [&] { return Json::parse(engine_->viewState())["construction"]; };

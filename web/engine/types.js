@@ -107,7 +107,7 @@
  * centre, null: too far away to limit the size; `largestMm`: largest code; `squareMm`: edge of the square that has to
  * fit for it; `variancesMm2`: variance of the distance from each direction that was tried; `chosen`: the code's one
  * @typedef {{ eyeMm: number, closestMm: number | null, largestMm: number, squareMm: number, variancesMm2: number[],
- *   chosen: number | null }} Construction
+ *   chosen: number | null, colours: Record<'plane' | 'projection' | 'silhouette' | 'square' | 'directions', string> }} Construction
  * @typedef {[number, number] | null} PointOnScreen  CSS pixels; null: not there, or behind the camera
  * @typedef {{ centre: PointOnScreen, closest: PointOnScreen, eye: PointOnScreen, directions: PointOnScreen[] }} ConstructionOnScreen
  *   `directions`: the tips of the arrows

@@ -34,7 +34,9 @@ export class ConstructionView {
     this.construction_ = construction;
     this.legend_.hidden = !construction;
     if (!construction) return;
-    const { eyeMm, closestMm, largestMm, squareMm, variancesMm2 } = construction;
+    const { eyeMm, closestMm, largestMm, squareMm, variancesMm2, colours } = construction;
+    const swatches = { ...colours, closest: colours.silhouette };
+    for (const part of kParts) this.rows_.get(part)?.style.setProperty('--swatch', swatches[part]);
     const say = (/** @type {Part} */ part, /** @type {() => string} */ words) =>
       write(/** @type {HTMLElement} */ (this.rows_.get(part)), words);
     say('plane', () => text('view.constructionPlane'));

@@ -11,6 +11,7 @@ const tried = (variancesMm2, chosen) => ({
   squareMm: 14,
   variancesMm2,
   chosen,
+  colours: { plane: '#000', projection: '#000', silhouette: '#000', square: '#000', directions: '#000' },
 });
 
 test('The legend lists a few directions, and the first and the chosen one of many', () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether codes are shown as they will be carved before they are: if the user wants it, and the search is quick enough.
+// Decides whether a code is shown as it will be carved, before it is: the user must want it, and the search be quick.
 const kPatienceMs = 1000; // where a search takes longer, the next codes are shown without
 
 export class LiveView {
