@@ -42,7 +42,7 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   seen.treeMs = millisecondsSince(start);
   const int texels = kTexelsAModule * (modules + 2 * kMarginModules);
   const double texelMm = symbolMm / modules / kTexelsAModule;
-  BakedLight light(tree, frame, {.texelMm = texelMm, .texels = texels, .paths = kPaths, .lamp = kNoLamp});
+  BakedLight light(tree, frame, {.texelMm = texelMm, .texels = texels, .paths = kPaths});
   start = Clock::now();
   light.bakeRows(texels);
   light.smooth();

@@ -140,7 +140,7 @@ Result<Judged> StudyContext::judge(const StudyPlacement& spot, const CarvedCode&
   result.symbol = code.symbol;
   VerifyRequest request = verifyRequestOf(spot.request, result);
   request.ranges = false;
-  request.oneLight = code.readUnder;
+  if (code.readUnder) request.lamps = {*code.readUnder};
   auto job = VerifyJob::create(carved->mesh, request, zxingDecoders());
   QRELIEF_TRY(job);
   const auto verified = runToEnd(**job);

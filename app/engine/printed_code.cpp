@@ -42,8 +42,8 @@ PrintedViewRequest requestOf(const Json& order) {
   request.markDepthMm = mark["depthMm"];
   request.ink = {mark["dark"], mark["light"]};
   request.label = {mark["label"], static_cast<LabelFrame>(mark["frame"].get<int>())};
-  if (const Json& lamp = order["oneLight"]; !lamp.is_null())
-    request.oneLight = {lamp["azimuthDeg"], lamp["elevationDeg"], lamp["strength"]};
+  for (const Json& lamp : order["lamps"])
+    request.lamps.push_back({lamp["azimuthDeg"], lamp["elevationDeg"], lamp["strength"]});
   return request;
 }
 
@@ -53,9 +53,10 @@ Json jsonOf(const PrintedViewRequest& request) {
   const ProjectionFrame& frame = request.frame;
   Json process;
   for (const auto& [key, part] : kProcessParts) process[key] = request.process.*part;
-  Json oneLight;
-  if (const auto& lamp = request.oneLight)
-    oneLight = {{"azimuthDeg", lamp->azimuthDeg}, {"elevationDeg", lamp->elevationDeg}, {"strength", lamp->strength}};
+  Json lamps = Json::array();
+  for (const DirectionalLight& lamp : request.lamps)
+    lamps.push_back(
+        {{"azimuthDeg", lamp.azimuthDeg}, {"elevationDeg", lamp.elevationDeg}, {"strength", lamp.strength}});
   return {{"process", std::move(process)},
           {"frame",
            {{"centre", jsonOf(frame.centre)},
@@ -75,7 +76,7 @@ Json jsonOf(const PrintedViewRequest& request) {
             {"light", request.ink.light},
             {"label", request.label.text},
             {"frame", static_cast<int>(request.label.frame)}}},
-          {"oneLight", std::move(oneLight)}};
+          {"lamps", std::move(lamps)}};
 }
 
 std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string& order) {

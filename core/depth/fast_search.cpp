@@ -53,7 +53,10 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
     solvedMm_ = before->solvedMm_;
     difference_ = before->difference_;
   }
-  solve();
+  if (before && options_.hasLamps)
+    depths_ = before->depths_;
+  else
+    solve();
 }
 
 void FastSearch::solve() {

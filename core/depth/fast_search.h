@@ -61,8 +61,8 @@ struct FastSearchOptions {
 /// then has to move, it measures the floors in sight of it again (PocketSky).
 class FastSearch final : public DepthSolver {
  public:
-  /// @param before  a search without lamps for the same target with another contrast, whose result is the start; null:
-  ///                start from the plane
+  /// @param before  a search for the same target with other contrasts, whose result is the start; null: start from the
+  ///                plane. With lamps, depths only grow from there, so no contrast may be lower than before
   FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
   void update(const Grid<double>& luminance) override;

@@ -85,7 +85,7 @@ void ShaderSearch::restart(const FastSearchOptions& options) {
          static_cast<float>(quantisedDepth(std::numeric_limits<double>::max(), target_.limitMm[carved_[k]]))});
   }
   passes_.setTargets(targets_);
-  freePasses_ = kFreePassesAfterAnother;
+  freePasses_ = options.hasLamps ? 0 : kFreePassesAfterAnother;
   iterations_ = readBacks_ = 0;
   finished_ = false;
 }

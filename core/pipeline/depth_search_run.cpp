@@ -151,15 +151,17 @@ FastSearchOptions fastSearchOptions(const EngraveRequest& request) {
   options.slackMm = std::min(request.print.printer.layerMm, kDepthStepMm) / 2;
   options.albedo = static_cast<double>(request.depth.albedo);
   options.hasLamps = !request.lamps().empty();
-  if (options.hasLamps) options.maxIterations = kPassesUnderLamps;
-  if (request.isForPrint()) options.maxIterations = kPassesBeforePrint;
+  if (options.hasLamps)
+    options.maxIterations = kPassesUnderLamps;
+  else if (request.isForPrint())
+    options.maxIterations = kPassesBeforePrint;
   return options;
 }
 
 FastSearchOptions fastSearchOptionsAfterPrint(const EngraveRequest& request, std::vector<double> contrastOfModule) {
   assert(request.isForPrint());
   FastSearchOptions options = fastSearchOptions(request);
-  options.maxIterations = FastSearchOptions{}.maxIterations;
+  if (!options.hasLamps) options.maxIterations = FastSearchOptions{}.maxIterations;
   options.contrastOfModule = std::move(contrastOfModule);
   return options;
 }

@@ -78,8 +78,8 @@ std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, Carv
 bool usesFastSearch(const EngraveRequest& request);
 
 /// Returns the search options for such a request. If the request is carved for its print (EngraveRequest::isForPrint),
-/// this is the first of two searches: it stops after a few passes, because the rough print needs only approximate
-/// depths.
+/// this is the first of two searches. It stops after a few passes, because the rough print needs only approximate
+/// depths; under lamps it runs to its end, because depths grow little by little.
 FastSearchOptions fastSearchOptions(const EngraveRequest& request);
 
 /// Returns the options of the second search, which begins with the first search's result.

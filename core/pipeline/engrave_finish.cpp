@@ -107,7 +107,7 @@ Result<StageStep> CarveJob::State::view() {
                      .nearMm = kPictureMarginModules * placement.moduleMm,
                      .albedo = static_cast<double>(options.albedo),
                      .lamps = options.lights,
-                     .lampRadiusDeg = kOneLightRadiusDeg});
+                     .lampRadiusDeg = kLampRadiusDeg});
   if (request.marking.isInColour()) {
     InkMap(markedSymbol(result), placement.symbolMm, request.marking.ink).apply(luminance, placement.moduleMm / pixels);
     result.luminance = submoduleMeans(luminance, symbol.size, pixels);

@@ -41,7 +41,7 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .symbolMm = request.symbolMm,
                             .buildUp = request.buildUp,
                             .albedo = request.albedo,
-                            .oneLight = request.oneLight,
+                            .lamps = request.lamps,
                             .mark = request.mark,
                             .markDepthMm = request.markDepthMm,
                             .ink = request.ink,
@@ -129,8 +129,8 @@ Result<StageStep> PrintedViewJob::State::light() {
   LightOptions options{.sampling = {.points = 1, .directions = kDirections},
                        .reachMm = printed.size * printed.patchMm * std::numbers::sqrt2,
                        .everyPatchMm = kEveryPatch * printed.patchMm,
-                       .lampRadiusDeg = kOneLightRadiusDeg};
-  if (request.oneLight) options.lamps = {*request.oneLight};
+                       .lamps = request.lamps,
+                       .lampRadiusDeg = kLampRadiusDeg};
   const HeightLight surface(printed);
   std::vector<Received> received;
   surface.measure(options, {}, received);

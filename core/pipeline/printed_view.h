@@ -14,13 +14,13 @@ namespace qrelief {
 
 struct PrintedViewRequest {
   PrintProcess process;
-  ProjectionFrame frame;                          ///< frame of the code, mm in the model's coordinates
-  Symbol symbol;                                  ///< only its size and colours are used
-  double symbolMm = 0;                            ///< edge without the quiet zone, on the QR plane, > 0
-  Vec3 buildUp{0, 0, 1};                          ///< the printer's vertical, of any length > 0
-  double albedo = 0.7;                            ///< of the printed material
-  std::optional<DirectionalLight> oneLight = {};  ///< see VerifyRequest
-  Mark mark = Mark::Shadow;                       ///< see VerifyRequest
+  ProjectionFrame frame;                     ///< frame of the code, mm in the model's coordinates
+  Symbol symbol;                             ///< only its size and colours are used
+  double symbolMm = 0;                       ///< edge without the quiet zone, on the QR plane, > 0
+  Vec3 buildUp{0, 0, 1};                     ///< the printer's vertical, of any length > 0
+  double albedo = 0.7;                       ///< of the printed material
+  std::vector<DirectionalLight> lamps = {};  ///< see VerifyRequest
+  Mark mark = Mark::Shadow;                  ///< see VerifyRequest
   double markDepthMm = 0;
   Ink ink = {};
   LabelOptions label = {};
@@ -33,9 +33,9 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 
 /// A simulated print of a code.
 struct PrintedView {
-  ReaderView seen;  ///< from the front, under the sky or the one light, traced on the printed surface; no `picture`;
-                    ///< empty for a rough print
-  double facingDeg = 0;        ///< from the printer's vertical to the code's normal: 0 = faces up, 90 = upright
+  ReaderView seen;       ///< from the front, under the sky and the lamps, traced on the printed surface; no `picture`;
+                         ///< empty for a rough print
+  double facingDeg = 0;  ///< from the printer's vertical to the code's normal: 0 = faces up, 90 = upright
   Grid<double> submodules;     ///< mean light in symbol and quiet zone, 1 = unoccluded
   Grid<std::uint8_t> misread;  ///< see misreadModules(): modules lost in print
 };

@@ -10,9 +10,17 @@
 #include "message_codes/verdict.h"
 #include "pipeline/module_walls.h"
 #include "pipeline/spot_light.h"
+#include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
+
+Message lightInWords(const SpotConcerns& concerns, const SpotSearchRequest& request) {
+  if (request.lamps.empty()) return message<"spot-lit-unevenly">();
+  if (!concerns.evenLamp) return message<"spot-lit-unevenly-by-lamps">(with::setting<"light">("light"));
+  return message<"spot-wants-another-lamp">(with::setting<"light">("light"),
+                                            with::term<"lamp">(valueText(std::vector{*concerns.evenLamp})));
+}
 
 std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchRequest& request) {
   std::vector<Message> reasons;
@@ -27,8 +35,12 @@ std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchReque
     reasons.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
   if (concerns.coversColours) reasons.push_back(message<"spot-in-several-colours">());
   if (concerns.facesDown) reasons.push_back(message<"faces-down">());
-  if (concerns.unevenLight > kMostUnevenLight) reasons.push_back(message<"spot-lit-unevenly">());
+  if (concerns.unevenLight > kMostUnevenLight) reasons.push_back(lightInWords(concerns, request));
   return reasons;
+}
+
+int litRing(const SpotSearchRequest& request) {
+  return std::min(kLitRingModules, static_cast<int>((request.outerFactor() - 1) * request.modules / 2));
 }
 
 }  // namespace
@@ -56,9 +68,7 @@ bool facesDown(const ProjectionFrame& frame, const SpotSearchRequest& request) {
 double unevenLightOn(const EngravableModel& model, const ProjectionFrame& frame, double symbolMm,
                      const SpotSearchRequest& request) {
   if (request.placement.isText) return 0;  // people read letters in any light
-  const int quietModules = static_cast<int>((request.outerFactor() - 1) * request.modules / 2);
-  return unevenLight(*model.raster, model.box, frame, symbolMm, request.modules,
-                     std::min(kLitRingModules, quietModules));
+  return unevenLight(*model.raster, model.box, frame, symbolMm, request.modules, request.lamps, litRing(request));
 }
 
 Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& placement,
@@ -79,6 +89,9 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   concerns.coversColours = coversColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
   concerns.unevenLight = unevenLightOn(model, placement.frame, placement.symbolMm, request);
+  if (concerns.unevenLight > kMostUnevenLight && request.lamps.size() == 1)
+    concerns.evenLamp = evenLamp(*model.raster, model.box, placement.frame, placement.symbolMm, request.modules,
+                                 request.lamps.front(), litRing(request));
   concerns.wallMm = thickness[thin];
   concerns.reasons = inWords(concerns, request);
   return concerns;

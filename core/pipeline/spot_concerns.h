@@ -10,13 +10,14 @@ namespace qrelief {
 
 /// Reasons why a code at a place may not print or decode. They are found without carving it.
 struct SpotConcerns {
-  bool prints = true;            ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
-  bool takesPockets = true;      ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
-  bool coversColours = false;    ///< the surface under the code and its quiet zone has several colours
-  bool facesDown = false;        ///< according to SpotSearchRequest::buildUp
-  double unevenLight = 0;        ///< see pipeline/spot_light.h
-  double wallMm = 0;             ///< thickness of the wall, along the rays, that nearly all modules have
-  std::vector<Message> reasons;  ///< the concerns in words, empty if there are none
+  bool prints = true;                        ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
+  bool takesPockets = true;                  ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
+  bool coversColours = false;                ///< the surface under the code and its quiet zone has several colours
+  bool facesDown = false;                    ///< according to SpotSearchRequest::buildUp
+  double unevenLight = 0;                    ///< see pipeline/spot_light.h
+  std::optional<DirectionalLight> evenLamp;  ///< lights it evenly, in place of the request's only lamp, which does not
+  double wallMm = 0;                         ///< thickness of the wall, along the rays, that nearly all modules have
+  std::vector<Message> reasons;              ///< the concerns in words, empty if there are none
 };
 
 /// Measures the wall under nearly all modules by the limits used in engraving, the pose on the printer, and the light.

@@ -397,6 +397,7 @@ SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& sym
         kLeastInlayDepth * request.marking.markDepthMm.value_or(deepestInlayMm(request.print.printer));
   if (request.marking.mark == Mark::Paint) search.minWallMm = 0, search.leastDepthMm = kDepthQuantumMm;
   if (request.print.process) search.buildUp = request.print.buildUp;
+  search.lamps = request.lamps();
   if (request.marking.isInColour()) search.coloured = colouredCodeOf(request);
   search.nozzleMm = request.print.printer.nozzleMm;
   search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);

@@ -29,6 +29,7 @@ struct SpotSearchRequest {
   std::size_t count = 5;         ///< spots to find, 1 … kMaxSpots
   /// Pose of the model on the printer, to detect spots that face down (kSteepestOverhangDeg). None: no spot faces down.
   std::optional<BuildDirection> buildUp = {};
+  std::vector<DirectionalLight> lamps = {};  ///< in addition to the sky; see unevenLight()
   double nozzleMm = 0.4;
   double leastPrintableMm = 0;  ///< edge of the smallest symbol that the nozzle can print; 0: no limit
   /// A code in a second colour: spots where it lies in fewer layers come first, since each such layer costs about one

@@ -58,10 +58,7 @@ Status checkShared(const VerifyRequest& request) {
   QRELIEF_TRY(checkSettings(MarkRequest{.mark = request.mark, .ink = request.ink}));
   DepthRequest depth;
   depth.minWallMm = request.minWallMm;
-  if (request.oneLight) {
-    depth.objective = DepthObjective::OneLight;
-    depth.lights = {*request.oneLight};
-  }
+  depth.lights = request.lamps;
   QRELIEF_TRY(checkSettings(depth));
   PrinterRequest print;
   print.process = request.process;
@@ -88,7 +85,8 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   verification.markDepthMm = result.markDepthMm;
   verification.ink = request.marking.ink;
   verification.label = request.code.lettering();
-  if (request.isForOneLight()) verification.oneLight = request.lamps().front();
+  verification.lamps = request.lamps();
+  verification.needsLamp = request.isForOneLight();
   verification.ranges = false;
   verification.inheritedSelfIntersections = result.inheritedSelfIntersections;
   return verification;
@@ -199,6 +197,7 @@ struct VerifyJob::State {
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
   Result<StageStep> checkSolid();
   Result<StageStep> measureShape();
+  std::vector<Lamp> lamps() const;
   void prepareLight();
   void lightMesh();
   Result<StageStep> bake();
@@ -246,6 +245,14 @@ Result<StageStep> VerifyJob::State::measureShape() {
   return kStageDone;
 }
 
+/// Returns the lamps of the code; of a code for the sky alone the room's, if the ranges are wanted.
+std::vector<Lamp> VerifyJob::State::lamps() const {
+  std::vector<Lamp> lamps;
+  for (const DirectionalLight& lamp : request.lamps) lamps.push_back(lampOf(lamp, request.frame, kLampRadiusDeg));
+  if (lamps.empty() && request.ranges) lamps = {lampOf(kRoomLamp, request.frame, kRoomLampRadiusDeg)};
+  return lamps;
+}
+
 void VerifyJob::State::prepareLight() {
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
@@ -253,9 +260,7 @@ void VerifyJob::State::prepareLight() {
                             .isTraced = request.isTraced,
                             .paths = request.paths,
                             .albedo = request.albedo,
-                            .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
-                                    : request.ranges ? lampOf(kRoomLamp, request.frame, kRoomLampRadiusDeg)
-                                                     : kNoLamp});
+                            .lamps = lamps()});
 }
 
 /// Computes the light on the mesh as on a height map.
@@ -267,9 +272,9 @@ void VerifyJob::State::lightMesh() {
   const BottomUp<float> sky = meshLuminance(mesh, request.frame, options);
   BottomUp<SurfaceLight> texels(sky.rows(), sky.columns());
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i].sky = static_cast<double>(sky[i]);
-  if (light->options().lamp.strength > 0) {
-    options.lamps = {request.oneLight.value_or(kRoomLamp)};
-    options.lampRadiusDeg = light->options().lamp.radiusDeg;
+  if (const std::vector<Lamp>& lamps = light->options().lamps; !lamps.empty()) {
+    options.lamps = request.lamps.empty() ? std::vector{kRoomLamp} : request.lamps;
+    options.lampRadiusDeg = lamps.front().radiusDeg;
     const BottomUp<float> all = meshLuminance(mesh, request.frame, options);
     for (std::size_t i = 0; i < texels.size(); ++i)
       texels[i].lamp = static_cast<double>(all[i]) * light->openLight() - texels[i].sky;
@@ -298,13 +303,13 @@ Result<StageStep> VerifyJob::State::bake() {
     result.grades = gradeInk();
   } else if (result.profile.pose == SymbolPose::AsWanted) {
     const ModuleReflectances measured =
-        measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
+        measureModules(request.symbol, submoduleLight(*light, request.symbol.size, !request.lamps.empty()));
     result.grades = gradeSymbol(measured, request.albedo);
   }
   sweep.emplace(
       *light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
       SweepOptions{.ranges = request.ranges,
-                   .underLamp = request.oneLight.has_value(),
+                   .underLamps = !request.lamps.empty(),
                    .ink = isInColour() ? std::optional(InkMap(marked, request.symbolMm, request.ink)) : std::nullopt});
   return kStageDone;
 }

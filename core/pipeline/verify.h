@@ -38,12 +38,12 @@ struct VerifyRequest {
   double markDepthMm = 0;    ///< Inlay: depth along the rays, > 0
   Ink ink;                   ///< Inlay, Paint: the reflectances
   LabelOptions label;        ///< Inlay, Paint: in the second colour, too; only the print shows it. Alone: see isText()
-  /// The only lamp, in addition to the sky, under which the code must decode, see DepthObjective::OneLight. None: the
-  /// code must decode under the sky alone.
-  std::optional<DirectionalLight> oneLight;
-  bool ranges = true;     ///< also find the ranges of tilt, blur and so on in which it decodes
-  bool isTraced = false;  ///< trace light path by path, which takes many times as long; else light it as a height map
-  int paths = 16;         ///< paths from every texel of the pictures, for traced light, ≥ 1
+  std::vector<DirectionalLight>
+      lamps;               ///< in addition to the sky, under which the code must decode; at most kMaxLights
+  bool needsLamp = false;  ///< it reads reliably under its only lamp alone, see DepthObjective::OneLight
+  bool ranges = true;      ///< also find the ranges of tilt, blur and so on in which it decodes
+  bool isTraced = false;   ///< trace light path by path, which takes many times as long; else light it as a height map
+  int paths = 16;          ///< paths from every texel of the pictures, for traced light, ≥ 1
   std::size_t inheritedSelfIntersections = 0;  ///< reported pairs of crossing triangles before carving
 
   /// Returns true for a text in place of a code. Only the solid is then checked: there is nothing to decode.
@@ -51,7 +51,7 @@ struct VerifyRequest {
 };
 
 /// Angular radius of a phone's lamp a hand's breadth away; the sun's is half of it.
-inline constexpr double kOneLightRadiusDeg = 0.5;
+inline constexpr double kLampRadiusDeg = 0.5;
 
 struct EngraveRequest;
 struct EngraveResult;

@@ -94,9 +94,11 @@ Result<VerifyRequest> readRequest(const Json& report) {
   auto symbol = request.isText() ? Result<Symbol>(blankSymbol()) : symbolFrom(report.at("symbol"), request.text);
   QRELIEF_TRY(symbol);
   request.symbol = std::move(*symbol);
-  if (const auto depth = report.find("depth"); depth != report.end())
-    if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
-      request.oneLight = lampFrom(depth->at("lights").at(0));
+  if (const auto depth = report.find("depth"); depth != report.end()) {
+    for (const Json& lamp : depth->value("lights", Json::array())) request.lamps.push_back(lampFrom(lamp));
+    request.needsLamp = depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight) &&
+                        !request.lamps.empty();
+  }
   const Json& input = report.at("input");
   request.lowMm = vectorFrom(input.at("lowMm"));
   request.buildUp = vectorFrom(input.at("buildUp"));
@@ -220,8 +222,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
                          {"fit", result.profile.fit},
                          {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);
-  report["lights"] =
-      describeLights(request.oneLight ? std::vector{*request.oneLight} : std::vector<DirectionalLight>());
+  report["lights"] = describeLights(request.lamps);
   report["verification"] = describeReading(request, result, context);
   report["timingsMs"] = {{"total", context.totalMs}};
   // Text that is not UTF-8 (a file name, say) must not make the report fail.

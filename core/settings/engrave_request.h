@@ -92,7 +92,7 @@ struct DepthRequest {
   /// Fraction by which a carved submodule is darker than its surroundings, 0 < c < 1; none: the preset's contrast.
   std::optional<double> contrast = {};
   ContrastSolver solver = ContrastSolver::Fast;
-  /// Print takes effect for ContrastSolver::Fast without lamps, if a process is known; otherwise Design applies.
+  /// Print takes effect for ContrastSolver::Fast, if a process is known; otherwise Design applies.
   CarveFor carveFor = CarveFor::Design;
   std::optional<double> maxDepthMm = {};      ///< none: see pipeline/default_patterns.h
   double minWallMm = 0.8;                     ///< material left behind every floor, ≥ 0
@@ -131,7 +131,7 @@ struct EngraveRequest {
   bool isForOneLight() const { return needsLight() && depth.objective == DepthObjective::OneLight; }
 
   bool isForPrint() const {
-    return needsLight() && depth.carveFor == CarveFor::Print && print.process && depth.lights.empty() &&
+    return needsLight() && depth.carveFor == CarveFor::Print && print.process &&
            depth.objective == DepthObjective::Contrast && depth.solver == ContrastSolver::Fast;
   }
 

@@ -66,11 +66,13 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
   }
 }
 
-/// Adds carving for any light. One lamp by itself lights a curved surface unevenly; a code carved for the sky reads
-/// there.
+/// Adds carving for the sky alone, as lamps light a curved surface unevenly.
 void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  if (request.isForOneLight())
-    remedies.push_back({message<"remedy-any-light">(), {{"objective", depthObjectiveName(DepthObjective::Contrast)}}});
+  if (request.lamps().empty()) return;
+  Remedy remedy{message<"remedy-any-light">(), {}};
+  if (request.isForOneLight()) remedy.changes.push_back({"objective", depthObjectiveName(DepthObjective::Contrast)});
+  if (!request.depth.lights.empty()) remedy.changes.push_back({"light", ""});
+  remedies.push_back(std::move(remedy));
 }
 
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {

@@ -327,7 +327,7 @@ Verdict judgeFoundCode(const VerifyRequest& request, const VerifyResult& result,
   Verdict verdict;
   verdict.reads = judgeReading(evidence, request.text, isInColour ? std::nullopt : std::optional(profile.meanDepthMm),
                                result.grades ? &*result.grades : nullptr);
-  if (request.oneLight) verdict.reads.warnings = {oneLightNeeded(*request.oneLight)};
+  if (request.needsLamp) verdict.reads.warnings = {oneLightNeeded(request.lamps.front())};
   if (isInColour) verdict.reads.warnings = adviseInk(request.ink);
   if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message<"paint-not-checked">());
   std::vector<Message> failed = isInColour ? std::vector<Message>() : shapeFailures(result);

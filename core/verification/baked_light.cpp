@@ -54,7 +54,7 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int 
   for (int i = 1; i <= options_.paths; ++i) {
     const auto point = halton23(static_cast<std::uint32_t>(first + i));
     const LightPath one = traceLight(*surface_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
-                                     options_.albedo, std::span(&options_.lamp, 1), random);
+                                     options_.albedo, options_.lamps, random);
     sum.sky += one.sky;
     sum.lamp += one.lamp;
   }
@@ -147,7 +147,9 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
 }
 
 double BakedLight::openLight() const {
-  return 1 + options_.lamp.strength * std::max(glm::dot(frame_.normal, options_.lamp.towards), 0.0);
+  double sum = 1;
+  for (const Lamp& lamp : options_.lamps) sum += lamp.strength * std::max(glm::dot(frame_.normal, lamp.towards), 0.0);
+  return sum;
 }
 
 ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <vector>
+
 #include "base/grid.h"
 #include "math/frame.h"
 #include "verification/ink.h"
@@ -10,7 +13,7 @@ namespace qrelief {
 /// Light that a matte surface reflects, equal in all directions. 1 = an unoccluded surface under the sky alone.
 struct SurfaceLight {
   double sky = 0;   ///< under the sky alone, all bounces
-  double lamp = 0;  ///< light added by the lamp, all bounces
+  double lamp = 0;  ///< light added by the lamps, all bounces
 };
 
 /// Number of rows that a job bakes in one step. A job can be cancelled between two steps.
@@ -24,7 +27,7 @@ struct BakeOptions {
   bool isTraced = true;  ///< false: setLight() supplies the light that the eye sees, and only other light is traced
   int paths = 16;        ///< light paths per texel, ≥ 1
   double albedo = 0.7;   ///< reflectance of the matte material, 0 … 1
-  Lamp lamp = {};
+  std::vector<Lamp> lamps = {};
 };
 
 /// Luminance of the background, as a fraction of an unoccluded surface's luminance.
@@ -34,7 +37,7 @@ inline constexpr float kBackground = 0.35f;
 /// open light.
 struct LinearPicture {
   BottomUp<float> sky;    ///< light of the sky
-  BottomUp<float> added;  ///< light added by the lamp
+  BottomUp<float> added;  ///< light added by the lamps
 };
 
 /// The light on a carved surface, path-traced once on the mesh itself and valid from every side. A matte surface looks
@@ -48,7 +51,7 @@ class BakedLight {
   BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options);
 
   /// Bakes the next rows, on all cores.
-  /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamp.
+  /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamps.
   /// @returns true after the last row
   bool bakeRows(int rows);
 
@@ -68,7 +71,7 @@ class BakedLight {
   /// Returns the light of the baked square; negative where rays miss the model.
   const BottomUp<SurfaceLight>& light() const { return light_; }
   const BakeOptions& options() const { return options_; }
-  /// Returns the light of an unoccluded surface in the QR plane under sky and lamp.
+  /// Returns the light of an unoccluded surface in the QR plane under sky and lamps.
   double openLight() const;
 
  private:

@@ -19,9 +19,6 @@ struct Lamp {
   double radiusDeg = 20;  ///< 0 … 90, as seen from the model; 0: a point, with sharp shadows
 };
 
-/// The value of BakeOptions::lamp for no lamp.
-inline constexpr Lamp kNoLamp{.strength = 0, .radiusDeg = 0};
-
 /// Converts a lamp of a code to model space.
 /// @param radiusDeg  see Lamp
 Lamp lampOf(const DirectionalLight& light, const ProjectionFrame& frame, double radiusDeg);

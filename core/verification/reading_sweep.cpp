@@ -23,7 +23,7 @@ constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
 std::vector<ReadingView> plannedViews(const SweepOptions& options) {
   std::vector<ReadingView> views;
   for (const FrontalView& view : kFrontalViews)
-    views.push_back({.lamp = options.underLamp,
+    views.push_back({.lamp = options.underLamps,
                      .pixelsPerModule = view.pixelsPerModule,
                      .phase = view.phase,
                      .blurModules = view.blurModules});
@@ -35,11 +35,11 @@ std::vector<ReadingView> plannedViews(const SweepOptions& options) {
   for (const double noise : {0.05, 0.1}) views.push_back({.test = ReadingTest::Noise, .noise = noise});
   for (const double exposure : {0.3, 1.2}) views.push_back({.test = ReadingTest::Exposure, .exposure = exposure});
   for (const double blur : {0.07, 0.2}) views.push_back({.test = ReadingTest::Lamp, .lamp = true, .blurModules = blur});
-  for (ReadingView& view : views) view.lamp = view.lamp || options.underLamp;
+  for (ReadingView& view : views) view.lamp = view.lamp || options.underLamps;
   for (const double tilt : kTiltsDeg)
     for (const double azimuth : kAzimuthsDeg)
       for (const bool lamp : {false, true})
-        if (lamp || !options.underLamp)
+        if (lamp || !options.underLamps)
           views.push_back({.test = ReadingTest::Tilt, .lamp = lamp, .tiltDeg = tilt, .azimuthDeg = azimuth});
   return views;
 }
@@ -161,7 +161,7 @@ ReadingSummary ReadingSweep::summary() const {
                        })
         .value_or(0);
   };
-  if (!options_.underLamp) summary.tiltDeg = tilt(false);
+  if (!options_.underLamps) summary.tiltDeg = tilt(false);
   summary.tiltDegLamp = tilt(true);
   summary.pixelsPerModule = lastReading(kDistancesPx, [&](double pixels) {
     return allRead(ReadingTest::Distance, [&](const ReadingView& v) { return v.pixelsPerModule == pixels; });
@@ -192,12 +192,12 @@ Grid<double> submoduleMeans(const BottomUp<float>& picture, int modules, int pix
   return means;
 }
 
-Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
-  const double open = underLamp ? light.openLight() : 1;
+Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamps) {
+  const double open = underLamps ? light.openLight() : 1;
   BottomUp<float> picture(light.light().rows(), light.light().columns(), 1);
   for (std::size_t i = 0; i < picture.size(); ++i)
     if (const SurfaceLight& texel = light.light()[i]; texel.sky >= 0)
-      picture[i] = static_cast<float>((texel.sky + (underLamp ? texel.lamp : 0)) / open);
+      picture[i] = static_cast<float>((texel.sky + (underLamps ? texel.lamp : 0)) / open);
   return submoduleMeans(picture, modules);
 }
 

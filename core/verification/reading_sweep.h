@@ -19,7 +19,7 @@ std::string_view readingTestName(ReadingTest test);
 /// One simulated picture and its decoding results over all reading variants (verification/reading_variants.h).
 struct ReadingView {
   ReadingTest test = ReadingTest::Frontal;
-  bool lamp = false;                   ///< true: under sky and lamp; false: under the sky alone
+  bool lamp = false;                   ///< true: under sky and lamps; false: under the sky alone
   double tiltDeg = 0, azimuthDeg = 0;  ///< see tilted()
   double pixelsPerModule = 8;
   Vec2 phase{0};              ///< offset of the pixel grid, in pixels
@@ -41,17 +41,17 @@ struct ReadingSummary {
   bool mirrored = false;
   std::string otherText;              ///< text decoded instead of the wanted one; empty: none
   std::optional<double> tiltDeg;      ///< largest tilt up to which every azimuth reads under the sky; none: not even
-                                      ///< the front reads, or SweepOptions::underLamp is set
-  std::optional<double> tiltDegLamp;  ///< the same under sky and lamp
+                                      ///< the front reads, or SweepOptions::underLamps is set
+  std::optional<double> tiltDegLamp;  ///< the same under sky and lamps
   std::optional<double> pixelsPerModule;     ///< lowest that reads, with no failure nearer by
   std::optional<double> blurModules;         ///< greatest standard deviation that reads, with no failure below it
   std::optional<double> cornerErrorModules;  ///< distance between decoded and expected position, for the worst corner
 };
 
 struct SweepOptions {
-  bool ranges = true;      ///< true: also find the limits of tilt, blur and so on; false: only check that the code
-                           ///< reads
-  bool underLamp = false;  ///< take every picture under sky and lamp, because the code is meant for that light only
+  bool ranges = true;       ///< true: also find the limits of tilt, blur and so on; false: only check that the code
+                            ///< reads
+  bool underLamps = false;  ///< take every picture under sky and lamps, because the code is meant for that light
   std::optional<InkMap> ink = {};  ///< of a code in colour
 };
 
@@ -102,8 +102,8 @@ Grid<double> submoduleMeans(const BottomUp<float>& picture, int modules, int pix
 
 /// Averages baked light in the same way. Texels off the model count as open.
 /// @param light      baked at kBakedPixels per module, with the margin of a picture
-/// @param underLamp  true: light of sky and lamp; false: of the sky alone
-Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
+/// @param underLamps  true: light of sky and lamps; false: of the sky alone
+Grid<double> submoduleLight(const BakedLight& light, int modules, bool underLamps);
 
 /// Width of the picture margin on each side of the symbol, in modules: the quiet zone and some of its surroundings.
 inline constexpr int kPictureMarginModules = 6;

@@ -94,11 +94,10 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   if (options.report.empty() || std::find(given.begin(), given.end(), "buildUp") != given.end())
     request->buildUp = settings->print.buildUp.resolve(request->frame);
   request->minWallMm = settings->depth.minWallMm;
-  if (settings->depth.lights.size() > 1)
-    return fail(ErrorKind::BadUsage, message<"setting-too-many">(with::setting<"setting">("light"),
-                                                                 with::count<"count">(settings->depth.lights.size()),
-                                                                 with::count<"max">(1)));
-  if (!settings->depth.lights.empty()) request->oneLight = settings->depth.lights.front();
+  if (!settings->depth.lights.empty()) {
+    request->lamps = settings->depth.lights;
+    request->needsLamp = request->needsLamp && request->lamps.size() == 1;
+  }
   return request;
 }
 
@@ -227,7 +226,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   for (const char* key : kVerifyMarkKeys) o->flags.add(*c, key, kWithoutReport);
   o->flags.addGroup(*c, kVerifyGroups[1]);
   for (const std::string_view key : kVerifyKeys)
-    o->flags.add(*c, key, key == "light" ? "instead of the report's lamps, at most one: " : "");
+    o->flags.add(*c, key, key == "light" ? "instead of the report's lamps: " : "");
   c->add_flag("--quick", o->quick, "skip the search for the limits of distance, tilt and blur");
   c->add_flag("--traced", o->traced, "trace light paths with all bounces; the reference, but many times slower");
   c->add_flag(

@@ -196,7 +196,7 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
                     .texels = kBakedPixels * edgeModules(carving.code.symbol.size),
                     .paths = kPaths,
                     .albedo = static_cast<double>(carving.spot.request.depth.albedo),
-                    .lamp = carving.lamp});
+                    .lamps = {carving.lamp}});
   while (!light.bakeRows(16)) continue;
   light.smooth();
   const RayTree uncarved(carving.spot.model->prepared.mesh);

@@ -129,6 +129,17 @@ TEST_F(CarvedForPrintTest, ThePrintReachesMoreOfTheContrastAtLittleMoreDepth) {
     EXPECT_EQ(forPrint.depths.depthMm[i] > 0, forDesign.depths.depthMm[i] > 0);
 }
 
+TEST_F(CarvedForPrintTest, UnderALampDepthsGrowFromThoseOfTheDesign) {
+  request_.depth.lights = {{30, 45, 1}};
+  const EngraveResult forDesign = carved(request_);
+  request_.depth.carveFor = CarveFor::Print;
+  const EngraveResult forPrint = carved(request_);
+  EXPECT_LT(lacks(forPrint), lacks(forDesign));
+  EXPECT_TRUE(forPrint.solidity.solid());
+  for (std::size_t i = 0; i < forPrint.depths.depthMm.size(); ++i)
+    EXPECT_GE(forPrint.depths.depthMm[i], forDesign.depths.depthMm[i]);
+}
+
 TEST_F(CarvedForPrintTest, SimulatesARoughPrintAndThenSearchesDepthsAgain) {
   using testing::ElementsAre;
   request_.placement.sizeMm = 12;
@@ -151,9 +162,6 @@ TEST_F(CarvedForPrintTest, CarvesForTheDesignIfNoPrintCanBeSimulated) {
   };
   const std::function<void(EngraveRequest&)> changes[] = {
       [](EngraveRequest& r) { r.print.process.reset(); },
-      [](EngraveRequest& r) {
-        r.depth.lights = {{30, 45, 1}};
-      },
       [](EngraveRequest& r) { r.depth.solver = ContrastSolver::PaperSteps; },
       [](EngraveRequest& r) { r.depth.objective = DepthObjective::OneLight; }};
   for (const auto& change : changes) EXPECT_EQ(depthsBy(change, CarveFor::Print), depthsBy(change, CarveFor::Design));

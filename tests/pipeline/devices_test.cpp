@@ -92,6 +92,12 @@ TEST_F(DevicesTest, CarveTheSameCodeUnderLamps) {
     expectSameCode(byGpu, byProcessor, 0.05);
     EXPECT_NEAR(summarise(byGpu.depths).maxMm, summarise(byProcessor.depths).maxMm, 0.05);
 
+    engraving.depth.carveFor = CarveFor::Print;
+    const EngraveResult printedByGpu = engraveBy(Device::Gpu, Device::Gpu, plate, engraving);
+    expectSameCode(printedByGpu, engraveBy(Device::Processor, Device::Processor, plate, engraving), 0.05);
+    EXPECT_GT(summarise(printedByGpu.depths).meanMm, summarise(byGpu.depths).meanMm);
+    engraving.depth.carveFor = CarveFor::Design;
+
     engraving.depth.solver = ContrastSolver::PaperSteps;
     const EngraveResult inSteps = engraveBy(Device::Processor, Device::Processor, plate, engraving);
     EXPECT_LE(summarise(byProcessor.depths).meanMm, summarise(inSteps.depths).meanMm);

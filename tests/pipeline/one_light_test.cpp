@@ -65,10 +65,10 @@ TEST_F(OneLightTest, IsASolidThatDecodesUnderItsLampBetterThanUnderTheSky) {
   EXPECT_TRUE(sample.result.solidity.solid());
   EXPECT_LT(summarise(sample.result.depths).meanMm, 0.12);
   VerifyRequest request = verifyRequestOf(sample.request, sample.result);
-  EXPECT_EQ(request.oneLight, kOneLight);
+  EXPECT_EQ(request.lamps, std::vector{kOneLight});
   const ReadingCount underLamp = tries(sample, request);
   EXPECT_TRUE(underLamp.enough()) << underLamp.reads;
-  request.oneLight.reset();
+  request.lamps.clear();
   const ReadingCount underSky = tries(sample, request);
   EXPECT_LT(underSky.reads, underLamp.reads);
 }
@@ -132,7 +132,8 @@ TEST_F(OneLightTest, TheReportNamesTheLampAndVerifyUsesIt) {
   EXPECT_EQ(json["verification"]["verdict"]["reads"]["warnings"][0]["code"], "needs-one-light");
   const auto request = requestFromReport(report);
   ASSERT_TRUE(request.has_value());
-  EXPECT_EQ(request->oneLight, kOneLight);
+  EXPECT_EQ(request->lamps, std::vector{kOneLight});
+  EXPECT_TRUE(request->needsLamp);
 
   auto job = VerifyJob::create(sample.result.mesh, *request, zxingDecoders());
   const VerifyResult verified = *runToEnd(**job);
@@ -159,13 +160,13 @@ TEST_F(OneLightTest, ThePrintIsViewedUnderTheLampToo) {
     return gradeSymbol(measured, 0.7).cellContrast.value;
   };
   const double underLamp = contrast();
-  request.oneLight.reset();
+  request.lamps.clear();
   EXPECT_GT(underLamp, 1.5 * contrast());
 }
 
 TEST_F(OneLightTest, VerifyRefusesAnInvalidLamp) {
   VerifyRequest request = verifyRequestOf(onPlate().request, onPlate().result);
-  request.oneLight->elevationDeg = -3;
+  request.lamps.front().elevationDeg = -3;
   const auto job = VerifyJob::create(onPlate().result.mesh, request, zxingDecoders());
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "setting-out-of-range");

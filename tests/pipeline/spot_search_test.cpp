@@ -47,6 +47,34 @@ TEST_F(SpotSearchTest, RanksSpotsThatFaceDownLast) {
   }
 }
 
+TEST_F(SpotSearchTest, WarnsOfALampThatGrazesACylinderAndProposesOneAlongIt) {
+  SpotSearchRequest parameters = request(22);
+  parameters.count = 1;
+  parameters.lamps = {{.azimuthDeg = 0, .elevationDeg = 30, .strength = 1}};
+  const auto model = upload(shapes::cylinder(20, 80, 128));
+  const auto across = findSpots(model, parameters);
+  ASSERT_TRUE(across.has_value());
+  ASSERT_EQ(across->spots.front().concerns.size(), 1u);
+  const Message& concern = across->spots.front().concerns.front();
+  EXPECT_EQ(concern.code, "spot-wants-another-lamp");
+  EXPECT_THAT(sentenceAndHint(concern), testing::AnyOf(testing::HasSubstr("90,30,1"), testing::HasSubstr("270,30,1")));
+
+  parameters.lamps.front().azimuthDeg = 90;
+  const auto along = findSpots(model, parameters);
+  ASSERT_TRUE(along.has_value());
+  EXPECT_THAT(along->spots.front().concerns, testing::IsEmpty());
+}
+
+TEST_F(SpotSearchTest, WarnsOfLampsOnABumpySphereThatNoLampLightsEvenly) {
+  SpotSearchRequest parameters = request(25);
+  parameters.count = 1;
+  parameters.lamps = {{.azimuthDeg = 0, .elevationDeg = 20, .strength = 4}};
+  const auto search = findSpots(upload(shapes::bumpySphere(30, 1.5, 5, 5)), parameters);
+  ASSERT_TRUE(search.has_value());
+  ASSERT_FALSE(search->spots.front().concerns.empty());
+  EXPECT_EQ(search->spots.front().concerns.back().code, "spot-lit-unevenly-by-lamps");
+}
+
 TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   // A side of the box takes larger codes than its top.
   SpotSearchRequest parameters = request(0);

@@ -221,8 +221,13 @@ TEST_F(VerdictTest, APrintThatDoesNotReadFails) {
   EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "that is done already";
   request_.depth.carveFor = CarveFor::Design;
   request_.depth.lights = {{}};
-  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "with lamps the design decides";
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "light=") << "under the sky alone codes read best";
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).at(1), "carveFor=print");
+  request_.depth.objective = DepthObjective::OneLight;
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "objective=contrast light=");
   request_.depth.lights.clear();
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "objective=contrast");
+  request_.depth.objective = DepthObjective::Contrast;
   EXPECT_EQ(bad.level, Level::Bad);
   EXPECT_EQ(bad.summary.code, "reads-not-as-printed");
   EXPECT_EQ(facing(bad), "facing-slanted");

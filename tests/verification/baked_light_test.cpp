@@ -43,17 +43,18 @@ SurfaceLight meanOfMiddle(const BakedLight& light, double reach) {
   return {sum.sky / count, sum.lamp / count};
 }
 
-TEST(BakedLight, AnOpenPlaneHasTheSkyAndTheCosineOfTheLamp) {
+TEST(BakedLight, AnOpenPlaneHasTheSkyAndTheCosinesOfTheLamps) {
   const Mesh plate = shapes::box({40, 40, 4});
   const RayTree tree(plate);
   const double elevation = 0.7;
   const BakedLight light = baked(
       tree, {.texelMm = 0.5,
              .texels = 20,
-             .lamp = {.towards = {std::cos(elevation), 0, std::sin(elevation)}, .strength = 0.5, .radiusDeg = 0}});
+             .lamps = {{.towards = {std::cos(elevation), 0, std::sin(elevation)}, .strength = 0.5, .radiusDeg = 0},
+                       {.towards = {0, 0, 1}, .strength = 0.25, .radiusDeg = 0}}});
   for (const SurfaceLight& one : light.light()) {
     EXPECT_EQ(one.sky, 1);
-    EXPECT_NEAR(one.lamp, 0.5 * std::sin(elevation), 1e-9);
+    EXPECT_NEAR(one.lamp, 0.5 * std::sin(elevation) + 0.25, 1e-9);
   }
 }
 
@@ -85,7 +86,7 @@ TEST(BakedLight, ALowLampLeavesThePitDark) {
   const RayTree tree(pit);
   const double elevation = 20 * std::numbers::pi / 180;  // the rim hides all light from below 33°
   const Lamp lamp{.towards = {0, std::cos(elevation), std::sin(elevation)}, .strength = 1, .radiusDeg = 5};
-  const BakedLight light = baked(tree, {.texelMm = 0.05, .texels = 20, .albedo = 0, .lamp = lamp});
+  const BakedLight light = baked(tree, {.texelMm = 0.05, .texels = 20, .albedo = 0, .lamps = {lamp}});
   EXPECT_EQ(meanOfMiddle(light, 0.3).lamp, 0);
 }
 

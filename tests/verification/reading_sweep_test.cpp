@@ -116,7 +116,7 @@ TEST_F(ReadingSweepTest, MeasuresTheOffsetOfASymbolInModules) {
 }
 
 TEST_F(ReadingSweepTest, EveryPictureIsLitByTheLamp) {
-  const ReadingSweep done = sweep({wanted}, {.underLamp = true});
+  const ReadingSweep done = sweep({wanted}, {.underLamps = true});
   for (const ReadingView& view : done.views()) EXPECT_TRUE(view.lamp);
   EXPECT_EQ(done.summary().tiltDegLamp, 45);
   EXPECT_EQ(done.summary().tiltDeg, std::nullopt);
