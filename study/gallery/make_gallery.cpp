@@ -12,6 +12,7 @@
 #include "native/files.h"
 #include "native/png_file.h"
 #include "pipeline/printed_view.h"
+#include "settings/settings.h"
 #include "study/study_context.h"
 
 namespace qrelief::study {
@@ -108,6 +109,7 @@ Status make(const std::string& sample, const std::string& samples, const std::st
   QRELIEF_TRY(usual);
   usual->code.symbol.version.reset();
   usual->depth.keepPreset = false;
+  usual->depth.carveFor = defaultRequest().depth.carveFor;
   usual->print.buildUp = {};
   usual->placement.sizeMode = SizeMode::Best;
   usual->placement.maxSizeMm = kMaxSizeMm;
