@@ -73,21 +73,29 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   return file;
 }
 
-Status AtomicFile::flush() {
-  std::string_view left = waiting_;
-  while (!left.empty()) {
-    const ssize_t n = ::write(file_, left.data(), left.size());
+Status AtomicFile::writeNow(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file_, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return failed();
-    left.remove_prefix(static_cast<std::size_t>(n));
+    bytes.remove_prefix(static_cast<std::size_t>(n));
   }
+  return {};
+}
+
+Status AtomicFile::flush() {
+  QRELIEF_TRY(writeNow(waiting_));
   waiting_.clear();
   return {};
 }
 
 Status AtomicFile::write(std::string_view bytes) {
-  waiting_ += bytes;
-  return waiting_.size() < kWaitingBytes ? Status() : flush();
+  if (waiting_.size() + bytes.size() < kWaitingBytes) {
+    waiting_ += bytes;
+    return {};
+  }
+  QRELIEF_TRY(flush());
+  return writeNow(bytes);
 }
 
 Status AtomicFile::finish() {

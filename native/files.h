@@ -34,6 +34,7 @@ class AtomicFile {
 
  private:
   explicit AtomicFile(std::string path);
+  Status writeNow(std::string_view bytes);
   Status flush();
   tl::unexpected<Error> failed() const;
 

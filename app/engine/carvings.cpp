@@ -12,6 +12,7 @@
 #include "engine/ink_seen.h"
 #include "engine/symbol_decal.h"
 #include "io/write_checked.h"
+#include "io/write_stl.h"
 #include "pipeline/add_inlay.h"
 #include "settings/setting_json.h"
 #include "verification/baked_light.h"
@@ -302,7 +303,7 @@ std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std
   if (!carving(number)) return {};
   Engraved& engraved = *carving(number)->engraved;
   const EngraveResult& result = engraved.result;
-  if (format == "stl") return result.stl;
+  if (format == "stl") return writeStl(result.mesh);
   const bool isPainted = engraved.request.marking.mark == Mark::Paint;
   const bool withInlay = engraved.request.marking.mark == Mark::Inlay || (format == "3mf-inlay" && !isPainted);
   if (withInlay && !fillPockets(model, engraved)) return {};

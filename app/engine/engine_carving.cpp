@@ -8,6 +8,7 @@
 #include "engine/engine.h"
 #include "engine/printed_code.h"
 #include "io/write_model.h"
+#include "io/write_stl.h"
 #include "report/json_parts.h"
 #include "verdict/other_prints.h"
 
@@ -108,7 +109,7 @@ std::string Engine::describeRow(double totalMs) const {
 
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format, const std::string& slicer, int carving) {
   if (format == "stl" && carving == 0)
-    return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>();
+    return carvings_.printable() ? writeStl(carvings_.printable()->mesh) : std::vector<std::uint8_t>();
   const int number = carving > 0 ? carving : carvings_.number();
   const auto program = slicerByName(slicer);
   return model_ && program ? carvings_.exported(*model_, format, *program, number) : std::vector<std::uint8_t>();

@@ -7,6 +7,7 @@
 #include "delivery/carved_objects.h"
 #include "io/three_mf/rewrite_3mf.h"
 #include "io/write_checked.h"
+#include "io/write_stl.h"
 #include "message_codes/files.h"
 #include "pipeline/engrave.h"
 
@@ -90,17 +91,23 @@ Result<CarvedFiles> encodeCarved(const PreparedModel& before, const EngraveResul
                                  std::span<const std::string> partNames, const WriteOptions& options) {
   const ModelFormat format = formatOfName(fileName);
   const bool withInlay = result.request.marking.mark == Mark::Inlay;
-  if (format == ModelFormat::Stl && !options.ascii && !(withInlay && result.inlay) && result.painted.empty())
-    return CarvedFiles{{{fileName, result.stl}}, {}};
+  CarvedFiles carved;  // an initializer list would copy the bytes once more
+  if (format == ModelFormat::Stl && !options.ascii && !(withInlay && result.inlay) && result.painted.empty()) {
+    carved.files.push_back({fileName, writeStl(result.mesh)});
+    return carved;
+  }
   if (format == ModelFormat::ThreeMf) {
     auto written = writeCarved3mf(before, result, partNames, withInlay, options);
     QRELIEF_TRY(written);
-    return CarvedFiles{{{fileName, std::move(written->bytes)}}, std::move(written->notKept)};
+    carved.files.push_back({fileName, std::move(written->bytes)});
+    carved.notKept = std::move(written->notKept);
+    return carved;
   }
   auto files =
       writeCheckedFiles(carvedObjects(result, partNames, withInlay, format == ModelFormat::Obj), fileName, options);
   QRELIEF_TRY(files);
-  return CarvedFiles{std::move(*files), {}};
+  carved.files = std::move(*files);
+  return carved;
 }
 
 }  // namespace qrelief

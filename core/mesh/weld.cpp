@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/topology.h"
+
 namespace qrelief {
 
 namespace {
@@ -84,6 +86,27 @@ Mesh weldedByGroup(std::span<const Vec3f> corners, std::span<const std::uint32_t
   for (std::size_t corner = 0; corner < corners.size(); ++corner)
     mesh.triangles[corner / 3][corner % 3] = welding.indexOf[corner];
   return mesh;
+}
+
+Mesh weldedByPiece(const Mesh& mesh) {
+  const std::vector<std::uint32_t> pieceOf = piecesOf(mesh);
+  std::vector<std::uint32_t> pointOf(mesh.positions.size(), kFree), pieceOfPoint;
+  std::vector<Vec3f> points;
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) {
+      if (pointOf[v] != kFree) continue;
+      pointOf[v] = static_cast<std::uint32_t>(points.size());
+      points.push_back(mesh.positions[v]);
+      pieceOfPoint.push_back(pieceOf[v]);
+    }
+  Welding welding = weldEqual(points, pieceOfPoint);
+  Mesh result;
+  result.positions = std::move(welding.positions);
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles)
+    result.triangles.push_back({welding.indexOf[pointOf[a]], welding.indexOf[pointOf[b]], welding.indexOf[pointOf[c]]});
+  result.bodyOf = mesh.bodyOf;
+  return result;
 }
 
 void dropUnused(Mesh& mesh) {

@@ -30,6 +30,11 @@ Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles);
 /// @param groupOf  triangle → group; empty: one group
 Mesh weldedByGroup(std::span<const Vec3f> corners, std::span<const std::uint32_t> groupOf);
 
+/// Welds a mesh as a slicer reads its file: equal positions of a piece (piecesOf) become one vertex. A slicer joins
+/// touching pieces as it likes, so they stay apart. Vertices come in the order of their first triangles.
+/// Cost: O(T).
+Mesh weldedByPiece(const Mesh& mesh);
+
 /// Drops positions that no triangle uses, keeping the order, and renumbers the triangles.
 void dropUnused(Mesh& mesh);
 

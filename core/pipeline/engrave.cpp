@@ -56,7 +56,7 @@ JobStages<CarveJob::State> CarveJob::State::stagesOf(const EngraveRequest& reque
           {message<"printing">(), 300, &State::print, isForPrint},
           {message<"finding-depth">(), 200, &State::searchOnce, needsLight},
           {message<"carving-mesh">(), needsLight ? 60.0 : 4.0, &State::embed},
-          {message<"checking-solid">(), needsLight ? 10.0 : 4.0, &State::write},
+          {message<"checking-solid">(), needsLight ? 10.0 : 4.0, &State::weld},
           {message<"checking-solid">(), needsLight ? 250.0 : 20.0, &State::check},
           {message<"looking-at-result">(), 250, &State::view, !request.code.isText()}};
 }
@@ -212,7 +212,7 @@ EngraveResult CarveJob::takeResult() {
 }
 
 const EngraveResult* CarveJob::writtenResult() const {
-  const bool isWritten = !state_->result.stl.empty();
+  const bool isWritten = !state_->result.mesh.triangles.empty();
   return isWritten && !state_->stages.done() ? &state_->result : nullptr;
 }
 

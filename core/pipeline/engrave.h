@@ -50,8 +50,7 @@ struct StageTimings {
 
 /// The carved solid, and everything found out about it.
 struct EngraveResult {
-  Mesh mesh;                            ///< after an STL round trip, with the model's bodies (PreparedModel::bodies)
-  std::vector<std::uint8_t> stl;        ///< exactly the bytes that were checked
+  Mesh mesh;                            ///< as a slicer reads its file: weldedByPiece(); with the model's bodies
   std::size_t keptTriangles = 0;        ///< facets of the input that are unchanged bit for bit; they come first
   std::vector<FacetOrigin> origins;     ///< of the triangles of `mesh`
   std::vector<Body> bodies = {Body()};  ///< of the model
@@ -142,7 +141,7 @@ class CarveJob {
   /// Returns the result. Call it once, after `done`.
   EngraveResult takeResult();
 
-  /// Returns the result once its file, mesh and symbol are set, while it is being checked and drawn; else null. The job
+  /// Returns the result once its mesh and symbol are set, while it is being checked and drawn; else null. The job
   /// owns it.
   const EngraveResult* writtenResult() const;
 

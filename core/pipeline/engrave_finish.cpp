@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "base/clock.h"
-#include "io/read_model.h"
-#include "io/write_stl.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
 #include "message_codes/place.h"
@@ -33,30 +31,12 @@ Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   return fail(ErrorKind::NoSolution, message<"carved-not-solid">(with::cause<"problem">(solidity.problems().front())));
 }
 
-/// Welds the triangles of a written mesh again, in each of its pieces: a slicer joins touching bodies as it likes.
-/// @param read  the same triangles in the same order
-Mesh weldedAs(const Mesh& written, const PolygonSoup& read) {
-  const std::vector<std::uint32_t> pieceOfVertex = piecesOf(written);
-  std::vector<Vec3f> corners;
-  std::vector<std::uint32_t> pieceOf;
-  for (std::size_t t = 0; t < read.triangles.size(); ++t) {
-    for (const std::uint32_t v : read.triangles[t]) corners.emplace_back(read.positions[v]);
-    pieceOf.push_back(pieceOfVertex[written.triangles[t][0]]);
-  }
-  Mesh mesh = weldedByGroup(corners, pieceOf);
-  mesh.bodyOf = written.bodyOf;
-  return mesh;
-}
-
 }  // namespace
 
-/// Writes the file and reads it back: the result is exactly what a slicer will read.
-Result<StageStep> CarveJob::State::write() {
+/// Makes the result: the mesh as a slicer reads its file, which holds positions bit for bit.
+Result<StageStep> CarveJob::State::weld() {
   const auto start = Clock::now();
-  result.stl = writeStl(embedded.mesh);
-  const auto read = readModel(result.stl, "carved.stl");
-  QRELIEF_TRY(read);
-  result.mesh = weldedAs(embedded.mesh, *read);
+  result.mesh = weldedByPiece(embedded.mesh);
   result.origins = std::move(embedded.origins);
   result.bodies = model->prepared.bodies;
   result.carvedBody = model->prepared.mesh.body(result.placement.seed);

@@ -55,7 +55,7 @@ struct CarveJob::State {
   Result<StageStep> searchOnce();
   Result<StageStep> embed();
   Result<StageStep> print();
-  Result<StageStep> write();
+  Result<StageStep> weld();
   Result<StageStep> check();
   Result<StageStep> view();
   void startRecord(std::span<const double> limitMm);

@@ -31,7 +31,7 @@ class PrintedCodeTest : public GlTest {
   /// @returns the last answer
   Json print(PrintedCode& print) const {
     const Json order = Json::parse(engine_->printOrder("{}"))["order"];
-    Json said = Json::parse(print.start(engine_->carvings().result()->stl, order.dump()));
+    Json said = Json::parse(print.start(writeStl(engine_->carvings().result()->mesh), order.dump()));
     double before = 0;
     while (said["ok"] == true && said["done"] != true) {
       EXPECT_GE(said["fraction"].get<double>(), before);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "io/write_stl.h"
 #include "messages/sentences.h"
 #include "native/read_carving.h"
 #include "pipeline/best_spot.h"
@@ -169,7 +170,7 @@ TEST_F(TextAlone, SettingsOfCodesChangeNothing) {
   odd.depth.objective = DepthObjective::OneLight;
   odd.depth.surface = SurfaceMode::Resampled;
   odd.placement.quietZone = false;
-  EXPECT_EQ(engraved(plate(), odd).stl, engraved(plate(), requestFor("Rev B")).stl);
+  EXPECT_EQ(writeStl(engraved(plate(), odd).mesh), writeStl(engraved(plate(), requestFor("Rev B")).mesh));
 }
 
 TEST_F(TextAlone, TheBestSpotHasRoomForItAndNoConcernAboutLight) {

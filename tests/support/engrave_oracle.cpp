@@ -217,7 +217,7 @@ std::string seenFault(const EngraveCase& engraveCase, const EngravableModel& mod
 }
 
 OracleVerdict judgeSolid(const EngraveCase& engraveCase, const EngravableModel& model, const EngraveResult& result) {
-  const Mesh carved = meshOfStl(result.stl);
+  const Mesh carved = meshOfStl(writeStl(result.mesh));
   const double half = result.placement.symbolMm / 2;
   const PlaneCaster before(model.prepared.mesh, result.placement.frame, half);
   const PlaneCaster after(carved, result.placement.frame, half);
@@ -446,7 +446,6 @@ Result<EngraveResult> carve(const EngraveCase& engraveCase, const EngravableMode
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = engraveCase.request.depth.surface});
   if (!embedded) return tl::unexpected(embedded.error());
-  result.stl = writeStl(embedded->mesh);
   result.keptTriangles = embedded->keptTriangles;
   result.mesh = oracle::welded(embedded->mesh);
   const auto solidity = checkSolidity(result.mesh, embedded->newTriangles);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "io/write_stl.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -66,7 +67,7 @@ TEST_F(EngravingTest, OffersTheFileForItsPrintBeforeItIsChecked) {
     const EngraveResult* const written = engraving.printable();
     if (!written) continue;
     wasPrintable = true;
-    EXPECT_FALSE(written->stl.empty());
+    EXPECT_FALSE(written->mesh.triangles.empty());
   }
   EXPECT_TRUE(wasPrintable);
   EXPECT_EQ(engraving.printable(), nullptr) << "it is finished";
@@ -136,7 +137,7 @@ TEST_F(EngravingTest, EngravingsOfOneModelShareThePlaceAndWorkDoneAhead) {
     int steps = 0;
     do ++steps;
     while (*engraving.advance() == Step::Work);
-    return std::pair(steps, engraving.current()->result.stl);
+    return std::pair(steps, writeStl(engraving.current()->result.mesh));
   };
   const auto [firstSteps, first] = carve();
   const auto [secondSteps, second] = carve();
