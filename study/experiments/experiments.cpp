@@ -6,9 +6,10 @@
 namespace qrelief::study {
 
 std::vector<Experiment> allExperiments() {
-  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), paperModule(),   contrastSweep(),
-          frontier(),    equalDepth(),     symbolFlips(),   lampDepths(),       lampStrengths(), lightAngles(),
-          robustness(),  defaultSpace(),   defaultChoice(), defaultSettings(),  hbaoLight(),     literalParts()};
+  return {leastModule(),   guaranteedSize(),  randomSizes(), patternDepths(), methodComparison(),
+          paperModule(),   contrastSweep(),   frontier(),    equalDepth(),    symbolFlips(),
+          lampDepths(),    lampStrengths(),   lightAngles(), robustness(),    defaultSpace(),
+          defaultChoice(), defaultSettings(), hbaoLight(),   literalParts()};
 }
 
 std::function<std::string(const Row&)> dependingOn(std::initializer_list<Part> parts) {

@@ -8,6 +8,7 @@ namespace qrelief::study {
 // Each has a file of its own, whose first comment says what it shows.
 Experiment leastModule();
 Experiment guaranteedSize();
+Experiment randomSizes();
 Experiment patternDepths();
 Experiment methodComparison();
 Experiment paperModule();

@@ -12,24 +12,23 @@ const kShownFraction = 0.001; // a smaller loss would show as 0.0 %
 
 /**
  * Returns the gain of guaranteed size by depth, as a fraction of the size by normals alone.
- * @param {Row[]} ofModel
+ * @param {Row[]} ofPlace
  * @returns {number | undefined}
  */
-export function gainByDepth(ofModel) {
-  const { 'depth-balanced': balanced, 'mean-normal': normals } = valuesBy(ofModel, 'direction', 'guaranteed_mm');
+export function gainByDepth(ofPlace) {
+  const { 'depth-balanced': balanced, 'mean-normal': normals } = valuesBy(ofPlace, 'direction', 'guaranteed_mm');
   return balanced === undefined || normals === undefined ? undefined : balanced / normals - 1;
 }
 
 /**
- * Counts the models on which depth adds at least this fraction to the guaranteed size.
- * @param {Row[]} rows
- * @param {number} fraction
+ * Returns what depth adds to the guaranteed size at each place, as a fraction.
+ * @param {Row[]} rows  of random_sizes
  */
-export const sizesOverModels = (rows, fraction) =>
-  onModels(rows, (ofModel) => {
-    const gain = gainByDepth(ofModel);
-    return gain === undefined ? undefined : gain >= fraction;
-  });
+export const gainsAtPlaces = (rows) =>
+  [...groupBy(rows, 'model').values()]
+    .flatMap((ofModel) => [...groupBy(ofModel, 'place').values()])
+    .map(gainByDepth)
+    .filter((gain) => gain !== undefined);
 
 /** True if the direction `optimal` allows the largest guaranteed size. @param {Row[]} ofModel */
 export function optimalIsLargest(ofModel) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The statements of the paper's section 8 [Papp 2022], and how often each holds in our tables.
-import { sizesOverModels } from '../figures/guaranteed_size.js';
+import { gainsAtPlaces } from '../figures/guaranteed_size.js';
 import { lampsDeepen, lampsMakeShallower } from '../figures/lamp_depths.js';
 import { asSmall, asSmallIfBothRead } from '../figures/least_module.js';
 import { bearsHigher, carving, kPaper, lowerNeverHurts, tolerates } from '../figures/light_angles.js';
@@ -32,7 +32,7 @@ import { kNeeded } from './tries.js';
  * @property {import('./say.js').Word} [why]   the likely reason where it does not hold, or cannot be judged
  */
 
-const kFlatModels = ['plate', 'pyramid']; // where depth makes no difference
+const kFlatModels = ['plate', 'pyramid']; // where curvature is zero
 const kSizeFraction = 0.02;
 const kHalfWithin = 0.1;
 
@@ -70,13 +70,9 @@ export const kStatements = [
   {
     claim: 'claimSize',
     section: 'size',
-    table: 'guaranteed_size',
-    over: 'models',
-    judge: (rows) =>
-      sizesOverModels(
-        rows.filter(({ model }) => !kFlatModels.includes(model)),
-        kSizeFraction,
-      ),
+    table: 'random_sizes',
+    over: 'cases',
+    judge: (rows) => tally(gainsAtPlaces(rows), (gain) => gain >= kSizeFraction),
     why: 'claimWhyPlaces',
   },
   {

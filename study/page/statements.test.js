@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { gainsAtPlaces } from '../figures/guaranteed_size.js';
 import { carving, tolerates } from '../figures/light_angles.js';
 import { distinct } from './compare.js';
 import { ofSearch } from './methods.js';
@@ -31,6 +32,13 @@ test('the reasons that name cases are true of the tables', () => {
     ({ modules, finders, designed }) => modules !== 'none' && finders === 'as-modules' && designed >= kNeeded,
   );
   assert.deepEqual(distinct(reads, 'modules'), ['thick-plus']);
+
+  const gains = gainsAtPlaces(measured(tables.random_sizes.rows));
+  const [larger, smaller] = [gains.filter((gain) => gain >= 0.02), gains.filter((gain) => gain <= -0.02)];
+  assert.ok(
+    larger.length < 1.5 * smaller.length && smaller.length < 1.5 * larger.length,
+    `${larger.length}, ${smaller.length}`,
+  );
 
   const thin = measured(tables.least_module.rows).filter(({ modules }) => modules === 'thin-plus');
   assert.ok(thin.length > 0 && thin.every((row) => row.module_mm === null));
