@@ -100,3 +100,14 @@ test('A spot search waits for the typed text; a change of settings discards the 
     await expect(app.alert).toContainText('the largest size found is');
   });
 });
+
+test('A lamp that lights the spot unevenly is named before the carving', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere&light=0,20,4');
+  await app.expectReady();
+  const warning = page.getByText('The lamp lights this spot unevenly; decoders may fail.');
+  await expect(warning).toBeVisible();
+  await app.openSettings();
+  await app.setting('The code is seen in').selectOption('Even light');
+  await expect(warning).toBeHidden();
+});
