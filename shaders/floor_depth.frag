@@ -10,6 +10,7 @@ precision highp sampler2D;
 uniform sampler2D u_solved;
 uniform sampler2D u_luminance;
 uniform int u_isFree;  // 1: depths may rise and fall
+uniform float u_leastGrowthMm;                       // of a floor that is too bright
 uniform float u_mostGrowthMm, u_mostGrowthFraction;  // greatest growth: the larger of this and this of the depth
 
 layout(location = 0) out vec4 o_floor;
@@ -25,7 +26,7 @@ void main() {
     if (u_isFree == 1)
       depth = next;
     else if (texelFetch(u_luminance, cell, 0).r > target.g * target.r)
-      depth = quantisedDepth(max(next, depth + u_quantum.x), target.b);
+      depth = quantisedDepth(max(next, depth + u_leastGrowthMm), target.b);
     else if (next > depth && darkness(skySeen(u_solved, cell, depth).x) + before.g < darkness(target.g))
       depth = next;
   }

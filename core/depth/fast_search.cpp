@@ -75,7 +75,7 @@ void FastSearch::solve() {
     const double next = quantisedDepth(std::clamp(solvedMm_[k], kDepthQuantumMm, most), limitMm_[k]);
     const bool isFree = iterations_ < freePasses_;
     if (!isFree && states_[k] == State::TooBright)
-      depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
+      depth = quantisedDepth(std::max(next, depth + leastGrowthMm(options_, iterations_)), limitMm_[k]);
     else if (isFree || (next > depth && expectedFraction(k, solved.fraction(k, depth)) > fractionAsked_[k]))
       depth = next;
   }

@@ -20,6 +20,9 @@ inline constexpr double kMaxChange = 0.3;       ///< limit on the change that co
 inline constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
 /// Under lamps, a pass makes a floor deeper by at most this, or by this fraction of its depth.
 inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.2;
+/// Under lamps, a floor that is still too bright after so many passes gets deeper by at least this in each.
+inline constexpr int kLampPatience = 15;
+inline constexpr double kLampLeastStepMm = 0.05;
 /// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
 inline constexpr double kAimFraction = 0.003;
 inline constexpr double kMaxAimFraction = 0.2;
@@ -48,6 +51,11 @@ struct FastSearchOptions {
   int maxIterations = 24;
   int sweepsPerPass = 3;  ///< of the solver on the plane; more come closer to its solution
 };
+
+/// Returns the least growth of a floor that is too bright, mm.
+inline double leastGrowthMm(const FastSearchOptions& options, int iterations) {
+  return options.hasLamps && iterations >= kLampPatience ? kLampLeastStepMm : kDepthQuantumMm;
+}
 
 /// Reaches the same target as the paper's search (PaperStepSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
 /// rendering and no greater depths.

@@ -103,6 +103,7 @@ void ShaderSearch::runPass(int record, bool isLast) {
                  .aimForTooBright = static_cast<float>(aimForTooBright(iterations_, freePasses_)),
                  .changeFraction = static_cast<float>(isFirst ? 0 : kChangeFraction),
                  .maxChange = static_cast<float>(kMaxChange),
+                 .leastGrowthMm = static_cast<float>(leastGrowthMm(options_, iterations_)),
                  .isFree = iterations_ < freePasses_};
   if (options_.hasLamps) {
     move.mostGrowthMm = static_cast<float>(kLampStepMm);

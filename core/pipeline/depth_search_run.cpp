@@ -137,7 +137,7 @@ namespace {
 
 constexpr double kDepthStepMm = 0.1;  // the published step; thicker layers need no coarser step
 constexpr int kPassesBeforePrint = 4;
-constexpr int kPassesUnderLamps = 40;  // depths grow little by little
+constexpr int kPassesUnderLamps = 60;  // depths grow little by little
 
 }  // namespace
 

@@ -102,6 +102,7 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
                              .aimForTooBright = static_cast<float>(aimForTooBright(pass, kFreePasses)),
                              .changeFraction = static_cast<float>(pass == 0 ? 0 : kChangeFraction),
                              .maxChange = static_cast<float>(kMaxChange),
+                             .leastGrowthMm = static_cast<float>(kDepthQuantumMm),
                              .isFree = pass < kFreePasses});
     passes->record(luminance, 0);
     const std::vector<FloorPasses::Recorded> floors = passes->readRecords(1);
