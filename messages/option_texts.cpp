@@ -44,6 +44,7 @@ std::string numberName(const Setting& setting) {
 
 std::string valuesOf(const Setting& setting) {
   if (setting.kind == Kind::Text) return "TEXT";
+  if (setting.kind == Kind::Mask) return "ROWS";
   if (setting.kind == Kind::Lamps) return "AZIMUTH,ELEVATION[,STRENGTH]";
   std::string values = setting.takesNumber() ? numberName(setting) : "";
   for (const std::string& choice : setting.choices) values += (values.empty() ? "" : "|") + choice;

@@ -20,7 +20,7 @@ constexpr double kTextMargin = 1;    // round a text alone, in modules
 SubmoduleMask maskOf(const Symbol& symbol, double symbolMm, const EngraveRequest& request) {
   if (!request.needsLight()) return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
   const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
-  return submodulesToCarve(symbol, *carved.code.modulePattern, *carved.code.finderPattern);
+  return submodulesToCarve(symbol, carved.code.modules(), *carved.code.finderPattern);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr FinderPattern kPatternedFinders = FinderPattern::ThickPlusSharp;
 constexpr double kMostShallow = 0.1;
 
 bool mayHaveWholeFinders(const EngraveRequest& request) {
-  return !request.code.modulePattern && !request.code.finderPattern &&
+  return !request.code.modulePattern && !request.code.ownPattern && !request.code.finderPattern &&
          request.depth.objective == DepthObjective::Contrast && request.depth.solver == ContrastSolver::Fast &&
          request.depth.lights.empty();
 }
@@ -56,7 +56,7 @@ double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& reques
     return layout ? finestStrokeMm(request.print.printer) / layout->thinnestStrokeModules : 0;
   }
   if (request.marking.isInColour()) return std::ceil(100 * lineWidthMm(request.print.printer) - 1e-6) / 100;
-  return leastPrintableModuleMm(symbol, request.code.modulePattern.value_or(kModules),
+  return leastPrintableModuleMm(symbol, request.code.ownPattern.value_or(request.code.modulePattern.value_or(kModules)),
                                 request.code.finderPattern.value_or(kPatternedFinders), request.print.printer);
 }
 

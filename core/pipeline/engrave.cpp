@@ -79,7 +79,7 @@ void CarveJob::State::take(const FoundPlacement& placed) {
 
 void CarveJob::State::decidePatterns(bool areWallsThin) {
   request = withDefaultPatterns(asked, result.placement.moduleMm, areWallsThin);
-  mask = submodulesToCarve(symbol, *request.code.modulePattern, *request.code.finderPattern);
+  mask = submodulesToCarve(symbol, request.code.modules(), *request.code.finderPattern);
 }
 
 std::vector<double> CarveJob::State::limitsOfMask() const {

@@ -33,19 +33,19 @@ const Picture& pictureOf(ModulePattern pattern) {
   return kNone;
 }
 
-const Picture& pictureOf(FinderPattern pattern, ModulePattern modules) {
+ModuleMask maskOf(FinderPattern pattern, const ModuleMask& modules) {
   switch (pattern) {
     case FinderPattern::None:
-      return kNone;
+      return ModulePattern::None;
     case FinderPattern::AsModules:
-      return pictureOf(modules);
+      return modules;
     case FinderPattern::Diamond:
-      return kDiamond;
+      return ModulePattern::Diamond;
     case FinderPattern::ThickPlus:
     case FinderPattern::ThickPlusSharp:
-      return kThickPlus;
+      return ModulePattern::ThickPlus;
   }
-  return kNone;
+  return ModulePattern::None;
 }
 
 /// Returns +1 at the near end of a finder, -1 at the far end, 0 between, along one axis. In a corner module neither
@@ -55,11 +55,11 @@ int towardsCentre(int position, int size) {
   return within == 0 ? 1 : within == kFinderModules - 1 ? -1 : 0;
 }
 
-void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int column, int shiftDown, int shiftRight) {
+void carveModule(SubmoduleMask& mask, const ModuleMask& module, int row, int column, int shiftDown, int shiftRight) {
   constexpr int n = kSubmodulesPerModule;
   for (int k = 0; k < n; ++k) {
     for (int l = 0; l < n; ++l) {
-      if (picture[k][l] != '#') continue;
+      if (!module.carved[k * n + l]) continue;
       const int y = row * n + k + shiftDown, x = column * n + l + shiftRight;
       mask.at(y, x) = 1;
     }
@@ -74,21 +74,50 @@ constexpr std::array<std::string_view, 5> kFinderPatternNames = {"none", "as-mod
 
 }  // namespace
 
-SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders) {
+ModuleMask::ModuleMask(ModulePattern pattern) {
+  const Picture& picture = pictureOf(pattern);
+  for (std::size_t k = 0; k < carved.size(); ++k)
+    carved[k] = picture[k / kSubmodulesPerModule][k % kSubmodulesPerModule] == '#';
+}
+
+std::optional<ModuleMask> moduleMaskFromText(std::string_view text) {
+  constexpr std::size_t n = kSubmodulesPerModule;
+  if (text.size() != n * n + n - 1) return {};
+  ModuleMask mask;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::size_t row = k / (n + 1), column = k % (n + 1);
+    const bool isSubmodule = column < n;
+    if (isSubmodule ? text[k] != '0' && text[k] != '1' : text[k] != '/') return {};
+    if (isSubmodule) mask.carved[row * n + column] = text[k] == '1';
+  }
+  if (mask.carved.all() || mask.carved.none()) return {};
+  return mask;
+}
+
+std::string moduleMaskText(const ModuleMask& mask) {
+  std::string text;
+  for (std::size_t k = 0; k < mask.carved.size(); ++k) {
+    if (k > 0 && k % kSubmodulesPerModule == 0) text += '/';
+    text += mask.carved[k] ? '1' : '0';
+  }
+  return text;
+}
+
+SubmoduleMask submodulesToCarve(const Symbol& symbol, const ModuleMask& modules, FinderPattern finders) {
   SubmoduleMask mask(kSubmodulesPerModule * symbol.size, kSubmodulesPerModule * symbol.size);
   const bool squareCorners = finders == FinderPattern::Diamond || finders == FinderPattern::ThickPlus;
   for (int row = 0; row < symbol.size; ++row) {
     for (int column = 0; column < symbol.size; ++column) {
       if (!symbol.isDark(row, column)) continue;
       if (symbol.role(row, column) != ModuleRole::Finder) {
-        carveModule(mask, pictureOf(modules), row, column, 0, 0);
+        carveModule(mask, modules, row, column, 0, 0);
         continue;
       }
       const int down = towardsCentre(row, symbol.size), right = towardsCentre(column, symbol.size);
       if (squareCorners && down != 0 && right != 0) {
-        carveModule(mask, kSquare, row, column, down, right);
+        carveModule(mask, ModulePattern::Square, row, column, down, right);
       } else {
-        carveModule(mask, pictureOf(finders, modules), row, column, 0, 0);
+        carveModule(mask, maskOf(finders, modules), row, column, 0, 0);
       }
     }
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bitset>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/grid.h"
@@ -25,6 +28,23 @@ inline constexpr int kQuietZoneSubmodules = kSubmodulesPerModule * kQuietZoneMod
 ///     #####    .....    .....    ..#..    .###.
 enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, ThickPlus };
 
+/// The carved submodules of one dark module: those of a pattern, or any others.
+struct ModuleMask {
+  std::bitset<kSubmodulesPerModule * kSubmodulesPerModule> carved;  ///< row by row from the module's top left
+
+  ModuleMask() = default;
+  ModuleMask(ModulePattern pattern);  // implicit: a pattern is a mask
+
+  bool operator==(const ModuleMask&) const = default;
+};
+
+/// Parses a mask: five rows of five submodules, 1 = carved, such as `00100/01110/11111/01110/00100`.
+/// @returns none for any other text, and if all submodules or none are carved
+std::optional<ModuleMask> moduleMaskFromText(std::string_view text);
+
+/// Writes a mask in this form.
+std::string moduleMaskText(const ModuleMask& mask);
+
 /// Edge of a finder pattern, in modules.
 inline constexpr int kFinderModules = 7;
 
@@ -37,7 +57,7 @@ enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus, T
 /// The submodules of a symbol to carve: 1 = carved.
 using SubmoduleMask = Grid<std::uint8_t>;
 
-SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders);
+SubmoduleMask submodulesToCarve(const Symbol& symbol, const ModuleMask& modules, FinderPattern finders);
 
 /// Return names that scripts rely on, such as "thin-plus".
 std::string_view modulePatternName(ModulePattern pattern);

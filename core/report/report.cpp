@@ -141,6 +141,10 @@ void addGrades(Json& verification, const EngraveRequest& request, const EngraveR
   verification["iso29158"] = std::move(grades.iso29158);
 }
 
+Json patternMaskOf(const EngraveRequest& request) {
+  return request.code.ownPattern ? Json(moduleMaskText(*request.code.ownPattern)) : Json(nullptr);
+}
+
 /// Describes the pockets of a code without a second colour.
 Json describeDepth(const EngraveRequest& request, const EngraveResult& result, const ReportContext& context) {
   const DepthSummary depth = summarise(result.depths);
@@ -150,6 +154,7 @@ Json describeDepth(const EngraveRequest& request, const EngraveResult& result, c
                {"iterations", result.searchIterations},
                {"limitedSubmodules", result.limitedSubmodules},
                {"unfinishedSubmodules", result.unfinishedSubmodules},
+               {"patternMask", patternMaskOf(request)},
                {"features", describeFeatures(featuresOf(result), request.print.printer)},
                {"objective", depthObjectiveName(request.depth.objective)},
                {"lights", describeLights(request.lamps())},

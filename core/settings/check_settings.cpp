@@ -79,7 +79,7 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
     return {};
   }
   if (const std::string* name = std::get_if<std::string>(&value)) {
-    const bool isKnown = setting.kind == Kind::Text ||
+    const bool isKnown = setting.kind == Kind::Text || (setting.kind == Kind::Mask && moduleMaskFromText(*name)) ||
                          std::find(setting.choices.begin(), setting.choices.end(), *name) != setting.choices.end();
     return isKnown ? Status() : tl::unexpected(wrongKind(setting, *name));
   }
@@ -139,6 +139,9 @@ Error wrongKind(const Setting& setting, std::string_view found) {
     case Kind::Vector:
       return {ErrorKind::BadUsage,
               message<"setting-no-vector">(with::setting<"setting">(setting.key), with::term<"found">(found))};
+    case Kind::Mask:
+      return {ErrorKind::BadUsage,
+              message<"setting-no-mask">(with::setting<"setting">(setting.key), with::term<"found">(found))};
     case Kind::Lamps:
       break;
   }

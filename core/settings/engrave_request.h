@@ -60,8 +60,13 @@ struct CodeRequest {
   Content content = Content::Code;
   SymbolOptions symbol;                             ///< this and the patterns have no effect on Content::Text
   std::optional<ModulePattern> modulePattern = {};  ///< none: see pipeline/default_patterns.h
+  std::optional<ModuleMask> ownPattern = {};        ///< replaces modulePattern
   std::optional<FinderPattern> finderPattern = {};  ///< none: the same
   LabelOptions label;  ///< text under the code, only for Content::Code, and frame round either
+
+  /// Returns the carved submodules of a dark module.
+  /// Needs a pattern: CodeRequest::modulePattern is filled in by pipeline/default_patterns.h.
+  ModuleMask modules() const { return ownPattern ? *ownPattern : *modulePattern; }
 
   bool isText() const { return content == Content::Text; }
   /// Returns the letters and the frame to make.

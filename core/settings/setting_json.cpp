@@ -60,7 +60,8 @@ std::optional<std::vector<DirectionalLight>> lampsFrom(const Json& value) {
 std::optional<SettingValue> valueFrom(const Setting& setting, const Json& value) {
   if (value.is_boolean() && setting.kind == Kind::Switch) return value.get<bool>();
   if (isFinite(value) && setting.takesNumber()) return value.get<double>();
-  if (value.is_string() && (setting.kind == Kind::Text || setting.takesChoice())) return value.get<std::string>();
+  if (value.is_string() && (setting.kind == Kind::Text || setting.kind == Kind::Mask || setting.takesChoice()))
+    return value.get<std::string>();
   if (const auto vector = vectorFrom(value); vector && setting.takesVector()) return *vector;
   if (const auto lamps = lampsFrom(value); lamps && setting.kind == Kind::Lamps) return *lamps;
   return {};

@@ -63,7 +63,7 @@ std::optional<SettingValue> valueFrom(const Setting& setting, std::span<const st
     if (text != "on" && text != "off") return {};
     return text == "on";
   }
-  if (setting.takesChoice() && checkValue(setting, text)) return text;
+  if ((setting.takesChoice() || setting.kind == Kind::Mask) && checkValue(setting, text)) return text;
   if (const auto vector = vectorFrom(text); vector && setting.takesVector()) return *vector;
   if (const auto number = numberFrom(text); number && setting.takesNumber()) return *number;
   return {};

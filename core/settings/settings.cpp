@@ -47,6 +47,10 @@ std::vector<std::string> buildPoseNames() {
   return namesOf(3, [](int i) { return buildPoseName(static_cast<BuildPose>(i)); });
 }
 
+std::vector<std::string> modulePatternNames() {
+  return namesOf(5, [](int i) { return modulePatternName(static_cast<ModulePattern>(i)); });
+}
+
 std::size_t indexIn(const std::vector<std::string>& names, const V& value) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
 }
@@ -206,6 +210,30 @@ Setting eci() {
   Setting setting = choice(
       "eci", "symbol", [](auto& r) -> auto& { return r.code.symbol.eci; },
       [] { return namesOf(2, [](int i) { return eciUseName(static_cast<EciUse>(i)); }); });
+  return setting;
+}
+
+/// Makes the setting for the pattern, which also drops a pattern of one's own. This comes later in the list.
+Setting pattern() {
+  Setting setting = choiceOrAuto(
+      "pattern", "depth", [](auto& r) -> auto& { return r.code.modulePattern; }, [] { return modulePatternNames(); });
+  setting.write = [](R& r, const V& v) {
+    const std::vector<std::string> names = modulePatternNames();
+    r.code.ownPattern.reset();
+    r.code.modulePattern.reset();
+    if (std::get<std::string>(v) != "auto") r.code.modulePattern = static_cast<ModulePattern>(indexIn(names, v));
+  };
+  return setting;
+}
+
+Setting patternMask() {
+  Setting setting = made("patternMask", "depth", Kind::Mask);
+  setting.mayBeEmpty = true;
+  setting.read = [](const R& r) -> V { return r.code.ownPattern ? V(moduleMaskText(*r.code.ownPattern)) : V(); };
+  setting.write = [](R& r, const V& v) {
+    r.code.ownPattern.reset();
+    if (const std::string* text = std::get_if<std::string>(&v)) r.code.ownPattern = moduleMaskFromText(*text);
+  };
   return setting;
 }
 
@@ -383,9 +411,8 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
       toggle(
           "keepPreset", "depth", [](auto& r) -> auto& { return r.depth.keepPreset; }),
-      choiceOrAuto(
-          "pattern", "depth", [](auto& r) -> auto& { return r.code.modulePattern; },
-          [] { return namesOf(5, [](int i) { return modulePatternName(static_cast<ModulePattern>(i)); }); }),
+      pattern(),
+      patternMask(),
       choiceOrAuto(
           "finderPattern", "depth", [](auto& r) -> auto& { return r.code.finderPattern; },
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),

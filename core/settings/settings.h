@@ -21,8 +21,8 @@ struct MarkRequest;
 struct PlacementRequest;
 struct PrinterRequest;
 
-/// Value of a setting: nothing (other settings then decide), a switch, a number, a text or the name of a choice, a
-/// vector, or lamps.
+/// Value of a setting: nothing (other settings then decide), a switch, a number, a text, a mask or the name of a
+/// choice, a vector, or lamps.
 using SettingValue = std::variant<std::monostate, bool, double, std::string, Vec3, std::vector<DirectionalLight>>;
 
 /// A part of a request that the user can set. Its words (label, help, names of choices) are in
@@ -36,6 +36,7 @@ struct Setting {
     ChoiceOrNumber,  ///< the name of a choice, or a number within the range
     ChoiceOrVector,
     Vector,
+    Mask,  ///< the carved submodules of a module: qr/module_pattern.h
     Lamps  ///< a list of lamps, see lampParts()
   };
 

@@ -161,8 +161,10 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   }
   if (wasPrinted || isTooFine) addLargerCode(request, result, leastModuleMm, remedies);
   if (isTooFine) {
-    if (request.code.modulePattern && request.code.modulePattern != ModulePattern::ThickPlus) {
-      const char* pattern = request.code.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
+    if (request.code.ownPattern ||
+        (request.code.modulePattern && request.code.modulePattern != ModulePattern::ThickPlus)) {
+      const bool isThin = !request.code.ownPattern && request.code.modulePattern == ModulePattern::ThinPlus;
+      const char* pattern = isThin ? "square" : "thick-plus";
       remedies.push_back(
           {message<"remedy-pattern">(with::choice<"pattern">("pattern", pattern)), {{"pattern", pattern}}});
     }

@@ -224,7 +224,7 @@ double printableNozzleMm(const CarvedFeatures& features) {
 
 double printableLayerMm(const CarvedFeatures& features) { return features.leastDepthMm / kMinDepthLayers; }
 
-double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
+double leastPrintableModuleMm(const Symbol& symbol, const ModuleMask& modules, FinderPattern finders,
                               const Printer& printer) {
   const SubmoduleMask mask = submodulesToCarve(symbol, modules, finders);
   const std::vector<double> depths(mask.size(), kAnyDepthMm);

@@ -52,7 +52,7 @@ double printableLayerMm(const CarvedFeatures& features);
 
 /// Returns the least module width of a symbol without a printing warning, mm, to a hundredth. Needs no carving.
 /// @param printer  with a nozzle between 0 and 1000 mm
-double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
+double leastPrintableModuleMm(const Symbol& symbol, const ModuleMask& modules, FinderPattern finders,
                               const Printer& printer);
 
 }  // namespace qrelief

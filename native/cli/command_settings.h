@@ -9,9 +9,9 @@ namespace qrelief {
 // and docs/options.md lists them.
 
 inline constexpr std::array<const char*, 2> kPlaceGroups = {"symbol", "placement"};
-inline constexpr std::array<const char*, 12> kPlaceKeys = {"mark",      "markDepthMm", "pattern", "finderPattern",
-                                                           "minWallMm", "light",       "label",   "frame",
-                                                           "process",   "nozzleMm",    "layerMm", "buildUp"};
+inline constexpr std::array<const char*, 13> kPlaceKeys = {
+    "mark",  "markDepthMm", "pattern", "patternMask", "finderPattern", "minWallMm", "light",
+    "label", "frame",       "process", "nozzleMm",    "layerMm",       "buildUp"};
 
 inline constexpr std::array<const char*, 2> kVerifyGroups = {"symbol", "printing"};
 // The report can supply these:

@@ -11,8 +11,9 @@ namespace qrelief {
 namespace {
 
 // Settings that MarkRequest::mark says have no effect on a mark.
-constexpr std::array kOfShadows = {"preset",    "keepPreset", "pattern",    "finderPattern", "contrast", "carveFor",
-                                   "objective", "solver",     "maxDepthMm", "light",         "albedo",   "surface"};
+constexpr std::array kOfShadows = {"preset",   "keepPreset", "pattern",   "patternMask", "finderPattern",
+                                   "contrast", "carveFor",   "objective", "solver",      "maxDepthMm",
+                                   "light",    "albedo",     "surface"};
 constexpr std::array kOfCodes = {"ecc", "version", "mask", "eci", "quietZone"};
 constexpr std::array kOfColours = {"markDepthMm", "darkReflectance", "lightReflectance"};
 

@@ -19,7 +19,7 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
 /**
  * @typedef {object} Setting
  * @property {string} group
- * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
+ * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'mask' | 'lamps'} kind
  * @property {UnitName} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
@@ -50,6 +50,8 @@ const char* nameOf(Setting::Kind kind) {
       return "choice-or-vector";
     case Setting::Kind::Vector:
       return "vector";
+    case Setting::Kind::Mask:
+      return "mask";
     case Setting::Kind::Lamps:
       break;
   }

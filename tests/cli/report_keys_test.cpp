@@ -152,7 +152,9 @@ TEST_F(ReportKeys, OfEngravingAndVerifyingAreDocumented) {
   collect(engrave(at({"--mark", "paint", "--process", "none"})), "", engraved);
   collect(engrave(at({"--mark", "inlay", "--build-up", "code-up"})), "", engraved);
   collect(verify("out.3mf", {"--quick"}), "", verified);
-  collect(engrave(at({"--process", "none"}), "out.stl", "Gr\u00FC\u00DFe"), "", engraved);
+  collect(engrave(at({"--process", "none", "--pattern-mask", "00100/01110/11111/01110/00100"}), "out.stl",
+                  "Gr\u00FC\u00DFe"),
+          "", engraved);
   collect(engrave(at({"--content", "text"}), "out.stl", "Rev B"), "", engraved);
   collect(verify("out.stl"), "", verified);
   plate_ = writeModel("thin.stl", shapes::plate({60, 60}, 0.7, 4, 4));

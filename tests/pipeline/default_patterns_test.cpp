@@ -67,12 +67,13 @@ TEST_F(DefaultPatternsTest, KeepsExplicitSettings) {
 }
 
 TEST_F(DefaultPatternsTest, AnExplicitPatternOrAnotherSolverHasPatternedFinders) {
-  std::vector<EngraveRequest> others(5, request_);
+  std::vector<EngraveRequest> others(6, request_);
   others[0].code.modulePattern = ModulePattern::Diamond;
   others[1].code.finderPattern = FinderPattern::Diamond;
   others[2].depth.lights = {DirectionalLight{}};
   others[3].depth.solver = ContrastSolver::PaperSteps;
   others[4].depth.objective = DepthObjective::OneLight;
+  others[5].code.ownPattern = ModulePattern::Square;
   for (const EngraveRequest& other : others) {
     const EngraveRequest carved = withDefaultPatterns(other, kModuleMm);
     EXPECT_EQ(carved.code.modulePattern, other.code.modulePattern.value_or(ModulePattern::ThickPlus));
@@ -92,6 +93,8 @@ TEST_F(DefaultPatternsTest, TheSmallestPrintableModuleFollowsThePatternElseThick
   EXPECT_EQ(leastPrintableModuleMm(symbol_, request_), thickPlus);
   request_.code.modulePattern = ModulePattern::Square;
   EXPECT_GT(leastPrintableModuleMm(symbol_, request_), thickPlus);
+  request_.code.ownPattern = ModulePattern::ThickPlus;
+  EXPECT_EQ(leastPrintableModuleMm(symbol_, request_), thickPlus);
 }
 
 }  // namespace

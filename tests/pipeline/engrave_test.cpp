@@ -256,6 +256,22 @@ TEST_F(EngraveTest, EveryPatternMakesASolid) {
   }
 }
 
+TEST_F(EngraveTest, APatternOfOnesOwnMakesASolid) {
+  const auto model = upload(shapes::bumpySphere(40, 1, 4, 5));
+  for (const char* mask : {"10101/01010/10101/01010/10101", "11111/10001/10101/10001/11111"}) {
+    EngraveRequest engraving = request({0, 0, 40}, 25);
+    engraving.code.ownPattern = moduleMaskFromText(mask);
+    engraving.code.finderPattern = FinderPattern::AsModules;
+    const auto result = engrave(model, engraving);
+    ASSERT_TRUE(result.has_value()) << result.error().message;
+    EXPECT_TRUE(result->solidity.solid()) << mask << " " << testing::PrintToString(result->solidity.problems());
+    const SubmoduleMask expected =
+        submodulesToCarve(result->symbol, *engraving.code.ownPattern, FinderPattern::AsModules);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      ASSERT_TRUE(expected[k] || result->depths.depthMm[k] == 0) << mask << " " << k;
+  }
+}
+
 TEST_F(EngraveTest, ACodeOverAnEdgeIsViewedFromBetweenItsFaces) {
   const auto result = engrave(upload(shapes::box({80, 80, 80})), request({40, 0, 40}, 20));
   ASSERT_TRUE(result.has_value()) << result.error().message;

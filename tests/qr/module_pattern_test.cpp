@@ -91,6 +91,31 @@ TEST(ModulePattern, CarvesItsShareOfEveryDarkModule) {
   }
 }
 
+TEST(ModuleMask, CarvesAPatternOfOnesOwn) {
+  const auto mask = moduleMaskFromText("10000/11000/00100/00011/01010");
+  ASSERT_TRUE(mask);
+  const Symbol symbol = exampleSymbol();
+  const Lines own = {"#....", "##...", "..#..", "...##", ".#.#."};
+  EXPECT_EQ(picture(submodulesToCarve(symbol, *mask, FinderPattern::None), 6, 8, 1, 1), own);
+  EXPECT_EQ(picture(submodulesToCarve(symbol, *mask, FinderPattern::None), 0, 0, 1, 1), Lines(5, "#####"));
+  EXPECT_EQ(picture(submodulesToCarve(symbol, *mask, FinderPattern::AsModules), 0, 0, 1, 1), own);
+}
+
+TEST(ModuleMask, ReadsBackWhatItWrote) {
+  for (const char* text : {"10000/11000/00100/00011/01010", "01111/11111/11111/11111/11111"})
+    EXPECT_EQ(moduleMaskText(moduleMaskFromText(text).value_or(ModulePattern::None)), text);
+  EXPECT_EQ(moduleMaskText(ModulePattern::Diamond), "00100/01110/11111/01110/00100");
+  EXPECT_EQ(moduleMaskFromText("00100/01110/11111/01110/00100"), ModuleMask(ModulePattern::Diamond));
+}
+
+TEST(ModuleMask, RefusesEverythingButFiveRowsWithBothKinds) {
+  for (const char* text :
+       {"", "1", "00100/01110/11111/01110", "00100/01110/11111/01110/00100/", "0010001110111110111000100",
+        "00100/01110/11111/01110/0010 ", "00100/01110/11121/01110/00100", "00100-01110-11111-01110-00100",
+        "0010/001110/11111/01110/00100", "00000/00000/00000/00000/00000", "11111/11111/11111/11111/11111"})
+    EXPECT_FALSE(moduleMaskFromText(text)) << text;
+}
+
 TEST(FinderPattern, TreatsEveryModuleTheSameWithoutFinderPatterns) {
   const Symbol symbol = exampleSymbol();
   for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {

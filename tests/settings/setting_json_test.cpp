@@ -73,6 +73,7 @@ std::vector<EngraveRequest> unusualRequests() {
   std::vector<EngraveRequest> all(3, defaultRequest());
   for (const Setting& setting : settings()) {
     if (setting.kind == Setting::Kind::Text) setting.write(all[0], "grüezi \"☕\"\n");
+    if (setting.kind == Setting::Kind::Mask) setting.write(all[0], "11111/10001/10001/10001/11111");
     if (setting.kind == Setting::Kind::Switch) setting.write(all[0], !std::get<bool>(setting.read(defaultRequest())));
     if (setting.takesChoice()) setting.write(all[0], setting.choices.back());
     if (setting.takesNumber()) {
@@ -102,6 +103,8 @@ TEST(SettingJson, RefusesASettingOfTheWrongKindByNameAndValue) {
   const std::tuple<const char*, const char*, const char*> cases[] = {
       {R"({"ecc": "X"})", "setting-no-choice", R"(--ecc is "X")"},
       {R"({"preset": "deep"})", "setting-no-choice", R"(--preset is "deep")"},
+      {R"({"patternMask": "11111"})", "setting-no-mask", R"(--pattern-mask is "11111")"},
+      {R"({"patternMask": 11111})", "setting-no-mask", "--pattern-mask is 11111"},
       {R"({"size": "huge"})", "setting-no-choice-or-number", R"(--size is "huge")"},
       {R"({"size": true})", "setting-no-choice-or-number", "--size is true"},
       {R"({"mask": "first"})", "setting-no-choice-or-number", R"(--mask is "first")"},

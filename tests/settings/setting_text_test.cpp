@@ -18,6 +18,8 @@ TEST(SettingText, ReadsEveryKindFromTypedText) {
   EXPECT_EQ(valueOf("minWallMm", {"1.5"}).value(), SettingValue(1.5));
   EXPECT_EQ(valueOf("minWallMm", {"-3"}).value(), SettingValue(-3.0)) << "ranges are checked elsewhere";
   EXPECT_EQ(valueOf("pattern", {"thin-plus"}).value(), SettingValue("thin-plus"));
+  EXPECT_EQ(valueOf("patternMask", {"11111/10001/10001/10001/11111"}).value(),
+            SettingValue("11111/10001/10001/10001/11111"));
   EXPECT_EQ(valueOf("size", {"35"}).value(), SettingValue(35.0));
   EXPECT_EQ(valueOf("size", {"best"}).value(), SettingValue("best"));
   EXPECT_EQ(valueOf("direction", {"pca"}).value(), SettingValue("pca"));
@@ -34,6 +36,7 @@ TEST(SettingText, RefusesAnythingElseAndQuotesIt) {
       {"minWallMm", {"nan"}, "setting-no-number"},
       {"minWallMm", {"inf"}, "setting-no-number"},
       {"pattern", {"dots"}, "setting-no-choice"},
+      {"patternMask", {"00100/01110/00100"}, "setting-no-mask"},
       {"size", {"large"}, "setting-no-choice-or-number"},
       {"direction", {"1,2"}, "setting-no-choice-or-vector"},
       {"direction", {"1,2,3,4"}, "setting-no-choice-or-vector"},

@@ -16,6 +16,8 @@ using testing::HasSubstr;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+const std::string kOwnMask = "00100/01110/11111/01110/00101";
+
 /// Returns the error code of the default request with this value; empty if it is valid.
 std::string codeOf(const Setting& setting, const SettingValue& value) {
   EngraveRequest request = defaultRequest();
@@ -58,6 +60,7 @@ TEST(SettingsTable, EachReadsBackWhatItWrote) {
   for (const Setting& setting : settings()) {
     std::vector<SettingValue> values;
     if (setting.kind == Setting::Kind::Text) values.emplace_back(std::string("grüezi"));
+    if (setting.kind == Setting::Kind::Mask) values.emplace_back(kOwnMask);
     if (setting.kind == Setting::Kind::Switch) values.emplace_back(true), values.emplace_back(false);
     if (setting.takesNumber()) values.emplace_back(setting.min), values.emplace_back(setting.max);
     if (setting.takesVector()) values.emplace_back(Vec3(1, -2, 3));
@@ -122,6 +125,7 @@ TEST(SettingsTable, RefusesValuesOfAnotherKind) {
   EXPECT_EQ(checkValue(*findSetting("contrast"), std::string("high")).error().message.code, "setting-no-number");
   EXPECT_EQ(checkValue(*findSetting("layerMm"), {}).error().message.code, "setting-no-number");
   EXPECT_EQ(checkValue(*findSetting("pattern"), std::string("dots")).error().message.code, "setting-no-choice");
+  EXPECT_EQ(checkValue(*findSetting("patternMask"), std::string("dots")).error().message.code, "setting-no-mask");
   EXPECT_EQ(checkValue(*findSetting("size"), std::string("fixed")).error().message.code, "setting-no-choice-or-number");
   EXPECT_EQ(checkValue(*findSetting("quietZone"), 1.0).error().message.code, "setting-no-switch");
 }
@@ -184,6 +188,17 @@ TEST(SettingsTable, AProcessSetsNozzleAndLayerUnlessTheyAreGiven) {
   findSetting("process")->write(request, std::string("none"));
   EXPECT_FALSE(request.print.process);
   EXPECT_EQ(request.print.printer.nozzleMm, 0.25);
+}
+
+TEST(SettingsTable, APatternReplacesAPatternOfOnesOwnUnlessThatIsGiven) {
+  EngraveRequest request = defaultRequest();
+  findSetting("pattern")->write(request, std::string("square"));
+  findSetting("patternMask")->write(request, kOwnMask);
+  EXPECT_EQ(request.code.modules(), moduleMaskFromText(kOwnMask));
+  EXPECT_EQ(findSetting("pattern")->read(request), SettingValue(std::string("square")));
+  apply({"pattern", "diamond"}, request);
+  EXPECT_EQ(request.code.modules(), ModuleMask(ModulePattern::Diamond));
+  EXPECT_EQ(findSetting("patternMask")->read(request), SettingValue());
 }
 
 TEST(SettingsTable, RefusesAnImpossiblePrinter) {

@@ -38,9 +38,9 @@ EngraveResult carved(const EngraveRequest& request, double symbolMm, double dept
   EngraveResult result;
   result.mesh = shapes::box({60, 60, 20});
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
-  const SubmoduleMask mask =
-      submodulesToCarve(result.symbol, request.code.modulePattern.value_or(ModulePattern::ThickPlus),
-                        request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
+  const SubmoduleMask mask = submodulesToCarve(
+      result.symbol, request.code.ownPattern.value_or(request.code.modulePattern.value_or(ModulePattern::ThickPlus)),
+      request.code.finderPattern.value_or(FinderPattern::ThickPlusSharp));
   result.depths = {mask.rows(), symbolMm, {}};
   for (const std::uint8_t one : mask) result.depths.depthMm.push_back(one ? depthMm : 0);
   result.placement.symbolMm = symbolMm;
@@ -169,6 +169,9 @@ TEST_F(VerdictTest, PrintingRemediesAreTheFirstCommonOnesThatWouldDo) {
   EXPECT_EQ(verdict.prints.level, Level::Barely);
   EXPECT_TRUE(verdict.prints.passed());
   EXPECT_THAT(settingsOf(verdict.prints.remedies), ElementsAre("size=best", "pattern=thick-plus", "nozzleMm=0.3", ""));
+  request_.code.ownPattern = ModulePattern::Square;
+  request_.code.modulePattern.reset();
+  EXPECT_THAT(settingsOf(judged(72, 21 * 0.7).prints.remedies), testing::Contains("pattern=thick-plus"));
   const Verdict shallow = judged(72, 40, 0.15);  // one and a half layers of 0.1 mm
   EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", ""));
 }

@@ -42,6 +42,7 @@
  * @property {'shallow' | 'balanced' | 'robust'} [preset]   target darkness of the code
  * @property {boolean} [keepPreset]
  * @property {ModulePattern} [pattern]
+ * @property {string} [patternMask]               five rows of submodules in place of `pattern`, 1 is carved: '00100/…'
  * @property {FinderPattern} [finderPattern]
  * @property {number} [contrast]                   overrides the preset's
  * @property {'design' | 'print'} [carveFor]

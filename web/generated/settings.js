@@ -4,7 +4,7 @@
 /**
  * @typedef {object} Setting
  * @property {string} group
- * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
+ * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'mask' | 'lamps'} kind
  * @property {UnitName} [unit]
  * @property {number} [min]          of a number, inclusive
  * @property {number} [max]
@@ -17,7 +17,7 @@
  * @property {number} [most]         lamps
  */
 
-/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'patternMask' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 /** @typedef {'mm' | 'deg' | 'skies'} UnitName */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
@@ -35,6 +35,7 @@ export const kSettings = {
   preset: {"group":"depth","kind":"choice","choices":["shallow","balanced","robust"],"default":"balanced"},
   keepPreset: {"group":"depth","kind":"switch","default":false},
   pattern: {"group":"depth","kind":"choice","choices":["auto","none","square","thin-plus","diamond","thick-plus"],"default":"auto"},
+  patternMask: {"group":"depth","kind":"mask","mayBeEmpty":true,"default":null},
   finderPattern: {"group":"depth","kind":"choice","choices":["auto","none","as-modules","diamond","thick-plus","thick-plus-sharp"],"default":"auto"},
   contrast: {"group":"depth","kind":"number","min":0.01,"max":0.99,"step":0.01,"mayBeEmpty":true,"default":null},
   carveFor: {"group":"depth","kind":"choice","choices":["design","print"],"default":"print"},

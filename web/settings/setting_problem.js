@@ -23,10 +23,15 @@ export function settingProblem(key, value) {
   const { kind, choices = [] } = kSettings[key];
   if (typeof value === 'number' && (kind === 'number' || kind === 'choice-or-number')) return numberProblem(key, value);
   if (kind === 'lamps' && areLamps(value)) return lampsProblem(key, value);
+  if (kind === 'mask' && isMask(value)) return undefined;
   if ((kind === 'vector' || kind === 'choice-or-vector') && isPoint(value)) return vectorProblem(key, value);
   if (kind === 'text' ? typeof value === 'string' : choices.includes(/** @type {string} */ (value))) return undefined;
   return kind === 'switch' && typeof value === 'boolean' ? undefined : wrongKind(key, value);
 }
+
+/** Tells whether a value is a mask: five rows of five, with a 0 and a 1. @param {unknown} value */
+const isMask = (value) =>
+  typeof value === 'string' && /^[01]{5}(\/[01]{5}){4}$/.test(value) && value.includes('0') && value.includes('1');
 
 /** @param {unknown} value @returns {value is [number, number, number]} */
 export const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
@@ -100,6 +105,8 @@ function wrongKind(key, value) {
       return message('setting-no-choice-or-number', { setting, found, choices });
     case 'choice-or-vector':
       return message('setting-no-choice-or-vector', { setting, found, choices });
+    case 'mask':
+      return message('setting-no-mask', { setting, found });
     case 'vector':
       return message('setting-no-vector', { setting, found });
     default:

@@ -44,6 +44,9 @@ test('A value of another kind is refused with what was found', () => {
     ['preset', 'deep', 'setting-no-choice'],
     ['pattern', ['square'], 'setting-no-choice'],
     ['ecc', null, 'setting-no-choice'],
+    ['patternMask', '11111/11111/11111/11111/11111', 'setting-no-mask'],
+    ['patternMask', '00100/01110', 'setting-no-mask'],
+    ['patternMask', 11111, 'setting-no-mask'],
     ['nozzleMm', '0.4', 'setting-no-number'],
     ['size', 'huge', 'setting-no-choice-or-number'],
     ['direction', [0, 0, 1, 2], 'setting-no-choice-or-vector'],
@@ -54,6 +57,10 @@ test('A value of another kind is refused with what was found', () => {
     assert.equal(codeOf(key, value), code, `${key} ${value}`);
   const found = settingProblem('preset', 'x'.repeat(1000))?.values.found;
   assert.deepEqual(found, { term: `"${'x'.repeat(38)}…` });
+});
+
+test('A mask of both kinds of submodules is accepted', () => {
+  assert.equal(settingProblem('patternMask', '00100/01110/11111/01110/00100'), undefined);
 });
 
 test('A vector needs a length, and a choice may have one in its place', () => {

@@ -31,16 +31,17 @@ export const sameSettings = (a, b) =>
   keysOf({ ...a, ...b }).every((key) => settingText(a[key]) === settingText(b[key]));
 
 /**
- * Returns the settings after a change, with those that it also changes: a process sets its printer, and an objective
- * without lamps clears the lamps.
+ * Returns the settings after a change, with those that it also changes: a process sets its printer, a pattern clears a
+ * pattern of one's own, and an objective without lamps clears the lamps.
  * @param {WorkSettings} settings
  * @param {WorkSettings} change
  * @returns {WorkSettings}
  */
 export function settingsAfter(settings, change) {
   const printer = change.process === undefined ? {} : kProcesses[change.process];
+  const own = change.pattern === undefined ? {} : { patternMask: change.patternMask };
   const isDark = change.objective !== undefined && change.objective !== kOneLight;
-  return { ...settings, ...change, ...printer, ...(isDark && { light: undefined }) };
+  return { ...settings, ...change, ...printer, ...own, ...(isDark && { light: undefined }) };
 }
 
 /**

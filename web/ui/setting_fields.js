@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Converts between settings and the texts in their controls. Most settings have one control; a fixed size has two, the
-// choice `fixed` and the number beside it, which otherwise is the largest size.
+// choice `fixed` and the number beside it, which otherwise is the largest size. So has a pattern of one's own: the choice
+// `own` and the grid below it.
 import { kSettings } from '../generated/settings.js';
 import { settingFrom, settingText } from '../settings/setting_text.js';
 
@@ -10,6 +11,10 @@ import { settingFrom, settingText } from '../settings/setting_text.js';
 
 /** The choice that reads its number from a field. */
 export const kFixed = 'fixed';
+
+/** The choice of a pattern that is drawn in its grid, and the pattern that the grid begins with: `thick-plus`. */
+export const kOwn = 'own';
+export const kFirstMask = '01110/11111/11111/11111/01110';
 
 /** Tells whether the size is a number, not a choice. @param {WorkSettings} settings */
 export const isSizeFixed = ({ size }) => typeof size === 'number';
@@ -21,6 +26,7 @@ export const isSizeFixed = ({ size }) => typeof size === 'number';
  */
 export function fieldText(key, settings) {
   if (isSizeFixed(settings) && key === 'size') return kFixed;
+  if (settings.patternMask && key === 'pattern') return kOwn;
   return settingText(settings[isSizeFixed(settings) && key === 'maxSizeMm' ? 'size' : key]);
 }
 
@@ -33,7 +39,9 @@ export function fieldText(key, settings) {
  */
 export function fieldChange(key, text, settings) {
   if (key === 'size' && text === kFixed) return { size: settings.maxSizeMm };
-  const change = { [key]: fieldValue(key, text) };
+  if (key === 'pattern' && text === kOwn) return { patternMask: kFirstMask };
+  // The change says so itself: it is shown while it is typed, before settingsAfter() completes it.
+  const change = { [key]: fieldValue(key, text), ...(key === 'pattern' && { patternMask: undefined }) };
   return key === 'maxSizeMm' && isSizeFixed(settings) ? { ...change, size: change.maxSizeMm } : change;
 }
 

@@ -3,8 +3,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { kLanguages, load } from '../i18n/locales.js';
-import { defaultsOf, keysOf } from '../settings/work_settings.js';
-import { fieldChange, fieldText, fieldValue } from './setting_fields.js';
+import { defaultsOf, keysOf, settingsAfter } from '../settings/work_settings.js';
+import { settingProblem } from '../settings/setting_problem.js';
+import { fieldChange, fieldText, fieldValue, kFirstMask, kOwn } from './setting_fields.js';
 
 /** @typedef {import('./setting_fields.js').FieldKey} FieldKey */
 
@@ -46,6 +47,16 @@ test('A fixed size is a choice and the number beside it, which else limits the s
   assert.deepEqual(fieldChange('size', 'free', fixed), { size: 'free' });
   assert.deepEqual(fieldChange('maxSizeMm', '21', free), { maxSizeMm: 21 });
   assert.deepEqual(fieldChange('maxSizeMm', '21', fixed), { maxSizeMm: 21, size: 21 });
+});
+
+test('A pattern of one’s own is a choice and the grid below it', () => {
+  const own = { ...kDefaults, patternMask: '11111/10001/10001/10001/11111' };
+  assert.equal(fieldText('pattern', own), kOwn);
+  assert.equal(fieldText('pattern', kDefaults), 'auto');
+  assert.deepEqual(fieldChange('pattern', kOwn, kDefaults), { patternMask: kFirstMask });
+  assert.equal(settingProblem('patternMask', kFirstMask), undefined);
+  assert.deepEqual(fieldChange('pattern', 'square', own), { pattern: 'square', patternMask: undefined });
+  assert.deepEqual(settingsAfter(own, fieldChange('pattern', 'square', own)), { ...kDefaults, pattern: 'square' });
 });
 
 test('The default lamp is the core’s', async () => {

@@ -3,13 +3,14 @@
 // reports the user's edits.
 import { kSettings } from '../generated/settings.js';
 import { onLanguage } from '../i18n/catalogue.js';
-import { choiceLabel, controlName, numberName, settingHint, valueName } from '../i18n/setting_names.js';
+import { choiceLabel, controlLabel, controlName, numberName, settingHint, valueName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
 import { settingFrom, settingText } from '../settings/setting_text.js';
 import { defaultsOf, kOneLight } from '../settings/work_settings.js';
 import { FilamentField } from './filament_field.js';
 import { LampsField } from './lamps_field.js';
-import { fieldChange, fieldText, fieldValue, isSizeFixed, kFixed } from './setting_fields.js';
+import { PatternField } from './pattern_field.js';
+import { fieldChange, fieldText, fieldValue, isSizeFixed, kFixed, kOwn } from './setting_fields.js';
 import { TypingPause } from './typing_pause.js';
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
@@ -30,6 +31,7 @@ export class SettingsForm {
     /** @type {SettingsListener | undefined} */ this.listener_ = undefined;
     this.lamps_ = new LampsField();
     this.filament_ = new FilamentField();
+    this.pattern_ = new PatternField();
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       prepare(control);
@@ -96,7 +98,8 @@ export class SettingsForm {
 
   /** Updates the label, the hint and the choice that depend on other controls. */
   follow_() {
-    const { objective, light, albedo } = this.settings_;
+    const { objective, light, albedo, patternMask } = this.settings_;
+    this.pattern_.show(patternMask);
     this.filament_.show(albedo);
     byId('size-mm-label', HTMLElement).textContent = isSizeFixed(this.settings_)
       ? numberName('size')
@@ -133,6 +136,7 @@ function numbersOf(key) {
 function choicesOf(key) {
   const { choices = [], kind } = kSettings[key];
   if (kind === 'vector') return ['', ...kAxes];
+  if (key === 'pattern') return [...choices, kOwn];
   return kind === 'choice-or-number' ? [...choices, ...numbersOf(key)] : choices;
 }
 
@@ -177,7 +181,11 @@ function name(control) {
   const hint = said && hintBelow(control); // some controls have a hint of the page's own
   if (hint) hint.textContent = said;
   if (!(control instanceof HTMLSelectElement)) return;
-  for (const option of control.options)
-    option.textContent =
-      option.value === kFixed ? choiceLabel(key, 'number') : valueName(key, fieldValue(key, option.value));
+  for (const option of control.options) option.textContent = optionName(key, option.value);
+}
+
+/** @param {FieldKey} key @param {string} value  of an option */
+function optionName(key, value) {
+  if (key === 'pattern' && value === kOwn) return controlLabel('patternMask');
+  return value === kFixed ? choiceLabel(key, 'number') : valueName(key, fieldValue(key, value));
 }
