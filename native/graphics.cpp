@@ -4,7 +4,7 @@
 namespace qrelief {
 
 Graphics Graphics::open() {
-  Graphics none{nullptr, nullptr, {"processor", {}, 0}};
+  Graphics none{nullptr, nullptr, {gl::kProcessorName, {}, 0}};
   auto context = EglContext::create(true);
   if (!context) return none;
   auto capabilities = gl::queryCapabilities();

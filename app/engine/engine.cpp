@@ -14,7 +14,7 @@ namespace qrelief {
 
 Engine::Engine(const std::string& renderer, bool hasGl) : hasGl_(hasGl) {
   if (!hasGl) {
-    gl_.renderer = "processor";
+    gl_.renderer = gl::kProcessorName;
     return;
   }
   const auto capabilities = gl::queryCapabilities();

@@ -112,6 +112,7 @@ void Inspector::drawTimings(const Engine& engine) {
     write("The times of stages and passes appear here after an engraving.");
     return;
   }
+  writeSoftly("Light: {}", result->litByShaders ? engine.gl().renderer : std::string(gl::kProcessorName));
   ImGui::Separator();
   const auto stages = result->timingsMs.all();
   double longest = 1;

@@ -147,6 +147,9 @@ class Program {
 /// Draws one triangle that covers the viewport, for programs with the vertex shader fullscreen.vert.
 void drawFullscreen();
 
+/// The renderer's name where no GL implementation is used.
+inline constexpr const char* kProcessorName = "processor";
+
 /// Capabilities of the current context.
 struct Capabilities {
   std::string renderer;

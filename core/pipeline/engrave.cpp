@@ -192,6 +192,7 @@ Result<std::unique_ptr<CarveJob>> CarveJob::create(std::shared_ptr<const Engrava
   state->layout = {state->symbol.size};
   state->measured = known.measured;
   state->device = known.device;
+  state->result.litByShaders = state->model->usesShaders(known.device);
   state->makeOwnSearch = known.makeSearch;
   assert(!state->makeOwnSearch || !state->request.isForPrint());
   if (known.placed)

@@ -78,6 +78,7 @@ struct EngraveResult {
   SolidityReport inlaySolidity;     ///< report on the inlay
   ReaderView readerView;            ///< the code as a phone sees it
   ReaderViewOptions readerOptions;  ///< options used to draw it
+  bool litByShaders = false;        ///< shaders computed the light on the code; otherwise the processor did
   SearchRecord search;              ///< if requested
   StageTimings timingsMs;
 };

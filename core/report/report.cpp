@@ -262,7 +262,8 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   report["timingsMs"]["write"] = context.writeMs;
   report["timingsMs"]["total"] = context.totalMs;
   if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
-  report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
+  report["gl"] = {{"renderer", result.litByShaders ? context.gl.renderer : gl::kProcessorName},
+                  {"version", result.litByShaders ? context.gl.version : ""}};
   // Text that is not UTF-8 (a file name, say) must not make the report fail.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -30,7 +30,7 @@ struct ReportContext {
   std::string reader;                      ///< name of the decoder, "ZXing-C++ 1.4.0"
   std::optional<Preset> askedPreset;       ///< the requested preset, if a deeper one was carved
   Wording wording;                         ///< wording of the messages
-  gl::Capabilities gl;
+  gl::Capabilities gl;                     ///< of the GL context; reported if its shaders computed the light
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
   double spotMs = 0;  ///< time to choose the centre, if none was given
 };

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/engine.h"
+#include "gl/objects.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "pipeline/verify.h"
@@ -278,6 +279,18 @@ TEST_F(EngineCarvingsTest, FillsThePocketsOfAShadowOnlyInAFileOfTwoColours) {
   EXPECT_LT(carved, 60 * 50 * 20 - 10);
   EXPECT_NEAR(volumeMm3("3mf-inlay"), 60 * 50 * 20, 0.1);
   EXPECT_EQ(volumeMm3("3mf"), carved);
+}
+
+TEST_F(EngineCarvingsTest, ReportsWhatLitTheCode) {
+  const std::string renderer = gl::rendererName();
+  const auto reported = [&] { return Json::parse(engine_->report())["gl"]; };
+  carve("by the faster one");
+  EXPECT_EQ(reported()["renderer"], gl::isSoftware(renderer) ? "processor" : renderer);
+  EXPECT_EQ(reported()["version"] == "", gl::isSoftware(renderer));
+  engine_->timePasses(false);  // only shaders have passes
+  carve("by shaders");
+  EXPECT_EQ(reported()["renderer"], renderer);
+  EXPECT_NE(reported()["version"], "");
 }
 
 TEST_F(EngineCarvingsTest, FilesOfABatchAreThoseThatTheCommandWrites) {
