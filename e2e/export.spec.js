@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The downloads next to the carved model, and loading saved settings.
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
 import { saddleFile } from './support/models.js';
 import { poll } from './support/poll.js';
+import { filesOf } from './support/three_mf.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
+const kCommand = fileURLToPath(new URL('../build/release/bin/qrelief', import.meta.url));
 const kText = 'https://example.org/Grüße?a=1&b=<2>';
 
 /**
@@ -45,6 +50,22 @@ async function screenshotOf(page, bytes, type) {
   const png = await other.locator('img').screenshot();
   await other.close();
   return png;
+}
+
+/**
+ * Returns the arrays of 32-bit floats in an NPZ file, by the names of their files.
+ * @param {Uint8Array} npz
+ * @returns {Map<string, { shape: string, values: Float32Array }>}
+ */
+function numpyArrays(npz) {
+  const arrays = [...filesOf(npz)].map(([file, npy]) => {
+    const begin = 10 + npy.readUInt16LE(8);
+    const [, shape] =
+      /'descr': '<f4', 'fortran_order': False, 'shape': \((.*)\)/.exec(npy.toString('latin1', 10, begin)) ?? [];
+    const values = new Float32Array(new Uint8Array(npy.subarray(begin)).buffer);
+    return /** @type {const} */ ([file, { shape, values }]);
+  });
+  return new Map(arrays);
 }
 
 test('The symbol as SVG and PNG decodes, and its file names the content', async ({ page }) => {
@@ -169,4 +190,27 @@ test('A dropped settings file and a shared link restore the settings', async ({ 
     }
     await expect(app.engraveButton).toBeEnabled();
   });
+});
+
+test('The maps are the arrays that the command writes', async ({ page }, testInfo) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await app.engrave();
+  const { name, bytes } = await app.download('Save maps (.npz)');
+  expect(name).toMatch(/^saddle-qr-.*-maps\.npz$/);
+  const report = await app.report();
+
+  const [model, maps] = [testInfo.outputPath('saddle.stl'), testInfo.outputPath('maps.npz')];
+  writeFileSync(model, await (await page.request.get('samples/saddle.stl')).body());
+  const at = `--at=${report.projection.centre.join(',')}`;
+  const out = testInfo.outputPath('carved.stl');
+  execFileSync(kCommand, ['engrave', model, '--text', report.text, at, '-o', out, '--maps', maps, '--quiet']);
+  const [ours, commands] = [numpyArrays(bytes), numpyArrays(readFileSync(maps))];
+  const shapes = (/** @type {typeof ours} */ arrays) => [...arrays].map(([file, { shape }]) => [file, shape]);
+  expect(shapes(ours)).toEqual(shapes(commands));
+  expect(ours.size).toBe(6);
+  const deepestMm = (/** @type {typeof ours} */ arrays) => Math.max(...(arrays.get('depth.npy')?.values ?? []));
+  expect(deepestMm(ours)).toBeCloseTo(report.depth.maxMm, 4);
+  expect(Math.abs(deepestMm(ours) - deepestMm(commands))).toBeLessThan(0.05);
 });

@@ -9,6 +9,7 @@
 #include "batch/manifest.h"
 #include "delivery/carved_file.h"
 #include "delivery/carved_objects.h"
+#include "delivery/maps_file.h"
 #include "engine/ink_seen.h"
 #include "engine/symbol_decal.h"
 #include "io/write_checked.h"
@@ -326,6 +327,13 @@ std::vector<NamedFile> Carvings::exportedFiles(const LoadedModel& model, const s
   auto encoded =
       encodeCarved(model.engravable->prepared, engraved.result, name, model.partNames, {.title = model.fileName});
   return encoded ? std::move(encoded->files) : std::vector<NamedFile>();
+}
+
+std::vector<std::uint8_t> Carvings::exportedMaps(const LoadedModel& model, int number) const {
+  if (!carving(number)) return {};
+  const EngraveResult& result = carving(number)->engraved->result;
+  if (result.request.code.isText()) return {};
+  return encodeMaps(*model.engravable, result).value_or(std::vector<std::uint8_t>());
 }
 
 const SearchRecord* Carvings::search() const {

@@ -99,6 +99,9 @@ class Carvings {
   /// See Engine::exportFiles. @param number  of a carving that is kept
   std::vector<NamedFile> exportedFiles(const LoadedModel& model, const std::string& name, int number) const;
 
+  /// See Engine::exportMaps. @param number  of a carving that is kept
+  std::vector<std::uint8_t> exportedMaps(const LoadedModel& model, int number) const;
+
   // For the inspector; all of it about the last attempt that was started.
   /// Measures the passes of every attempt that starts from now on, which shaders then make.
   /// @param withTimerQueries  none: measures nothing

@@ -167,6 +167,10 @@ class Engine {
   /// @param carving  as for exportModel()
   std::vector<NamedFile> exportFiles(const std::string& name, int carving = 0);
 
+  /// Writes the maps of the carving (delivery/maps_file.h). Empty before an engraving is done, and for a text alone.
+  /// @param carving  as for exportModel()
+  std::vector<std::uint8_t> exportMaps(int carving = 0);
+
   /// Adds the current carving to the plate. A plate holds copies of the model, each with a different code.
   /// @param place   from 0
   /// @param id      the copy's name

@@ -120,6 +120,11 @@ std::vector<NamedFile> Engine::exportFiles(const std::string& name, int carving)
   return model_ ? carvings_.exportedFiles(*model_, name, number) : std::vector<NamedFile>();
 }
 
+std::vector<std::uint8_t> Engine::exportMaps(int carving) {
+  const int number = carving > 0 ? carving : carvings_.number();
+  return model_ ? carvings_.exportedMaps(*model_, number) : std::vector<std::uint8_t>();
+}
+
 std::string Engine::addToPlate(int place, const std::string& id, int copies) {
   if (!carvings_.result()) return answer(kNoResult);
   const auto size = [](int count) { return static_cast<std::size_t>(std::max(count, 0)); };

@@ -89,6 +89,10 @@ export const kOfTheCarving = {
     const [download] = await Promise.all([page.waitForEvent('download'), press('save-report')]);
     expect(download.suggestedFilename()).toMatch(/\.json$/);
   },
+  'save-maps': async ({ page, press }) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), press('save-maps')]);
+    expect(download.suggestedFilename()).toMatch(/-maps\.npz$/);
+  },
   'download-previous': async ({ app, at, page, press }) => {
     const [download] = await Promise.all([page.waitForEvent('download'), press('download')]);
     await at('text').fill('carved anew');

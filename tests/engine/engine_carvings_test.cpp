@@ -7,6 +7,7 @@
 #include "gl/objects.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "io/zip_archive.h"
 #include "pipeline/verify.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -291,6 +292,27 @@ TEST_F(EngineCarvingsTest, ReportsWhatLitTheCode) {
   carve("by shaders");
   EXPECT_EQ(reported()["renderer"], renderer);
   EXPECT_NE(reported()["version"], "");
+}
+
+TEST_F(EngineCarvingsTest, WritesTheMapsOfACarvedCode) {
+  EXPECT_TRUE(engine_->exportMaps().empty());
+  const int first = carve("maps");
+  const std::vector<std::uint8_t> npz = engine_->exportMaps();
+  const auto archive = ZipArchive::open(npz);
+  ASSERT_TRUE(archive.has_value());
+  for (const char* name : {"normal", "height", "luminance", "depth", "pass_depth", "pass_luminance"})
+    EXPECT_TRUE(archive->find(std::string(name) + ".npy")) << name;
+  const Json report = Json::parse(engine_->report());
+  const std::string passes = report["depth"]["iterations"].dump();
+  const auto npy = unpacked(*archive->find("pass_depth.npy"), std::uint64_t{1} << 30);
+  ASSERT_TRUE(npy.has_value());
+  EXPECT_NE(std::string(npy->begin(), npy->end()).find("'shape': (" + passes + ", 105, 105)"), std::string::npos);
+
+  carve("other");
+  EXPECT_EQ(engine_->exportMaps(first), npz);
+  engine_->configure(R"({"text": "letters", "content": "text", "size": 30})");
+  ASSERT_GT(carveBy("{}"), 0);
+  EXPECT_TRUE(engine_->exportMaps().empty());
 }
 
 TEST_F(EngineCarvingsTest, FilesOfABatchAreThoseThatTheCommandWrites) {

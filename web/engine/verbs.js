@@ -85,6 +85,11 @@ export const kPageVerbs = {
    */
   jobMap: {},
   /**
+   * Returns the maps of a carving as NPZ; no bytes if there is none.
+   * @type {Verb<(carving: number) => Uint8Array<ArrayBuffer>>}
+   */
+  exportMaps: {},
+  /**
    * Reports the text that each try on the reading pictures decoded, '' if none, and the decoder's name.
    * @type {Verb<(texts: string[], reader: string) => import('./types.js').ReadingResult>}
    */

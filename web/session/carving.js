@@ -5,7 +5,7 @@ import { isFatal } from '../engine/engine_error.js';
 import { kReaderName, prepareReader, readEach } from '../decoder/reader.js';
 import { text } from '../i18n/catalogue.js';
 import { attemptWords, engravedWords } from './attempt_words.js';
-import { carvedSource, saveModel, saveReport } from './save_carving.js';
+import { carvedSource, saveMaps, saveModel, saveReport } from './save_carving.js';
 import { Signal } from './signal.js';
 import { tryViews } from './view_trials.js';
 import { sameWork, withChanges } from './work.js';
@@ -66,6 +66,7 @@ export class Carving {
     panel.listen({
       onDownload: (file) => guard(async () => this.carved && saveModel(client, this.carved, file)),
       onSaveReport: () => guard(async () => this.carved && saveReport(this.carved)),
+      onSaveMaps: () => guard(async () => this.carved && saveMaps(client, this.carved)),
       onAnother: () => guard(async () => this.carved && options.onAnother(await carvedSource(client, this.carved))),
       onPrint: (isOn) => this.print(isOn),
       onTryPrints: () => guard(() => this.tryPrints()),

@@ -52,6 +52,16 @@ export async function carvedSource(client, carved) {
   return { bytes, fileName: nameOf(carved, '3mf'), scaleToMm: 0, upAxis, credit };
 }
 
+/**
+ * Saves the maps of the surface, its light and every pass of the depth search.
+ * @param {Pick<import('../engine/client.js').EngineClient, 'exportMaps'>} client
+ * @param {Carved} carved
+ */
+export async function saveMaps(client, carved) {
+  const bytes = await client.exportMaps(carved.number);
+  saveFile(new Blob([bytes], { type: 'application/zip' }), nameOf(carved, 'npz', 'maps'));
+}
+
 /** @param {Carved} carved */
 export async function saveReport(carved) {
   await messageWords.load();

@@ -26,6 +26,7 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
  * @typedef {object} ResultListener
  * @property {(file: import('./download_choice.js').Download) => void} onDownload
  * @property {() => void} onSaveReport
+ * @property {() => void} onSaveMaps
  * @property {() => void} onAnother  another code on the result
  * @property {(remedy: Remedy, label: string) => void} onRemedy
  * @property {(starts: boolean) => void} onPrint  start or stop the simulation of the print
@@ -59,6 +60,7 @@ export class ResultPanel {
     };
     byId('another-code', HTMLButtonElement).addEventListener('click', () => this.listener_?.onAnother());
     byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
+    byId('save-maps', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveMaps());
     onLanguage(() => this.render_());
     this.render_();
   }
@@ -133,7 +135,7 @@ export class ResultPanel {
     }
     const { report, elapsedMs, printed } = this.result_;
     const { size, symbol } = report;
-    byId('grades', HTMLElement).hidden = symbol === null;
+    byId('grades', HTMLElement).hidden = byId('save-maps', HTMLElement).hidden = symbol === null;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else if (this.attempt_) showStep('check', 'warn', this.attempt_);

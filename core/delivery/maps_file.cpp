@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/maps_file.h"
+#include "delivery/maps_file.h"
 
 #include <bit>
 #include <cmath>
