@@ -111,3 +111,18 @@ test('A lamp that lights the spot unevenly is named before the carving', async (
   await app.setting('The code is seen in').selectOption('Even light');
   await expect(warning).toBeHidden();
 });
+
+test('With a fixed size, the map shows where it fits', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&size=20');
+  await app.expectReady();
+  await app.suggest();
+  const legend = page.getByLabel('Colours of the model');
+  await expect(legend).toContainText(/Room for a code of 20\smm, turned as you like\s*no\s*yes/);
+  const isNear =
+    (/** @type {number[]} */ colour) =>
+    (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) =>
+      Math.hypot(red - colour[0], green - colour[1], blue - colour[2]) < 60;
+  await poll(() => shareOf(app.canvas, isNear([253, 231, 37]))).toBeGreaterThan(0.01);
+  expect(await shareOf(app.canvas, isNear([68, 1, 84]))).toBeGreaterThan(0.01);
+});

@@ -94,9 +94,9 @@ class Engine {
   ///                 `carving`, `best`: numbers of the current carving and of the best one so far; 0: none. `changes`:
   ///                 [{setting, value}] of the attempt from the code as requested. If nothing can be carved, an error
   ///             "spots": returns {stage, fraction, done}; when done, also {spots: [{centre, sizeMm, aimToleranceDeg,
-  ///                 concerns: [message]}], topMm}. Best first, with the largest size
+  ///                 concerns: [message]}], topMm, fixedMm}. Best first, with the largest size
   ///                 there and the reasons why a code may not print or decode there; `topMm` is the size that has the
-  ///                 last colour of the map
+  ///                 last colour of the map, `fixedMm` the fixed size, whose map has two colours, or null
   ///             "settling": returns {done} or {done: true, code}; an error where no code fits
   ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
   ///                 is never started. Returns {done, depths}. There is nothing to do (done) while other work is
@@ -183,12 +183,13 @@ class Engine {
   void setTheme(bool dark) { scene_.setTheme(dark); }
   /// Shows or hides what `what` names, and leaves the rest as it is. Returns {topMm, deepestMm}: depth of the last
   /// colour and of the deepest pocket; 0 where nothing is carved.
-  /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, if they
-  ///              are known, "depths": true: carved depths as colours, "buildPlate": true: the printer's plate under
-  ///              the model in the pose in which it is printed, "construction": true: how the code was placed,
-  ///              "section": cuts the model open across the code, from top to bottom as its viewer sees it, at that
-  ///              offset from the code's middle in half edges of its square, -1 … 1; null: no section, "upAxis": the
-  ///              model's axis, "y" or "z", that points up in the view and along which the code's top points}
+  /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, or where
+  ///              the fixed size fits, if they are known, "depths": true: carved depths as colours, "buildPlate": true:
+  ///              the printer's plate under the model in the pose in which it is printed, "construction": true: how the
+  ///              code was placed, "section": cuts the model open across the code, from top to bottom as its viewer
+  ///              sees it, at that offset from the code's middle in half edges of its square, -1 … 1; null: no section,
+  ///              "upAxis": the model's axis, "y" or "z", that points up in the view and along which the code's top
+  ///              points}
   std::string show(const std::string& what);
   /// Shows the simulated print on the surface in place of the carved model, until the camera moves or another model is
   /// shown. BadUsage if nothing is engraved.

@@ -124,7 +124,9 @@ std::string Engine::advanceSpotSearch() {
   const Result<Progress> progress = offers_.advance();
   if (!progress) return answer(progress.error());
   if (!progress->done) return answer(*progress);
-  return answer(*progress, {{"spots", jsonOf(offers_)}, {"topMm", offers_.topMm()}});
+  const std::optional<double> fixed = offers_.fixedMm();
+  return answer(*progress,
+                {{"spots", jsonOf(offers_)}, {"topMm", offers_.topMm()}, {"fixedMm", fixed ? Json(*fixed) : Json()}});
 }
 
 std::string Engine::advanceSettling() {

@@ -44,18 +44,25 @@ void SpotOffers::finish() {
   topMm_ = std::max(kLeastTopMm, largest / outer);
 }
 
+std::optional<double> SpotOffers::fixedMm() const {
+  const PlacementRequest& asked = request_.placement;
+  return asked.sizeMode == SizeMode::Fixed ? std::optional(asked.sizeMm) : std::nullopt;
+}
+
 const std::shared_ptr<const GpuMesh>& SpotOffers::sizesDisplay() {
   if (sizesDisplay_ || job_ || !model_ || !model_->gpu) return sizesDisplay_;
   const double outer = request_.outerFactor();
+  if (const auto fixed = fixedMm()) {
+    sizesDisplay_ = std::make_shared<const GpuMesh>(fitMesh(model_->prepared.mesh, map_, *fixed * outer));
+    return sizesDisplay_;
+  }
   map_.sizeMm = countedSizes(map_, topMm_ * outer);
   sizesDisplay_ = std::make_shared<const GpuMesh>(
       heatMesh(model_->prepared.mesh, map_, request_.leastPrintableMm * outer, topMm_ * outer));
   return sizesDisplay_;
 }
 
-double SpotOffers::offeredMm(const Spot& spot) const {
-  return request_.placement.sizeMode == SizeMode::Fixed ? spot.largestMm : spot.symbolMm;
-}
+double SpotOffers::offeredMm(const Spot& spot) const { return fixedMm() ? spot.largestMm : spot.symbolMm; }
 
 void SpotOffers::forget() {
   job_.reset();

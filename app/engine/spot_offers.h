@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace qrelief {
 
-/// The best spots on a model for the wanted code, and a colour map of the largest sizes.
+/// The best spots on a model for the wanted code, and a colour map of the largest sizes, or of where a fixed size
+/// fits.
 class SpotOffers {
  public:
   /// Starts a search. Ends an earlier one.
@@ -27,7 +29,10 @@ class SpotOffers {
   const PlacementRequest& request() const { return request_.placement; }
   /// Returns the symbol size that has the last colour: the largest one.
   double topMm() const { return topMm_; }
-  /// Returns the colour map, which the first call makes; null before a search is done, and without a GL context.
+  /// Returns the size that was searched for; none: the largest one.
+  std::optional<double> fixedMm() const;
+  /// Returns the colour map, of the largest sizes or in two colours where the fixed size fits, which the first call
+  /// makes; null before a search is done, and without a GL context.
   const std::shared_ptr<const GpuMesh>& sizesDisplay();
 
   void forget();

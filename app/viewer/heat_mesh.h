@@ -13,4 +13,9 @@ namespace qrelief {
 /// @param topMm    size that is 1, > 0
 GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double topMm);
 
+/// Returns the model in two colours: 1 where the map has room for this size, 0 elsewhere. The sizes are smoothed as in
+/// heatMesh().
+/// @param sizeMm  > 0
+GpuMesh fitMesh(const Mesh& model, const SizeMap& map, double sizeMm);
+
 }  // namespace qrelief

@@ -271,6 +271,18 @@ TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
   EXPECT_EQ(Json::parse(engine_->setCentre(R"({"spot": 100})"))["error"]["values"]["index"]["count"], 100);
 }
 
+TEST_F(EngineTest, TellsTheFixedSizeThatTheMapShowsTheRoomFor) {
+  load(shapes::box({60, 50, 20}));
+  for (const char* size : {"25", "\"best\""}) {
+    engine_->configure(R"({"text": "https://example.org", "size": )" + std::string(size) + "}");
+    engine_->startJob("spots");
+    Json progress;
+    for (bool done = false; !done; done = progress["done"]) progress = Json::parse(engine_->advanceJob("spots"));
+    EXPECT_EQ(progress["fixedMm"], std::string(size) == "25" ? Json(25.0) : Json());
+    EXPECT_EQ(Json::parse(engine_->show(R"({"sizes": true})"))["ok"], true);
+  }
+}
+
 TEST_F(EngineTest, HasNoSpotsAfterACancelledSearch) {
   expectError(engine_->startJob("spots"), "BadUsage", "no-model");
   ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);

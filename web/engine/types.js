@@ -117,9 +117,10 @@
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
- * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number, concerns: Message[] }[], topMm: number }} Spots
+ * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number, concerns: Message[] }[], topMm: number,
+ *   fixedMm: number | null }} Spots
  *   best first; `sizeMm`: largest size that fits; `concerns`: reasons why a code may not print or decode there;
- *   `topMm`: size of the map's last colour
+ *   `topMm`: size of the map's last colour; `fixedMm`: the fixed size, which the map shows the room for; null: none
  */
 
 /**

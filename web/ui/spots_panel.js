@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggested spots for the code, and the possible sizes as colours on the model.
+// Suggested spots for the code, and the possible sizes, or the room for a fixed one, as colours on the model.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { setDisabled } from '../dom/set_disabled.js';
 import { byId, make } from '../dom/dom.js';
@@ -25,6 +25,7 @@ export class SpotsPanel {
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
     this.legend_ = legend;
     this.topMm_ = 0;
+    /** @type {number | null} */ this.fixedMm_ = null;
     /** @type {Spots['spots']} */ this.spots_ = [];
     setDisabled(this.suggest_, 'page.whyNoModel');
     setDisabled(this.sizes_, 'page.whyNoSizes');
@@ -51,7 +52,7 @@ export class SpotsPanel {
    * @param {Spots} found
    * @param {boolean} withSizes  show the sizes, too
    */
-  show({ spots, topMm }, withSizes) {
+  show({ spots, topMm, fixedMm }, withSizes) {
     this.spots_ = spots;
     this.list_.replaceChildren(
       ...spots.map((_, index) => {
@@ -66,6 +67,7 @@ export class SpotsPanel {
     );
     this.nameSpots_();
     this.topMm_ = topMm;
+    this.fixedMm_ = fixedMm;
     setDisabled(this.sizes_);
     this.setSizesShown(withSizes);
     if (withSizes) this.list_.scrollIntoView({ block: 'nearest' });
@@ -117,7 +119,8 @@ export class SpotsPanel {
   /** @param {boolean} areShown */
   setSizesShown(areShown) {
     this.sizes_.setAttribute('aria-pressed', String(areShown));
-    if (areShown) this.legend_.show('sizes', this.topMm_);
+    if (areShown && this.fixedMm_ !== null) this.legend_.showRoom(this.fixedMm_);
+    else if (areShown) this.legend_.show('sizes', this.topMm_);
     else this.legend_.hide('sizes');
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend of the colours on the model, in mm.
+// The legend of the colours on the model: a scale in mm, or two colours.
 import { text } from '../i18n/catalogue.js';
+import { formatPlain } from '../i18n/format.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 
@@ -12,6 +13,7 @@ const kDigits = { sizes: 1, depths: 2 };
 export class Legend {
   constructor() {
     this.figure_ = byId('legend', HTMLElement);
+    this.zero_ = byId('legend-zero', HTMLElement);
     this.title_ = byId('legend-title', HTMLElement);
     this.middle_ = byId('legend-middle', HTMLElement);
     this.top_ = byId('legend-top', HTMLElement);
@@ -25,11 +27,24 @@ export class Legend {
    */
   show(kind, topMm, isExceeded = false) {
     this.kind_ = kind;
+    this.figure_.classList.remove('two');
+    write(this.zero_, () => text('view.legendZero'));
     write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
     write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(kDigits[kind])) }));
     write(this.top_, () =>
       text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(kDigits[kind])) }),
     );
+    this.figure_.hidden = false;
+  }
+
+  /** Says which colour has room for a code of a fixed size. @param {number} fixedMm */
+  showRoom(fixedMm) {
+    this.kind_ = 'sizes';
+    this.figure_.classList.add('two');
+    write(this.title_, () => text('view.roomLegend', { mm: formatPlain(fixedMm, kDigits.sizes) }));
+    write(this.zero_, () => text('view.noRoom'));
+    write(this.middle_, () => '');
+    write(this.top_, () => text('view.room'));
     this.figure_.hidden = false;
   }
 
