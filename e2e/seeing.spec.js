@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-import { isOrange, isTeal, isViolet, shareOf } from './support/pixels.js';
+import { isDark, isOrange, isTeal, isViolet, shareOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
 
 test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours assume this size
@@ -122,4 +122,58 @@ test('The construction shows how the code was placed, also after a move and afte
   await button.click();
   await expect(legend).toBeHidden();
   await poll(() => shareOf(app.canvas, isViolet)).toBeLessThan(0.0005);
+});
+
+test('The lamps light the model, and dragging one moves it round the code', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere&text=HELLO&process=none&light=0,20,9');
+  await app.expectReady();
+  const button = page.getByRole('button', { name: 'Lamp light' });
+  await expect(button).toHaveAttribute('aria-pressed', 'true');
+  const sun = page.locator('.lamp-marks .hold');
+  const middle = async () => {
+    const { x, y, width, height } = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+      await sun.boundingBox()
+    );
+    return { x: x + width / 2, y: y + height / 2 };
+  };
+  const azimuth = page.locator('#lamp-1-azimuthDeg');
+  const elevation = page.locator('#lamp-1-elevationDeg');
+
+  await test.step('by a switch', async () => {
+    await poll(() => shareOf(app.canvas, isDark)).toBeGreaterThan(0.05); // what faces away from the lamp
+    await button.click();
+    await poll(() => shareOf(app.canvas, isDark)).toBeLessThan(0.04);
+    await button.click();
+    await poll(() => shareOf(app.canvas, isDark)).toBeGreaterThan(0.05);
+  });
+
+  await test.step('while it is dragged, and as a setting afterwards', async () => {
+    const from = await middle();
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x - 40, from.y - 30, { steps: 4 });
+    await poll(async () => (await middle()).x).toBeLessThan(from.x - 20);
+    await expect(azimuth).toHaveValue('0');
+    await page.mouse.up();
+    await poll(() => azimuth.inputValue()).not.toBe('0');
+    expect(Number(await elevation.inputValue())).toBeGreaterThan(20);
+    await app.expectReady();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(azimuth).toHaveValue('0');
+    await expect(elevation).toHaveValue('20');
+    await app.expectReady();
+  });
+
+  await test.step('until Escape', async () => {
+    const from = await middle();
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x - 40, from.y - 30, { steps: 4 });
+    await poll(async () => (await middle()).x).toBeLessThan(from.x - 20);
+    await page.keyboard.press('Escape');
+    await poll(async () => Math.abs((await middle()).x - from.x)).toBeLessThan(2);
+    await page.mouse.up();
+    await expect(azimuth).toHaveValue('0');
+  });
 });

@@ -11,3 +11,15 @@ float interreflection(float visibility, float pastWalls, float albedo) {
   float surface = 0.910;
   return albedo * ((1.0 - pastWalls) * wall + max(pastWalls - visibility, 0.0) * surface);
 }
+
+// Returns the luminance under sky and lamps with reflected light, 1 = an unoccluded surface in the QR plane. A lamp
+// brings as much light into a pocket as the surface around it receives; the pocket reflects it like the sky's.
+// Same formula as in core/light/received.cpp.
+//
+// lamps: direct light of the lamps; lampsUncarved: the same on the surface around; openIrradiance: of sky and lamps in
+// the QR plane.
+float luminanceOf(float visibility, float pastWalls, float lamps, float lampsUncarved, float albedo,
+                  float openIrradiance) {
+  float reflected = (1.0 + lampsUncarved) * interreflection(visibility, pastWalls, albedo);
+  return (visibility + lamps + reflected) / openIrradiance;
+}

@@ -1,7 +1,6 @@
 #version 300 es
 // Luminance of matte material under sky and lamps, with light reflected by its surroundings, linear, 1 = an unoccluded
-// surface in the QR plane. A lamp brings as much light into a pocket as the surface around it receives; the pocket
-// reflects it like the sky's.
+// surface in the QR plane.
 precision highp float;
 precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
 precision highp sampler2D;
@@ -16,6 +15,6 @@ layout(location = 0) out vec4 o_luminance;
 
 void main() {
   vec4 received = texelFetch(u_received, ivec2(gl_FragCoord.xy), 0);
-  float bounced = (1.0 + received.a) * interreflection(received.r, received.g, u_albedo);
-  o_luminance = vec4((received.r + received.b + bounced) / u_openIrradiance, 0.0, 0.0, 1.0);
+  float luminance = luminanceOf(received.r, received.g, received.b, received.a, u_albedo, u_openIrradiance);
+  o_luminance = vec4(luminance, 0.0, 0.0, 1.0);
 }

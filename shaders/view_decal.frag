@@ -28,7 +28,8 @@ uniform float u_edge;         // of the picture on the plane, mm
 uniform float u_strength;     // 0 … 1
 uniform vec2 u_turn;          // cosine and sine: angle of the picture in the map
 uniform float u_window;       // edge of the map on the plane, mm; 0: no map, the eye sees everything
-uniform sampler2D u_ink;      // red: 1 = ink; row 0 = top
+uniform sampler2D u_ink;      // red: 1 = ink; green: the same in the light of lamps; row 0 = top
+uniform float u_isUnderLamps;  // 1: lamps light the surface, 0: the viewer's own lights
 uniform highp sampler2D u_reach;  // height over the plane, 1 = part of the surface about the centre, slope along right
                                   // and up
 
@@ -65,10 +66,11 @@ float inkAt(vec2 onPlane, vec2 dx, vec2 dy) {
   vec2 at = vec2(0.5) + vec2(onPlane.x, -onPlane.y) / u_edge;
   vec2 x = vec2(dx.x, -dx.y) / (16.0 * u_edge), y = vec2(dy.x, -dy.y) / (16.0 * u_edge);
   // Each row and column of an 8 × 8 grid over the pixel occurs once.
-  return (textureLod(u_ink, at - 7.0 * x - y, 0.0).r + textureLod(u_ink, at - 5.0 * x + 5.0 * y, 0.0).r +
-          textureLod(u_ink, at - 3.0 * x - 5.0 * y, 0.0).r + textureLod(u_ink, at - x + y, 0.0).r +
-          textureLod(u_ink, at + x + 7.0 * y, 0.0).r + textureLod(u_ink, at + 3.0 * x - 3.0 * y, 0.0).r +
-          textureLod(u_ink, at + 5.0 * x + 3.0 * y, 0.0).r + textureLod(u_ink, at + 7.0 * x - 7.0 * y, 0.0).r) / 8.0;
+  vec2 ink = textureLod(u_ink, at - 7.0 * x - y, 0.0).rg + textureLod(u_ink, at - 5.0 * x + 5.0 * y, 0.0).rg +
+             textureLod(u_ink, at - 3.0 * x - 5.0 * y, 0.0).rg + textureLod(u_ink, at - x + y, 0.0).rg +
+             textureLod(u_ink, at + x + 7.0 * y, 0.0).rg + textureLod(u_ink, at + 3.0 * x - 3.0 * y, 0.0).rg +
+             textureLod(u_ink, at + 5.0 * x + 3.0 * y, 0.0).rg + textureLod(u_ink, at + 7.0 * x - 7.0 * y, 0.0).rg;
+  return mix(ink.r, ink.g, u_isUnderLamps) / 8.0;
 }
 
 // Returns 1 in the dark halves of diagonal stripes.

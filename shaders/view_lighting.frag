@@ -1,5 +1,6 @@
 #version 300 es
-// A matte material under a soft sky, dimmed by occlusion, and one key light that moves with the camera.
+// A matte material: under a soft sky, dimmed by occlusion, and one key light that moves with the camera; or under the
+// uniform sky and the lamps that the code is carved for, with the luminance that the depth search works with.
 //
 // Output: linear colour; luminance of the light, for prints drawn on the surface later.
 precision highp float;
@@ -8,6 +9,7 @@ precision highp sampler2D;
 
 #include "view_camera.glsl"
 #include "interreflection.glsl"
+#include "lamp_light.glsl"
 #include "packed_colour.glsl"
 #include "srgb.glsl"
 
@@ -37,6 +39,7 @@ const vec3 kDarkest = vec3(0.02), kLightest = vec3(0.66);  // albedo of black, s
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
 const vec3 kGround = vec3(0.24, 0.22, 0.21);
 const vec3 kKey = vec3(0.88, 0.85, 0.79);
+const float kHeadroom = 0.6;  // under lamps the brightest place has 1.6 times the luminance of the code's plane
 const vec3 kTowardsKey = vec3(-0.55, 0.60, 0.58);
 
 // Returns 1 where the surface hangs over the plate too steeply, 0 elsewhere.
@@ -79,6 +82,23 @@ vec3 heatColour(float heat) {
   return mix(kStops[below], kStops[below + 1], at - float(below));
 }
 
+vec3 ownLight(vec3 normal, float open) {
+  // To the power of 2.5: the picture shows the shape and the code rather than the photometry.
+  float light = open + interreflection(open, open, u_material.g);
+  float visibility = squareOf(light) * sqrt(light);
+  vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
+  // The key light fades in pockets, too, where a soft lamp would be hidden.
+  float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;
+  return sky * visibility + kKey * key;
+}
+
+float underLamps(vec3 position, vec3 normal, float open) {
+  vec2 lamps = lampLight(position, normal);
+  float luminance = luminanceOf(open, open, lamps.x, lamps.y, u_albedo, u_openIrradiance);
+  float brighter = max(0.0, luminance - 1.0);  // than the code's plane: rolls off as in a camera
+  return min(luminance, 1.0) + brighter * kHeadroom / (brighter + kHeadroom);
+}
+
 void main() {
   vec4 surface = texelFetch(u_surface, ivec2(gl_FragCoord.xy), 0);
   vec3 position = positionView(gl_FragCoord.xy, surface.w);
@@ -96,13 +116,7 @@ void main() {
   bool showsBody = isFront && (u_heatShown == 0 || u_heatShown >= 3);
   if (showsBody) albedo = mix(albedo, kOverhang, kOverhangStrength * overhang(position, normal));
 
-  // To the power of 2.5: the picture shows the shape and the code rather than the photometry.
   float open = skyVisibility(surface.w);
-  float light = open + interreflection(open, open, u_material.g);
-  float visibility = squareOf(light) * sqrt(light);
-  vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
-  // The key light fades in pockets, too, where a soft lamp would be hidden.
-  float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;
-  vec3 received = sky * visibility + kKey * key;
+  vec3 received = u_lamps < 0 ? ownLight(normal, open) : vec3(underLamps(position, normal, open));
   o_colour = vec4(albedo * received, dot(received, vec3(0.2126, 0.7152, 0.0722)));
 }

@@ -47,6 +47,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   offers_.forget();
   plate_ = {};
   print_.reset();
+  hemisphere_.reset();
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
   model_ = std::move(*model);
@@ -69,7 +70,9 @@ std::string Engine::configure(const std::string& settings) {
   auto request = requestFromJson(settings);
   if (!request) return answer(request.error());
   wanted_.configure(std::move(*request), parseJson(settings)->contains("up"));
+  heldLamps_.clear();
   scene_.setPlate(buildPlate());
+  lightScene();
   standOnPlate();
   return done();
 }

@@ -11,6 +11,7 @@
 #include "engine/carvings.h"
 #include "engine/code_input.h"
 #include "engine/job_map.h"
+#include "engine/lamp_hemisphere.h"
 #include "engine/placement_preview.h"
 #include "engine/plate.h"
 #include "engine/scene.h"
@@ -186,11 +187,17 @@ class Engine {
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, or where
   ///              the fixed size fits, if they are known, "depths": true: carved depths as colours, "buildPlate": true:
   ///              the printer's plate under the model in the pose in which it is printed, "construction": true: how the
-  ///              code was placed, "section": cuts the model open across the code, from top to bottom as its viewer
-  ///              sees it, at that offset from the code's middle in half edges of its square, -1 … 1; null: no section,
-  ///              "upAxis": the model's axis, "y" or "z", that points up in the view and along which the code's top
-  ///              points}
+  ///              code was placed, "lampLight": true: the light of a uniform sky and of the lamps round a placed code, if
+  ///              the settings have lamps, "section": cuts the model open across the code, from top to bottom as its
+  ///              viewer sees it, at that offset from the code's middle in half edges of its square, -1 … 1; null: no
+  ///              section, "upAxis": the model's axis, "y" or "z", that points up in the view and along which the code's
+  ///              top points}
   std::string show(const std::string& what);
+  /// Shows a lamp under the pointer on the hemisphere round the code, and its light, until the next configure(). The
+  /// settings stay. Returns {lamps: [{azimuthDeg, elevationDeg, strength}]}: all of them; an error if no code is placed
+  /// or there is no such lamp.
+  /// @param where  {"lamp": index from 0, "at": [x, y]}
+  std::string moveLamp(const std::string& where);
   /// Shows the simulated print on the surface in place of the carved model, until the camera moves or another model is
   /// shown. BadUsage if nothing is engraved.
   /// @param picture  pixels of PrintedCode::pictures("front"); none: shows the carved model again
@@ -273,7 +280,10 @@ class Engine {
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   std::optional<BuildPlate> buildPlate() const;
   std::optional<Construction> placedConstruction() const;
+  std::vector<DirectionalLight> shownLamps() const;
   void updateView();
+  /// Gives the scene the light of the lamps round the code. While a code is placed anew, they stay where they were.
+  void lightScene();
 
   bool hasGl_;
   gl::Capabilities gl_;
@@ -281,6 +291,8 @@ class Engine {
   std::shared_ptr<const GeometryPass> pass_;
   std::optional<LoadedModel> model_;
   CodeInput wanted_;
+  std::vector<DirectionalLight> heldLamps_;   // while one of them is moved; empty: the lamps of the settings
+  std::optional<LampHemisphere> hemisphere_;  // round the last code on the model
   PlacementPreview preview_;
   SpotOffers offers_;
   Carvings carvings_;

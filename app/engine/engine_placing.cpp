@@ -127,6 +127,7 @@ std::string Engine::moveCode(double x, double y) {
   scene_.setConstruction(nullptr);
   scene_.setGhost(nullptr);
   scene_.setDecal(preview_.code());
+  lightScene();
   return describeCode(*preview_.code());
 }
 
@@ -157,6 +158,7 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
   const int modules = wanted_.symbol()->size;
   preview_.adjust(rotateDeg, symbolMm, roomFactor(modules, searchedPlacement(settings(), modules)));
   scene_.setDecal(preview_.code());
+  lightScene();
   return describeCode(*preview_.code());
 }
 

@@ -13,7 +13,10 @@
 namespace qrelief {
 namespace {
 
-constexpr double kHiddenByMm = 0.01;  // a point is hidden if the surface is nearer to the reader by more than this
+constexpr double kHiddenByMm = 0.01;      // a point is hidden if the surface is nearer to the reader by more than this
+constexpr double kLampAwayEdges = 0.85;   // distance of a lamp's mark from the code's middle, in edges of the decal
+constexpr double kFineShadowRadii = 0.9;  // the same of the places whose shadows are fine, in distances of the lamps:
+                                          // the decal with its corners
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
 
@@ -42,18 +45,19 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
           {"rotationDeg", code.rotationDeg}};
 }
 
+LampHemisphere hemisphereOf(const CodeOnSurface& code) {
+  return {code.decal.frame, kLampAwayEdges * code.decal.edgeMm};
+}
+
 /// Returns each lamp as a line from where it is drawn, null behind the camera, to the middle of the code.
 Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
-  constexpr double kAwayEdges = 0.85;  // in edges of the decal
-  const ProjectionFrame& frame = code.decal.frame;
+  const LampHemisphere hemisphere = hemisphereOf(code);
   const Vec3 eye = camera.view().eye(), back = camera.view().back;
   Json lines = Json::array();
   for (const DirectionalLight& lamp : lamps) {
-    const Vec3 way = towards(lamp);
-    const Vec3 point =
-        frame.centre + kAwayEdges * code.decal.edgeMm * (way.x * frame.right + way.y * frame.up + way.z * frame.normal);
+    const Vec3 point = hemisphere.place(lamp);
     const Json from = glm::dot(eye - point, back) > 0 ? jsonOf(camera.toScreen(point)) : Json();
-    lines.push_back({{"from", from}, {"to", jsonOf(camera.toScreen(frame.centre))}});
+    lines.push_back({{"from", from}, {"to", jsonOf(camera.toScreen(hemisphere.frame.centre))}});
   }
   return lines;
 }
@@ -119,6 +123,43 @@ std::optional<Construction> Engine::placedConstruction() const {
   return constructionOf(*placement, roomFactor(modules, searchedPlacement(settings(), modules)));
 }
 
+std::vector<DirectionalLight> Engine::shownLamps() const {
+  return heldLamps_.empty() ? settings().lamps() : heldLamps_;
+}
+
+void Engine::lightScene() {
+  if (const CodeOnSurface* const code = preview_.code()) hemisphere_ = hemisphereOf(*code);
+  const std::vector<DirectionalLight> lamps = shownLamps();
+  if (!hemisphere_ || lamps.empty()) {
+    scene_.setLight({});
+    return;
+  }
+  LampLight light{{},
+                  openIrradiance(lamps),
+                  settings().surfaceAlbedo(),
+                  hemisphere_->frame.centre,
+                  kFineShadowRadii * hemisphere_->radiusMm};
+  for (const DirectionalLight& lamp : lamps) light.lamps.push_back({hemisphere_->direction(lamp), lamp.strength});
+  scene_.setLight(std::move(light));
+}
+
+std::string Engine::moveLamp(const std::string& where) {
+  const Result<Json> parsed = parseJson(where);
+  if (!parsed) return answer(parsed.error());
+  const Json& at = parsed->at("at");
+  const std::size_t index = parsed->at("lamp");
+  std::vector<DirectionalLight> lamps = shownLamps();
+  if (!preview_.code() || index >= lamps.size()) return answer(kNoCode);
+  const Ray ray = scene_.camera().ray(numberOf(at.at(0)), numberOf(at.at(1)));
+  lamps[index] = hemisphereOf(*preview_.code()).moved(lamps[index], ray);
+  heldLamps_ = lamps;
+  lightScene();
+  Json moved = Json::array();
+  for (const auto& [azimuthDeg, elevationDeg, strength] : lamps)
+    moved.push_back({{"azimuthDeg", azimuthDeg}, {"elevationDeg", elevationDeg}, {"strength", strength}});
+  return textOf({{"ok", true}, {"lamps", std::move(moved)}});
+}
+
 std::string Engine::construction() const {
   const std::optional<Construction> placed = placedConstruction();
   if (!placed) return textOf({{"ok", true}, {"construction", Json()}});
@@ -152,6 +193,7 @@ void Engine::updateView() {
                  preview_.hovered(), print_ ? &*print_ : nullptr, wanted_.centreMm(), inkOf(&wanted_.settings()),
                  inkOf(result ? &result->request : nullptr), model_ && !model_->engravable->prepared.colours.empty(),
                  buildPlate(), construction_ ? &*construction_ : nullptr});
+  lightScene();
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -211,6 +253,7 @@ std::string Engine::show(const std::string& what) {
   if (parsed->contains("depths")) scene_.showDepths(parsed->at("depths"));
   if (parsed->contains("buildPlate")) scene_.showPlate(parsed->at("buildPlate"));
   if (parsed->contains("construction")) scene_.showConstruction(parsed->at("construction"));
+  if (parsed->contains("lampLight")) scene_.showLampLight(parsed->at("lampLight"));
   if (parsed->contains("upAxis")) setUpAxis(parsed->at("upAxis"));
   if (parsed->contains("section")) {
     const Json& offset = parsed->at("section");
@@ -256,7 +299,7 @@ std::string Engine::viewState() const {
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
   const CodeOnSurface* placed = preview_.code();
   const Json code = placed ? onScreen(*placed, camera) : Json();
-  const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
+  const Json lamps = placed ? onScreen(shownLamps(), *placed, camera) : Json::array();
   const std::optional<BuildPlate> plate = scene_.shownPlate();
   const Json plateOnScreen = plate ? onScreen(*plate, camera) : Json();
   return textOf({{"code", code},

@@ -112,6 +112,10 @@ void Scene::setConstruction(const Construction* construction) {
   setLines();
 }
 
+void Scene::setLight(std::optional<LampLight> light) {
+  if (viewer_) viewer_->setLight(lampLightShown_ ? std::move(light) : std::nullopt);
+}
+
 /// Shows the construction. A phone sees none.
 void Scene::setLines() {
   if (viewer_) viewer_->setLines(isReaders_ ? LineDrawing{} : construction_);

@@ -59,6 +59,9 @@ class Scene {
   void showConstruction(bool isShown) { constructionShown_ = isShown; }
   bool constructionShown() const { return constructionShown_; }
   void setConstruction(const Construction* construction);
+  /// Shows the model in the light that setLight() gives next, if there is one, instead of the viewer's own.
+  void showLampLight(bool isShown) { lampLightShown_ = isShown; }
+  void setLight(std::optional<LampLight> light);
   /// Cuts the model open across the code. @param offset  in half edges of its square, clamped to -1 … 1
   void showSection(bool isShown, double offset);
 
@@ -101,8 +104,8 @@ class Scene {
   std::optional<BuildPlate> plate_;
   LineDrawing construction_;
   Surface surface_ = Surface::Model;
-  bool depthsShown_ = false, sectionShown_ = false, plateShown_ = false, constructionShown_ = false, isReaders_ = false,
-       dark_ = false;
+  bool depthsShown_ = false, sectionShown_ = false, plateShown_ = false, constructionShown_ = false,
+       lampLightShown_ = false, isReaders_ = false, dark_ = false;
   double sectionOffset_ = 0, devicePixelRatio_ = 1;
 };
 

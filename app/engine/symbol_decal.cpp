@@ -56,13 +56,18 @@ void showSearch(Decal& decal, const Symbol& symbol, double symbolMm, const Searc
   const int border = (decal.size - scale * edge) / 2;
   const std::vector<float>& luminance = search.passes.back().luminance;
   decal.colours = {SurfaceColours{}.body, Vec3f(0)};
+  decal.inkUnderLamps = decal.ink;
   for (std::size_t k = 0; k < search.carved.size(); ++k) {
-    const double shade = 1 - std::pow(std::clamp<double>(luminance[k], 0, 1), kFloorPower);
+    const double light = std::clamp<double>(luminance[k], 0, 1);
+    const auto byteOf = [](double shade) { return static_cast<std::uint8_t>(std::lround(255 * shade)); };
     const int row = static_cast<int>(search.carved[k]) / edge, column = static_cast<int>(search.carved[k]) % edge;
     for (int y = 0; y < scale; ++y)
-      for (int x = 0; x < scale; ++x)
-        decal.ink[static_cast<std::size_t>((scale * row + y + border) * decal.size + scale * column + x + border)] =
-            static_cast<std::uint8_t>(std::lround(255 * shade));
+      for (int x = 0; x < scale; ++x) {
+        const auto texel =
+            static_cast<std::size_t>((scale * row + y + border) * decal.size + scale * column + x + border);
+        decal.ink[texel] = byteOf(1 - std::pow(light, kFloorPower));
+        decal.inkUnderLamps[texel] = byteOf(1 - light);
+      }
   }
 }
 

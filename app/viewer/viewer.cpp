@@ -46,6 +46,7 @@ ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   quality.stillSteps = 8;
   quality.stillSlices = 1;
   quality.stillSamples = 32;
+  quality.shadowTexels = 2048;
   quality.mostPixels = 4.2e6;
   return quality;
 }
@@ -77,6 +78,9 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
   auto lines = LinePass::create();
   QRELIEF_TRY(lines);
   viewer.linePass_ = std::move(*lines);
+  auto shadows = LampShadows::create();
+  QRELIEF_TRY(shadows);
+  viewer.shadows_ = std::move(*shadows);
   return viewer;
 }
 
@@ -89,6 +93,7 @@ void Viewer::resize(int width, int height) {
 void Viewer::setMesh(std::shared_ptr<const GpuMesh> mesh) {
   if (mesh_ == mesh) return;
   mesh_ = std::move(mesh);
+  shadows_.forget();
   changed_ = true;
 }
 
@@ -121,7 +126,14 @@ void Viewer::setGhost(std::optional<Decal> ghost) {
 void Viewer::setCut(std::optional<CuttingPlane> cut) {
   if (!cut && !cut_) return;
   cut_ = cut;
+  shadows_.forget();
   changed_ = true;
+}
+
+void Viewer::setLight(std::optional<LampLight> light) {
+  if (light == light_) return;
+  light_ = std::move(light);
+  lightChanged_ = true;
 }
 
 void Viewer::setPlate(std::optional<BuildPlate> plate) {
@@ -267,6 +279,10 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.set("u_plate", glm::vec4(camera.inView(plate.up),
                                      static_cast<float>(glm::dot(plate.centre - camera.target, plate.up))));
   lighting_.set("u_overhangCosine", plate_ ? static_cast<float>(std::cos(toRadians(kSteepestOverhangDeg))) : -2.0f);
+  if (light_ && mesh_)
+    shadows_.set(lighting_, camera, 2);
+  else
+    shadows_.setNone(lighting_, 2);
   if (sample.weight < 1) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
@@ -280,11 +296,15 @@ Vec2 Viewer::jitterOf(const Sample& sample, const Stage& stage) {
   return {2 * sample.jitterPx.x / stage.width, 2 * sample.jitterPx.y / stage.height};
 }
 
-void Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const {
+Status Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) {
+  if (light_ && mesh_) QRELIEF_TRY(shadows_.draw(*light_, *mesh_, cut_, quality_.shadowTexels));
   const Vec2 jitter = jitterOf(sample, stage);
-  drawSurface(stage, camera, jitter);
-  drawOcclusion(stage, camera, jitter, sample);
+  if (!sample.isLightOnly) {
+    drawSurface(stage, camera, jitter);
+    drawOcclusion(stage, camera, jitter, sample);
+  }
   drawLighting(stage, into, camera, jitter, sample);
+  return {};
 }
 
 void Viewer::adaptToInterval(double nowMs) {
@@ -300,13 +320,16 @@ void Viewer::adaptToInterval(double nowMs) {
   slowFrames_ = fastFrames_ = 0;
 }
 
-Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target) {
+Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target,
+                                bool isLightOnly) {
   adaptToInterval(nowMs);
+  const int width = moving_ ? moving_->width : 0, height = moving_ ? moving_->height : 0;
   QRELIEF_TRY(prepareStage(moving_, quality_.movingScale, false));
   Sample sample;
+  sample.isLightOnly = isLightOnly && moving_->width == width && moving_->height == height;
   sample.steps = quality_.movingSteps;
   sample.blur = true;
-  drawSample(*moving_, *moving_, camera, sample);
+  QRELIEF_TRY(drawSample(*moving_, *moving_, camera, sample));
   picture_ = {&*moving_, &*moving_, {}};
   plainIsCurrent_ = false;
   present(camera, target);
@@ -328,7 +351,7 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   sample.slices = quality_.stillSlices;
   sample.steps = quality_.stillSteps;
   sample.weight = 1.0 / index;
-  drawSample(*still_, *sum_, camera, sample);
+  QRELIEF_TRY(drawSample(*still_, *sum_, camera, sample));
   statistics_.width = still_->width;
   statistics_.height = still_->height;
   const bool finished = statistics_.samples >= quality_.stillSamples;
@@ -339,11 +362,12 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
 }
 
 Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target, bool always) {
-  if (changed_ || camera != lastCamera_) {
-    changed_ = false;
+  if (changed_ || lightChanged_ || camera != lastCamera_) {
+    const bool isLightOnly = !changed_ && camera == lastCamera_;
+    changed_ = lightChanged_ = false;
     lastCamera_ = camera;
     lastChangeMs_ = nowMs;
-    return drawMoving(camera, nowMs, target);
+    return drawMoving(camera, nowMs, target, isLightOnly);
   }
   lastMovingMs_.reset();
   if (printsChanged_) lastChangeMs_ = nowMs;  // so that refinement does not slow down moving a code

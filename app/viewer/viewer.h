@@ -11,6 +11,7 @@
 #include "projection/visibility_map.h"
 #include "render/gpu_mesh.h"
 #include "viewer/build_plate.h"
+#include "viewer/lamp_light.h"
 #include "viewer/line_drawing.h"
 #include "viewer/orbit_camera.h"
 
@@ -27,20 +28,15 @@ struct SurfaceColours {
 /// A square picture that the viewer projects onto the surface, by a frame's central projection.
 struct Decal {
   ProjectionFrame frame;
-  double edgeMm = 0;              ///< of the picture on the QR plane
-  int size = 0;                   ///< texels along an edge
-  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = ink, 0 = none
+  double edgeMm = 0;                        ///< of the picture on the QR plane
+  int size = 0;                             ///< texels along an edge
+  std::vector<std::uint8_t> ink;            ///< size², row 0 at the top; 255 = ink, 0 = none
+  std::vector<std::uint8_t> inkUnderLamps;  ///< takes the place of `ink` in the light of lamps; empty: the same
   SurfaceColours colours{{0.78f, 0.78f, 0.77f}, SurfaceColours{}.ink};
   bool isInkOnly = false;  ///< draws the ink alone: no paper below, no outline, no warning colour
   /// Surface that takes the decal. Parts of the square that are not reached get a warning colour, hidden parts none.
   /// None: every surface that faces the eye takes the decal. Its centre and normal are the frame's.
   std::shared_ptr<const VisibilityMap> reach;
-};
-
-/// A plane that cuts away everything on the side that its normal points to.
-struct CuttingPlane {
-  Vec3 point{0};
-  Vec3 normal{0, 0, 1};  ///< unit
 };
 
 /// The values of a mesh that are shown as colours. Colours: the mesh's own colours take the place of values.
@@ -54,6 +50,7 @@ struct ViewQuality {
   int stillSteps = 5;        ///< the same at rest
   int stillSlices = 2;       ///< of occlusion in a picture at rest
   int stillSamples = 8;      ///< pictures averaged at rest; with 16 slices in all or a multiple they leave no pattern
+  int shadowTexels = 1024;   ///< along an edge of a lamp's shadow map
   double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
   double settleMs = 120;     ///< without a change, before refinement starts
 
@@ -87,6 +84,8 @@ class Viewer {
   void setGhost(std::optional<Decal> ghost);
   /// Cuts the mesh open. Closed solids show a coloured section.
   void setCut(std::optional<CuttingPlane> cut);
+  /// Lights the mesh by a uniform sky and lamps with their shadows; none: by lights of the viewer's own.
+  void setLight(std::optional<LampLight> light);
   /// Draws a printer's plate, and marks the surfaces that hang over it too steeply to print well.
   void setPlate(std::optional<BuildPlate> plate);
   void setMarker(std::optional<Vec3> marker);
@@ -121,7 +120,7 @@ class Viewer {
   struct Shown {
     std::optional<Decal> decal;
     gl::Texture ink, reach;
-    std::vector<std::uint8_t> inkUploaded;
+    std::vector<std::uint8_t> inkUploaded, inkUnderLampsUploaded;
     bool isUploaded = false;
   };
   struct Sample {
@@ -129,7 +128,8 @@ class Viewer {
     double turn = 0, shift = 0.35;
     int slices = 1, steps = 3;
     bool blur = false;
-    double weight = 1;  // of this picture in the average
+    bool isLightOnly = false;  // the stage has surface and occlusion of the last such sample
+    double weight = 1;         // of this picture in the average
   };
   static Result<Stage> makeStage(int width, int height, bool colourOnly);
   Status prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly);
@@ -140,7 +140,7 @@ class Viewer {
   void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
                     const Sample& sample) const;
   static Vec2 jitterOf(const Sample& sample, const Stage& stage);
-  void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
+  Status drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample);
   void drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target);
   void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
   void drawLines(const CameraView& camera) const;
@@ -153,7 +153,7 @@ class Viewer {
   Status presentPrints(const CameraView& camera, const gl::Framebuffer* target);
   Status makePlain(const CameraView& camera);
   void bindCanvas(const gl::Framebuffer* target) const;
-  Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
+  Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target, bool isLightOnly);
   Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always);
   double radiusMm() const;
   void adaptToInterval(double nowMs);
@@ -173,6 +173,8 @@ class Viewer {
   std::optional<Vec3> marker_;
   std::optional<CuttingPlane> cut_;
   std::optional<BuildPlate> plate_;
+  std::optional<LampLight> light_;
+  LampShadows shadows_;
   LineDrawing lines_;
   LinePass linePass_;
   bool dark_ = false;
@@ -180,7 +182,7 @@ class Viewer {
   SurfaceColours colours_;
   int width_ = 1, height_ = 1;
   CameraView lastCamera_;
-  bool changed_ = true;
+  bool changed_ = true, lightChanged_ = false;
   bool printsChanged_ = false;
   double lastChangeMs_ = 0;
   std::optional<double> lastMovingMs_;

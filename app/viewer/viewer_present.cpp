@@ -19,10 +19,15 @@ void Viewer::uploadDecal(Shown& layer) {
   if (!layer.decal || layer.isUploaded) return;
   layer.isUploaded = true;
   const Decal& decal = *layer.decal;
-  if (decal.ink != layer.inkUploaded) {
+  if (decal.ink != layer.inkUploaded || decal.inkUnderLamps != layer.inkUnderLampsUploaded) {
     layer.inkUploaded = decal.ink;
+    layer.inkUnderLampsUploaded = decal.inkUnderLamps;
+    const auto& underLamps = decal.inkUnderLamps.empty() ? decal.ink : decal.inkUnderLamps;
     std::vector<std::uint8_t> texels(4 * decal.ink.size(), 255);
-    for (std::size_t i = 0; i < decal.ink.size(); ++i) texels[4 * i] = decal.ink[i];
+    for (std::size_t i = 0; i < decal.ink.size(); ++i) {
+      texels[4 * i] = decal.ink[i];
+      texels[4 * i + 1] = underLamps[i];
+    }
     layer.ink = gl::Texture(decal.size, decal.size, gl::Format::RGBA8, texels.data());
   }
   if (!decal.reach) return;
@@ -84,6 +89,7 @@ void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& ca
   decalProgram_.set("u_paperColour", decal.colours.body);
   decalProgram_.set("u_inkColour", decal.colours.ink);
   decalProgram_.set("u_paper", decal.isInkOnly ? 0.0f : 1.0f);
+  decalProgram_.set("u_isUnderLamps", light_ ? 1.0f : 0.0f);
   decalProgram_.setTexture("u_ink", 2, layer.ink);
   decalProgram_.setTexture("u_reach", 3, decal.reach ? layer.reach : nothing_);
   decalProgram_.set("u_strength", static_cast<float>(strength));

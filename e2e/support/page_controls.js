@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effects of the controls of the page as a whole and of the buttons that turn the view; see controls.spec.js.
 import { expect } from '@playwright/test';
+import { showOverlays } from './hands.js';
+import { isDark, shareOf } from './pixels.js';
 import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -44,6 +46,23 @@ export const kOfTheView = {
     await expect(height).toBeHidden();
     await press('show-plate');
     await expect(height).toBeVisible();
+  },
+  'show-lamp-light': async ({ app, at, page, press }) => {
+    await expect(at('show-lamp-light')).toBeHidden(); // no lamps
+    await at('lamp-count').selectOption('1');
+    await app.expectReady();
+    await at('lamp-1-strength').fill('9');
+    await at('lamp-1-strength').press('Tab');
+    await app.expectReady();
+    const dark = () => shareOf(app.canvas, isDark);
+    await showOverlays(page, false);
+    await poll(dark).toBeGreaterThan(0.05); // what faces away from the lamp
+    await press('show-lamp-light');
+    await poll(dark).toBeLessThan(0.04);
+    await showOverlays(page, true);
+    await at('lamp-count').selectOption('0');
+    await expect(at('show-lamp-light')).toBeHidden();
+    await app.expectReady();
   },
   'show-construction': async ({ page, press }) => {
     const legend = page.locator('.construction-legend');

@@ -44,7 +44,7 @@ export const kOfThePlace = {
   'lamp-count': async ({ app, at, page }) => {
     await at('lamp-count').selectOption('Light of one lamp');
     await app.expectReady();
-    await expect(page.locator('.lamp-marks circle')).toHaveCount(1);
+    await expect(page.locator('.lamp-marks .sun')).toHaveCount(1);
   },
   'lamp-1-azimuthDeg': async ({ app, at }) => {
     await at('lamp-1-azimuthDeg').fill('');
@@ -65,7 +65,7 @@ export const kOfThePlace = {
     await at('lamp-2-azimuthDeg').fill('270');
     await at('lamp-2-azimuthDeg').press('Tab');
     await app.expectReady();
-    await expect(page.locator('.lamp-marks circle')).toHaveCount(2);
+    await expect(page.locator('.lamp-marks .sun')).toHaveCount(2);
   },
   'lamp-2-elevationDeg': async ({ app, at }) => {
     await at('lamp-2-elevationDeg').fill('25');

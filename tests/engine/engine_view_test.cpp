@@ -63,6 +63,56 @@ TEST_F(EngineViewTest, ShowsLampsInTheDirectionTheyShineFrom) {
   EXPECT_EQ(Json::parse(engine_->viewState())["lamps"].size(), 0u);
 }
 
+TEST_F(EngineViewTest, ALampFollowsThePointerUntilTheSettingsAreGiven) {
+  load(shapes::box({60, 60, 20}));
+  const std::string settings = R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
+                                                                         {"azimuthDeg": 90, "elevationDeg": 20}]})";
+  engine_->configure(settings);
+  expectError(engine_->moveLamp(R"({"lamp": 0, "at": [200, 150]})"), "BadUsage", "no-code-placed");
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
+  engine_->look(R"({"kind": "standard", "name": "top"})");
+  for (bool gliding = true; gliding;) gliding = engine_->draw();
+  const auto lamp = [&](int index) { return vec2Of(Json::parse(engine_->viewState())["lamps"][index]["from"]); };
+  const Vec2 first = lamp(0), second = lamp(1);
+  const Vec2 wanted = lamp(0) + Vec2(-10, 25);
+  const Json moved = Json::parse(engine_->moveLamp(Json{{"lamp", 0}, {"at", {wanted.x, wanted.y}}}.dump()))["lamps"];
+  EXPECT_LT(glm::distance(lamp(0), wanted), 3) << "whole degrees";
+  EXPECT_EQ(lamp(1), second);
+  EXPECT_GT(moved[0]["azimuthDeg"], 300);
+  EXPECT_EQ(moved[1], (Json{{"azimuthDeg", 90}, {"elevationDeg", 20}, {"strength", 1}}));
+  expectError(engine_->moveLamp(R"({"lamp": 2, "at": [200, 150]})"), "BadUsage", "no-code-placed");
+  engine_->configure(settings);
+  EXPECT_EQ(lamp(0), first);
+}
+
+TEST_F(EngineViewTest, ShowsTheLightOfTheLamps) {
+  load(shapes::box({60, 60, 20}));
+  engine_->setCentre(R"({"mm": [0, 0, 10]})");
+  const auto configure = [&](const char* settings) {
+    engine_->configure(settings);
+    ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
+  };
+  const auto redraws = [&] {
+    engine_->draw();
+    const bool isNew = engine_->viewer()->statistics().samples == 0;
+    while (engine_->draw()) continue;
+    return isNew;
+  };
+  configure(R"({"text": "A", "size": "free"})");
+  redraws();
+  engine_->show(R"({"lampLight": true})");
+  EXPECT_FALSE(redraws()) << "there are no lamps";
+  configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 30}]})");
+  EXPECT_TRUE(redraws());
+  engine_->moveLamp(R"({"lamp": 0, "at": [200, 150]})");
+  EXPECT_TRUE(redraws());
+  engine_->show(R"({"lampLight": false})");
+  EXPECT_TRUE(redraws());
+  engine_->moveLamp(R"({"lamp": 0, "at": [220, 150]})");
+  EXPECT_FALSE(redraws());
+}
+
 TEST_F(EngineViewTest, ShowsThePlateInThePoseOnThePrinter) {
   engine_->show(R"({"buildPlate": true})");
   EXPECT_TRUE(Json::parse(engine_->viewState())["buildPlate"].is_null()) << "no model";

@@ -326,9 +326,9 @@
 
 /**
  * Parts of the view to show or hide. `carved`: the carved model; `sizes`: the largest possible code sizes as colours;
- * `depths`: carved depths as colours; `buildPlate`: the printer's plate under the model; `construction`: how the code was placed; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`:
- * dark colours; `upAxis`: the model's axis that points up, and along which the code's top points.
- * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, buildPlate?: boolean, construction?: boolean, section?: number | null, dark?: boolean,
+ * `depths`: carved depths as colours; `buildPlate`: the printer's plate under the model; `construction`: how the code was placed; `lampLight`: the light of sky and lamps, if there are
+ * lamps; `section`: offset of a section from the code's centre, -1 … 1, null: none; `dark`: dark colours; `upAxis`: the model's axis that points up, and along which the code's top points.
+ * @typedef {{ carved?: boolean, sizes?: boolean, depths?: boolean, buildPlate?: boolean, construction?: boolean, lampLight?: boolean, section?: number | null, dark?: boolean,
  *   upAxis?: UpAxis }} Shown
  */
 

@@ -61,6 +61,11 @@ export const kPageVerbs = {
   construction: { part: 'construction' },
   /** Previews a change of the placed code. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
   adjustCode: { draws: true },
+  /**
+   * Shows a lamp under the pointer, until the next `configure`. Returns all lamps.
+   * @type {Verb<(where: { lamp: number, at: [number, number] }) => Required<import('./lamps.js').Lamp>[]>}
+   */
+  moveLamp: { part: 'lamps', draws: true },
   /** Draws a spot. @type {Verb<(index: number, width: number, height: number) => ColourImage>} */
   spotPicture: {},
 

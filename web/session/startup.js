@@ -87,7 +87,12 @@ export class Startup {
   async prepareView_() {
     const { client, view, theme, toolbar } = this.options_;
     view.announceSize();
-    await client.show({ dark: theme.dark, buildPlate: toolbar.plateShown, construction: toolbar.constructionShown });
+    await client.show({
+      dark: theme.dark,
+      buildPlate: toolbar.plateShown,
+      construction: toolbar.constructionShown,
+      lampLight: toolbar.lampLightShown,
+    });
   }
 
   /** Restores the work in a new module. */

@@ -65,9 +65,11 @@ export class ViewControl {
       onPlace: place,
       onPrint: (picture) => guard(() => client.showPrint(picture?.pixels ?? new Uint8Array(), picture?.width ?? 0)),
       onAdjust: (change) => guard(() => editor.adjust(change)),
+      onLight: (light) => guard(() => editor.editSettings({ light })),
       onCancel: () => guard(() => placing.place()),
       onAct: act,
     });
+    tools.onLamps = (exist) => toolbar.setLamps(exist);
     picker.listen({ onPick: (picking) => tools.set({ picking }) });
     inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
     placing.placed.on((placement) => {
@@ -91,6 +93,7 @@ export class ViewControl {
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
       onLive: () => guard(() => placing.place()),
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
+      onLampLight: (isShown) => guard(() => client.show({ lampLight: isShown })),
       onConstruction: (isShown) => guard(() => this.showConstruction_(isShown)),
       onInspector: (isShown) => guard(() => inspectorControl.show(isShown)),
     });

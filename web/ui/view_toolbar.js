@@ -18,12 +18,14 @@ import { recall, remember } from '../storage/remembered.js';
  * @property {(shown: boolean) => void} onDepths
  * @property {(shown: boolean) => void} onPlate
  * @property {(shown: boolean) => void} onConstruction
+ * @property {(shown: boolean) => void} onLampLight
  * @property {() => void} onLive  `liveShown` has changed
  * @property {(shown: boolean) => void} onInspector
  */
 
 const kPlateName = 'buildPlate', // of the remembered choices
-  kLiveName = 'asCarved';
+  kLiveName = 'asCarved',
+  kLampLightName = 'lampLight';
 
 export class ViewToolbar {
   constructor() {
@@ -38,6 +40,8 @@ export class ViewToolbar {
     this.plate_.setAttribute('aria-pressed', String(recall(kPlateName) !== 'off'));
     this.live_ = byId('show-live', HTMLButtonElement);
     this.live_.setAttribute('aria-pressed', String(recall(kLiveName) !== 'off'));
+    this.lampLight_ = byId('show-lamp-light', HTMLButtonElement);
+    this.lampLight_.setAttribute('aria-pressed', String(recall(kLampLightName) !== 'off'));
     this.construction_ = byId('show-construction', HTMLButtonElement);
     this.inspector_ = byId('inspector', HTMLButtonElement);
     this.hint_ = byId('view-hint', HTMLElement);
@@ -53,6 +57,10 @@ export class ViewToolbar {
     this.live_.addEventListener('click', () => {
       remember(kLiveName, toggle(this.live_) ? 'on' : 'off');
       this.listener_?.onLive();
+    });
+    this.lampLight_.addEventListener('click', () => {
+      remember(kLampLightName, toggle(this.lampLight_) ? 'on' : 'off');
+      this.listener_?.onLampLight(this.lampLightShown);
     });
     this.construction_.addEventListener('click', () => this.listener_?.onConstruction(toggle(this.construction_)));
     this.inspector_.addEventListener('click', () => this.listener_?.onInspector(toggle(this.inspector_)));
@@ -173,6 +181,16 @@ export class ViewToolbar {
   /** Placed codes are shown as they will be carved, unless the user chose otherwise at this visit or the last one. */
   get liveShown() {
     return isPressed(this.live_);
+  }
+
+  /** @param {boolean} exist  whether there are lamps round a placed code */
+  setLamps(exist) {
+    this.lampLight_.hidden = !exist;
+  }
+
+  /** The model is shown in the light of its lamps, unless the user chose otherwise at this visit or the last one. */
+  get lampLightShown() {
+    return isPressed(this.lampLight_);
   }
 
   /** It stays pressed while no code is placed. */

@@ -23,7 +23,8 @@ import { ViewCube } from './view_cube.js';
  */
 
 /**
- * @typedef {import('./code_editor.js').EditListener & { onAct: (action: ViewAction) => void,
+ * @typedef {import('./code_editor.js').EditListener & import('./lamp_marks.js').LampListener &
+ *   { onAct: (action: ViewAction) => void,
  *   onPrint: (picture: import('../engine/types.js').GreyImage | undefined) => void }} ToolsListener
  *   `onPrint`: shows the picture of a print on the surface, or hides it
  */
@@ -40,7 +41,7 @@ export class ViewTools {
     const chip = new CodeChip(surface);
     this.hover_ = new HoverPreview(client, chip, live);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
-    this.lamps_ = new LampMarks(surface);
+    this.lamps_ = new LampMarks({ client, overlay: surface, listener: this.passOn_() });
     this.height_ = new HeightMark(surface);
     this.stage_ = stage;
     this.search = new SearchPicture();
@@ -49,6 +50,8 @@ export class ViewTools {
     /** Announces that the user moves the camera. @type {(() => void) | undefined} */ this.onMoved = undefined;
     /** Shows the names of a construction's points. @type {((points: import('../engine/types.js').ConstructionOnScreen | null) => void) | undefined} */
     this.onConstruction = undefined;
+    /** Tells whether there are lamps round the placed code. @type {((exist: boolean) => void) | undefined} */
+    this.onLamps = undefined;
     /** @type {import('../engine/types.js').CodeOnScreen | null} */ this.code_ = null;
     this.engravable_ = false;
     this.busy_ = false;
@@ -62,11 +65,12 @@ export class ViewTools {
     this.listener_ = listener;
   }
 
-  /** @returns {import('./code_editor.js').EditListener} */
+  /** @returns {import('./code_editor.js').EditListener & import('./lamp_marks.js').LampListener} */
   passOn_() {
     return {
       onPlace: (x, y) => this.listener_?.onPlace(x, y),
       onAdjust: (change) => this.listener_?.onAdjust(change),
+      onLight: (light) => this.listener_?.onLight(light),
       onCancel: () => this.listener_?.onCancel(),
     };
   }
@@ -87,6 +91,7 @@ export class ViewTools {
     this.height_.show(buildPlate);
     this.editor_.update(code);
     this.lamps_.show(lamps);
+    if (code) this.onLamps?.(lamps.length > 0);
     this.onConstruction?.(construction);
     this.reader.update(code);
     this.cube_.turn(axes);
@@ -123,9 +128,10 @@ export class ViewTools {
   }
 
   enable_() {
-    const isEnabled = this.engravable_ && !this.busy_ && !this.carved_ && !this.picking_;
-    this.hover_.setEnabled(isEnabled);
-    this.editor_.setEnabled(isEnabled && !this.reader.shown);
+    const mayChange = this.engravable_ && !this.busy_ && !this.picking_;
+    this.hover_.setEnabled(mayChange && !this.carved_);
+    this.editor_.setEnabled(mayChange && !this.carved_ && !this.reader.shown);
+    this.lamps_.setEnabled(mayChange);
   }
 
   /** @param {number} x @param {number} y */
