@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "math/angle.h"
 #include "mesh/cluster.h"
 #include "mesh/refine.h"
@@ -22,6 +23,7 @@ constexpr int kMaxTexels = 512;
 constexpr double kBorderTexels = 2;  // background around the model, so that some texel is always blocked
 // Greatest distance from the middle of a blocked texel to the contour through it.
 constexpr double kBlockedTexels = 0.5;
+constexpr int kViewsAtOnce = 4;    // each needs 9 bytes for each texel
 constexpr double kSamples = 6000;  // approximate least number of vertices
 
 double cosineOfDegrees(double degrees) { return std::cos(toRadians(degrees)); }
@@ -93,25 +95,40 @@ Vec3 latticeDirection(int index, int count) {
 }
 
 struct SizeMapSearch::State {
+  /// A square about a vertex that fits at every rotation in one view.
+  struct Seen {
+    std::uint32_t vertex = 0;
+    double sizeMm = 0, score = 0;
+    Vec3f direction{0};
+  };
+  /// One view and the raster that draws it.
+  struct View {
+    ViewRaster raster;
+    bool isDropped = false;
+    std::vector<Seen> seen = {};  // only those that are better than all earlier ones
+  };
+
   SizeMapOptions options;
   SizeMap map;
   Adjacency adjacency;
   Vec3 centre{0};
   double radius = 0;
   RasterWindow window;
-  std::optional<ViewRaster> raster;
+  std::vector<View> views;  // drawn at the same time
   std::vector<Vec3> meanNormal;
   std::vector<double> score;  // per vertex: score of its best view
-  int view = 0;
+  int viewsDone = 0;
 
-  void lookFrom(Vec3 direction);
-  double radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const;
+  void lookFrom(Vec3 direction, View& view) const;
+  double radiusAround(const ViewRaster& raster, std::span<const std::int32_t> squared, std::uint32_t vertex) const;
+  void add(const View& view);
 };
 
 /// Returns the distance in texels from the nearest blocked texel, interpolated between the four texels around the
 /// vertex.
-double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const {
-  const Vec2 at = raster->at(vertex) - 0.5;
+double SizeMapSearch::State::radiusAround(const ViewRaster& raster, std::span<const std::int32_t> squared,
+                                          std::uint32_t vertex) const {
+  const Vec2 at = raster.at(vertex) - 0.5;
   const int column = std::clamp(static_cast<int>(at.x), 0, window.texels - 2);
   const int row = std::clamp(static_cast<int>(at.y), 0, window.texels - 2);
   const auto distance = [&](int dx, int dy) {
@@ -122,16 +139,16 @@ double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared,
          fraction.y * ((1 - fraction.x) * distance(0, 1) + fraction.x * distance(1, 1));
 }
 
-void SizeMapSearch::State::lookFrom(Vec3 direction) {
+void SizeMapSearch::State::lookFrom(Vec3 direction, View& view) const {
   const ProjectionFrame frame = makeFrame(centre, direction, {0, 0, 1}, radius + options.eyeDistanceMm);
-  raster->draw(frame, window, cosineOfDegrees(kMaxTiltDeg));
+  ViewRaster& raster = view.raster;
+  raster.draw(frame, window, cosineOfDegrees(kMaxTiltDeg));
+  view.seen.clear();
   // The isoptic test. Parts behind the middle look smaller than they are, and so would a code there.
   const double shrink = frame.eyeDistance / (frame.eyeDistance + radius);
-  if (raster->coveredMm2() < std::pow(options.minMm * shrink, 2)) {
-    ++map.viewsDropped;
-    return;
-  }
-  const std::vector<std::int32_t> squared = squaredDistances(raster->blocked(), window.texels);
+  view.isDropped = raster.coveredMm2() < std::pow(options.minMm * shrink, 2);
+  if (view.isDropped) return;
+  const std::vector<std::int32_t> squared = squaredDistances(raster.blocked(), window.texels);
   const Vec3 eye = frame.eye();
   const double leastCentreCosine = cosineOfDegrees(kMaxCentreTiltDeg);
   for (std::uint32_t v = 0; v < map.mesh.positions.size(); ++v) {
@@ -140,17 +157,25 @@ void SizeMapSearch::State::lookFrom(Vec3 direction) {
     const Vec3 toEye = fromVertex / distance;
     const double facing = glm::dot(meanNormal[v], toEye);
     if (facing < leastCentreCosine) continue;
-    const double texels = radiusAround(squared, v) - kBlockedTexels;
+    const double texels = radiusAround(raster, squared, v) - kBlockedTexels;
     if (texels < 2) continue;
     // At an angle α off the axis a disc of radius r at distance ρ, facing the eye, reaches r·F / (ρ·cos²α) on the
     // plane at distance F.
     const double cosine = glm::dot(toEye, frame.normal);
     const double sizeMm =
         std::numbers::sqrt2 * texels * window.texelMm() * distance * cosine * cosine / frame.eyeDistance;
-    if (sizeMm * facing <= score[v] || !raster->sees(v)) continue;
-    score[v] = sizeMm * facing;
-    map.sizeMm[v] = static_cast<float>(sizeMm);
-    map.direction[v] = Vec3f(toEye);
+    if (sizeMm * facing <= score[v] || !raster.sees(v)) continue;
+    view.seen.push_back({v, sizeMm, sizeMm * facing, Vec3f(toEye)});
+  }
+}
+
+void SizeMapSearch::State::add(const View& view) {
+  if (view.isDropped) ++map.viewsDropped;
+  for (const Seen& seen : view.seen) {
+    if (seen.score <= score[seen.vertex]) continue;
+    score[seen.vertex] = seen.score;
+    map.sizeMm[seen.vertex] = static_cast<float>(seen.sizeMm);
+    map.direction[seen.vertex] = seen.direction;
   }
 }
 
@@ -170,7 +195,8 @@ SizeMapSearch::SizeMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, c
   s.window.texels =
       std::clamp(static_cast<int>(std::ceil(2 * outline * kTexelsPerSquare / options.minMm)), kMinTexels, kMaxTexels);
   s.window.extentMm = 2 * outline * s.window.texels / (s.window.texels - 2 * kBorderTexels);
-  s.raster.emplace(s.map.mesh, s.adjacency);
+  s.views.assign(static_cast<std::size_t>(std::min(s.options.views, kViewsAtOnce)),
+                 {ViewRaster(s.map.mesh, s.adjacency)});
 
   s.meanNormal = meanNormals(s.map.mesh);
   s.score.assign(s.meanNormal.size(), 0);
@@ -180,12 +206,19 @@ SizeMapSearch::~SizeMapSearch() = default;
 
 bool SizeMapSearch::step() {
   State& s = *state_;
-  assert(s.view < s.options.views);
-  s.lookFrom(s.options.onlyFrom.value_or(latticeDirection(s.view, s.options.views)));
-  return ++s.view == s.options.views;
+  assert(s.viewsDone < s.options.views);
+  const auto left = static_cast<std::size_t>(s.options.views - s.viewsDone);
+  const std::size_t count = std::min(s.views.size(), left);
+  parallelFor(count, [&s](std::size_t i) {
+    const int index = s.viewsDone + static_cast<int>(i);
+    s.lookFrom(s.options.onlyFrom.value_or(latticeDirection(index, s.options.views)), s.views[i]);
+  });
+  for (std::size_t i = 0; i < count; ++i) s.add(s.views[i]);
+  s.viewsDone += static_cast<int>(count);
+  return s.viewsDone == s.options.views;
 }
 
-double SizeMapSearch::doneFraction() const { return static_cast<double>(state_->view) / state_->options.views; }
+double SizeMapSearch::doneFraction() const { return static_cast<double>(state_->viewsDone) / state_->options.views; }
 
 const SizeMap& SizeMapSearch::map() const { return state_->map; }
 

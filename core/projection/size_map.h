@@ -37,7 +37,7 @@ struct SizeMap {
 /// @param index  0 … count - 1
 Vec3 latticeDirection(int index, int count);
 
-/// Search for the size map of a model [Papp 2022, §4, end], one view per step.
+/// Search for the size map of a model [Papp 2022, §4, end]. A step draws a few views, on several cores if there are.
 ///
 /// From each of evenly spread directions, with the eye beyond the bounding sphere, it draws the mesh at low resolution
 /// (projection/view_raster.h). It drops a view that covers less than the square's area (the isoptic test). The distance
@@ -62,7 +62,7 @@ class SizeMapSearch {
   SizeMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, const SizeMapOptions& options);
   ~SizeMapSearch();
 
-  /// Adds one view. @returns true when all are done
+  /// Adds the next views. @returns true when all are done
   bool step();
 
   double doneFraction() const;

@@ -14,19 +14,26 @@ constexpr float kContourStep = 0.5f;  // texels between two samples along a cont
 
 }  // namespace
 
-ViewRaster::ViewRaster(const Mesh& mesh, const Adjacency& adjacency) : mesh_(&mesh), adjacency_(&adjacency) {
-  normals_.reserve(mesh.triangles.size());
-  smoothNormals_.reserve(mesh.triangles.size());
+ViewRaster::Normals ViewRaster::normalsOf(const Mesh& mesh) {
+  Normals normals;
+  normals.flat.reserve(mesh.triangles.size());
+  normals.smooth.reserve(mesh.triangles.size());
   const std::vector<Vec3f> smooth = vertexNormals(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    normals_.push_back(triangleNormal(mesh, t));
+    normals.flat.push_back(triangleNormal(mesh, t));
     const Triangle& corners = mesh.triangles[t];
     const Vec3 sum = Vec3(smooth[corners[0]]) + Vec3(smooth[corners[1]]) + Vec3(smooth[corners[2]]);
-    smoothNormals_.push_back(glm::length(sum) > 0 ? glm::normalize(sum) : sum);
+    normals.smooth.push_back(glm::length(sum) > 0 ? glm::normalize(sum) : sum);
   }
-  front_.resize(mesh.triangles.size());
-  vertices_.resize(mesh.positions.size());
+  return normals;
 }
+
+ViewRaster::ViewRaster(const Mesh& mesh, const Adjacency& adjacency)
+    : mesh_(&mesh),
+      adjacency_(&adjacency),
+      normals_(std::make_shared<const Normals>(normalsOf(mesh))),
+      vertices_(mesh.positions.size()),
+      front_(mesh.triangles.size()) {}
 
 void ViewRaster::draw(const ProjectionFrame& frame, const RasterWindow& window, double minCosine) {
   assert(window.texels > 2 && window.extentMm > 0);
@@ -66,9 +73,9 @@ void ViewRaster::drawFacets(const ProjectionFrame& frame, double minCosine) {
   const Vec3 eye = frame.eye();
   for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
     const Vec3 toEye = eye - mesh_->corner(t, 0);
-    front_[t] = glm::dot(normals_[t], toEye) > 0 ? 1 : 0;
+    front_[t] = glm::dot(normals_->flat[t], toEye) > 0 ? 1 : 0;
     if (front_[t] == 0) continue;
-    drawFacet(mesh_->triangles[t], glm::dot(smoothNormals_[t], toEye) < minCosine * glm::length(toEye));
+    drawFacet(mesh_->triangles[t], glm::dot(normals_->smooth[t], toEye) < minCosine * glm::length(toEye));
   }
 }
 

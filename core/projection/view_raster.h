@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct RasterWindow {
 ///
 /// Drawn by the processor, not the GPU: a map takes hundreds of small views of about ten thousand facets, for which
 /// waiting for the read-back costs more than drawing (bench/spot_search.cpp). The result is also the same on every
-/// machine.
+/// machine. A copy shares what is the same in every view, and may draw at the same time as the original.
 class ViewRaster {
  public:
   /// @param mesh, adjacency  kept by reference
@@ -61,11 +62,15 @@ class ViewRaster {
   void drawContour(const Seen& from, const Seen& to);
   float farthestAround(float x, float y) const;
 
+  struct Normals {
+    std::vector<Vec3> flat;    // of the facets
+    std::vector<Vec3> smooth;  // of the facets, from their corners' normals: slope without the noise of single facets
+  };
+  static Normals normalsOf(const Mesh& mesh);
+
   const Mesh* mesh_;
   const Adjacency* adjacency_;
-  std::vector<Vec3> normals_;  // of the facets
-  // of the facets, from their corners' normals: slope without the noise of single facets
-  std::vector<Vec3> smoothNormals_;
+  std::shared_ptr<const Normals> normals_;
   RasterWindow window_;
   float depthSlack_ = 0;  // inverse depths closer than this belong to one sheet
   std::vector<Seen> vertices_;

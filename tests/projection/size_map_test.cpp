@@ -166,6 +166,24 @@ TEST(SizeMap, UsesASingleDirectionOnRequest) {
   EXPECT_GT(largest(map), 40);
 }
 
+TEST(SizeMap, OfSeveralViewsHasTheSquaresOfEach) {
+  const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
+  constexpr int kViews = 7;  // not a multiple of the views of a step
+  const SizeMap all = mapOf(mesh, {.minMm = 20, .views = kViews});
+  std::vector<SizeMap> single;
+  for (int view = 0; view < kViews; ++view)
+    single.push_back(mapOf(mesh, {.minMm = 20, .onlyFrom = latticeDirection(view, kViews)}));
+  for (std::size_t v = 0; v < all.sizeMm.size(); ++v) {
+    const bool isInOne = std::any_of(single.begin(), single.end(), [&](const SizeMap& one) {
+      return one.sizeMm[v] == all.sizeMm[v] && one.direction[v] == all.direction[v];
+    });
+    const bool isInNone =
+        std::all_of(single.begin(), single.end(), [&](const SizeMap& one) { return one.sizeMm[v] == 0; });
+    EXPECT_TRUE(isInOne) << v;
+    EXPECT_EQ(all.sizeMm[v] == 0, isInNone) << v;
+  }
+}
+
 TEST(SizeMap, IsDeterministic) {
   const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
   const SizeMap first = mapOf(mesh, {.minMm = 20});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/view_raster.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -22,6 +23,19 @@ TEST(ViewRaster, CoversTheOutlineOfASphere) {
   raster.draw(lookAlong({1, 2, 3}), {100, 256}, 0);
   const double outlineSquared = 40.0 * 40 / (1 - 40.0 * 40 / (kEyeDistance * kEyeDistance));
   EXPECT_NEAR(raster.coveredMm2(), std::numbers::pi * outlineSquared, 0.01 * std::numbers::pi * outlineSquared);
+}
+
+TEST(ViewRaster, ACopyDrawsAViewOfItsOwn) {
+  const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
+  const Adjacency adjacency = buildAdjacency(mesh.triangles);
+  const RasterWindow window{100, 128};
+  ViewRaster raster(mesh, adjacency), alone(mesh, adjacency);
+  ViewRaster copy = raster;
+  raster.draw(lookAlong({1, 2, 3}), window, 0.5);
+  copy.draw(lookAlong({-3, 1, 0}), window, 0.5);
+  alone.draw(lookAlong({1, 2, 3}), window, 0.5);
+  EXPECT_TRUE(std::equal(raster.blocked().begin(), raster.blocked().end(), alone.blocked().begin()));
+  EXPECT_FALSE(std::equal(raster.blocked().begin(), raster.blocked().end(), copy.blocked().begin()));
 }
 
 TEST(ViewRaster, BlocksASphereInwardsFromItsOutlineWhereItIsTooOblique) {
