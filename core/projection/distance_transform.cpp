@@ -27,7 +27,21 @@ class LowerEnvelope {
   explicit LowerEnvelope(int texels)
       : vertex_(static_cast<std::size_t>(texels)), begin_(static_cast<std::size_t>(texels)) {}
 
+  /// Replaces the squared distances within a column by those within all columns.
   void replaceRow(std::int32_t* row, int texels) {
+    for (int begin = 0; begin < texels; ++begin) {
+      if (row[begin] == 0) continue;
+      int end = begin + 1;
+      while (end < texels && row[end] != 0) ++end;
+      // The blocked texels at both ends are nearer than anything beyond them.
+      const int first = std::max(begin - 1, 0);
+      replaceRun(row + first, std::min(end + 1, texels) - first);
+      begin = end;
+    }
+  }
+
+ private:
+  void replaceRun(std::int32_t* row, int texels) {
     height_.assign(row, row + texels);
     std::size_t last = 0;
     vertex_[0] = 0;
@@ -52,7 +66,6 @@ class LowerEnvelope {
     }
   }
 
- private:
   /// Returns the least x ≥ 0 at which the parabola of q is not higher than the parabola of p < q.
   int firstLower(int p, int q) const {
     const std::int32_t numerator = q * q - p * p + height_[q] - height_[p];
