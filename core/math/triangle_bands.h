@@ -71,22 +71,25 @@ class TriangleTexels {
       : texels_(texels),
         columns_(within(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}))),
         rows_(within(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}))) {
-    if (columns_.last - columns_.first >= kNarrow) bands_.emplace(a, b, c);
+    const int across = columns_.last - columns_.first;
+    if (across >= kNarrow || (across >= 2 && rows_.last - rows_.first >= kNarrow)) bands_.emplace(a, b, c);
   }
 
   Range rows() const { return rows_; }
-  /// Returns the columns of a row: some more than needed, because of rounding and because narrow triangles are drawn
+  /// Returns the columns of a row: some more than needed, because of rounding and because small triangles are drawn
   /// faster by their box.
   Range columns(int row) const {
     if (!bands_) return columns_;
-    const auto [least, greatest] = bands_->between(static_cast<Number>(row), static_cast<Number>(row + 1));
-    const Range range = within(least - kHalf, greatest + kHalf);
+    const Number middle = static_cast<Number>(row) + kHalf;
+    const auto [least, greatest] = bands_->between(middle - kSlack, middle + kSlack);
+    const Range range = within(least - kSlack, greatest + kSlack);
     return {std::max(columns_.first, range.first), std::min(columns_.last, range.last)};
   }
 
  private:
   static constexpr int kNarrow = 8;
   static constexpr Number kHalf = Number(0.5);
+  static constexpr Number kSlack = Number(1) / 16;  // of a texel: allowance for rounding
 
   /// Clamps before the conversion to integers, because corners level with the eye lie far away.
   Range within(Number low, Number high) const {

@@ -2,6 +2,7 @@
 #include "math/triangle_bands.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -21,6 +22,41 @@ TEST(TriangleBands, TheRowsOfALongThinTriangleCostItsLength) {
       columns += std::max(0.0, greatest - least);
     }
     EXPECT_LE(columns, 3 * length) << length;
+  }
+}
+
+TEST(TriangleTexels, OfASliverAreFewMoreThanItsMiddles) {
+  for (const glm::vec2 end : {glm::vec2(400, 40), {40, 400}, {7, 400}, {400, 7}, {300, 300}}) {
+    const glm::vec2 a(3, 2), b = a + end, c = b + glm::vec2(-0.2f, 0.2f);
+    const TriangleTexels<float> texels(a, b, c, 512);
+    int looked = 0;
+    for (int row = texels.rows().first; row <= texels.rows().last; ++row)
+      looked += std::max(0, texels.columns(row).last - texels.columns(row).first + 1);
+    EXPECT_LE(static_cast<float>(looked), 2 * (end.x + end.y)) << end.x << ", " << end.y;
+  }
+}
+
+TEST(TriangleTexels, HoldEveryMiddleInATriangle) {
+  constexpr int kTexels = 64;
+  Random random(9);
+  for (int i = 0; i < 500; ++i) {
+    std::array<glm::vec2, 3> corners;
+    for (auto& corner : corners)
+      corner = glm::vec2(Vec2(random.uniform(-5, kTexels + 5), random.uniform(-5, kTexels + 5)));
+    if (i % 2 == 0) corners[2] = corners[1] + 0.3f * (corners[2] - corners[1]) / 64.0f;  // a sliver
+    const auto& [a, b, c] = corners;
+    const TriangleTexels<float> texels(a, b, c, kTexels);
+    for (int row = 0; row < kTexels; ++row)
+      for (int column = 0; column < kTexels; ++column) {
+        const glm::vec2 p(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
+        const auto side = [&](glm::vec2 from, glm::vec2 to) {
+          return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+        };
+        const float s = side(a, b), t = side(b, c), u = side(c, a);
+        if (std::min({s, t, u}) < 0 && std::max({s, t, u}) > 0) continue;
+        EXPECT_TRUE(row >= texels.rows().first && row <= texels.rows().last);
+        EXPECT_TRUE(column >= texels.columns(row).first && column <= texels.columns(row).last);
+      }
   }
 }
 
