@@ -11,6 +11,7 @@
 
 #include "base/clock.h"
 #include "base/job_stages.h"
+#include "base/parallel.h"
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "message_codes/pipeline.h"
@@ -19,10 +20,9 @@
 #include "pipeline/default_patterns.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/mark_depth.h"
-#include "pipeline/placement.h"
 #include "pipeline/spot_concerns.h"
 #include "pipeline/spot_light.h"
-#include "projection/flatness.h"
+#include "pipeline/spot_trial.h"
 #include "projection/size.h"
 #include "projection/size_bound.h"
 #include "settings/settings.h"
@@ -30,26 +30,19 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSliceMs = 30;     // time to draw views in one piece of work
+constexpr double kSliceMs = 30;     // time to draw views or test spots in one piece of work
 constexpr double kMapMayErr = 0.9;  // test spots whose size in the map is this share of the size needed, or 1/√2 of it,
                                     // as some spots fit at one rotation only
-constexpr double kMostSlopeDeg = 70;         // steeper codes fitted but did not decode; the map's own limit is 65°
-constexpr double kTrustedSizeShare = 1.001;  // least ratio of the largest size to the size offered
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;   // spots tried for the largest size if the requested size fits nowhere
 constexpr std::size_t kMoreForColour = 3;  // found spots for each requested one
 constexpr double kUnaskedShare = 0.1;      // least square of the map if no size is requested, of the diagonal
-constexpr double kPerDirectionUnit = 1e4;
+constexpr std::size_t kMostTrials = 4;     // at the same time: each takes some MB on a large model
 
 /// Returns the least square that the map must show if no size is requested.
 double unaskedLeastMm(const EngravableModel& model) {
   return kUnaskedShare * boundingBox(model.prepared.mesh).diagonal();
-}
-
-Vec3 roundedTo(Vec3 v, double perUnit) {
-  return {std::round(v.x * perUnit) / perUnit, std::round(v.y * perUnit) / perUnit,
-          std::round(v.z * perUnit) / perUnit};
 }
 
 /// Checks the settings shared with engraving by the same rules.
@@ -70,6 +63,15 @@ int centreDecimals(double scaleToMm) {
 }
 
 struct SpotSearchJob::State {
+  /// The test of a candidate, and its last answer.
+  struct Trial {
+    SpotTrial test;
+    Result<bool> isDone = false;
+
+    bool goesOn() const { return isDone && !*isDone; }
+    void advance(double ms);
+  };
+
   std::shared_ptr<const EngravableModel> model;
   SpotSearchRequest request;
   JobStages<State> stages = stagesOf();
@@ -82,11 +84,8 @@ struct SpotSearchJob::State {
   // Order of the candidates: first the `likely` ones, which take the size according to the map, with the `deferred`
   // doubtful ones last among them; then all others. The first `screened` have been checked.
   std::size_t likely = 0, screened = 0, deferred = 0;
-  std::size_t recalled = 0;    // candidates before this one were recalled: tested until enough spots print
-  bool withDirection = false;  // true during the second try at a candidate
-  std::optional<PlacementSearch> search;
-  Spot offered;                   // the spot being tested
-  std::optional<Vec3> direction;  // direction for the test; none: found by the request's method
+  std::size_t recalled = 0;   // candidates before this one were recalled: tested until enough spots print
+  std::vector<Trial> trials;  // of the next candidates
   std::size_t tooThin = 0;
   double thickestMm = 0;        // the thickest of these walls
   std::optional<Spot> largest;  // largest spot that takes less than the requested size
@@ -109,7 +108,6 @@ struct SpotSearchJob::State {
   }
   std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * wantedSpots(); }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
-  double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
   static JobStages<State> stagesOf();
   double mostInMap() const;
@@ -117,13 +115,13 @@ struct SpotSearchJob::State {
   Result<StageStep> drawViews();
   void propose(double leastSizeMm);
   bool isDoubtful(const SpotCandidate& spot) const;
-  bool screen();
+  bool screen(std::size_t at);
   bool recallDeferred();
-  bool isEnough() const;
-  void beginTest();
+  bool isEnough(std::size_t at, std::size_t moreSpots) const;
+  std::size_t mostTrials() const;
+  bool beginTrials();
   Result<StageStep> testOnce();
-  Status take(const Placement& placement);
-  void nextTry();
+  void take(const SpotTrial& trial);
   Result<StageStep> finishTests();
   Error nothingFound() const;
   double testedShare() const;
@@ -163,13 +161,12 @@ Result<StageStep> SpotSearchJob::State::drawViews() {
 
 void SpotSearchJob::State::propose(double leastSizeMm) {
   CandidateOptions options;
-  options.edgeMm = std::min(wantedMm() * outer, std::max(mostInMap(), 1e-3));
+  options.edgeMm = std::min(wantedMm(request) * outer, std::max(mostInMap(), 1e-3));
   options.minSizeMm = leastSizeMm;
-  options.enoughMm = std::max(wantedMm(), request.placement.maxSizeMm) * outer;
+  options.enoughMm = std::max(wantedMm(request), request.placement.maxSizeMm) * outer;
   candidates = spotCandidates(map(), options);
   candidate = 0;
   screened = deferred = recalled = 0;
-  withDirection = false;
   const double takes = fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
                                               [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
@@ -179,21 +176,21 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
 bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
   const PlacementRequest& place = request.placement;
   const ProjectionFrame frame = makeFrame(spot.position, spot.direction, place.upHint, place.eyeDistanceMm);
-  const double symbolMm = std::min(wantedMm(), spot.sizeMm / outer);
+  const double symbolMm = std::min(wantedMm(request), spot.sizeMm / outer);
   return facesDown(frame, request) || unevenLightOn(*model, frame, symbolMm, request) > kMostUnevenLight;
 }
 
-/// Screens the next candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
-/// @returns false if the next candidate needs no screening
-bool SpotSearchJob::State::screen() {
-  const bool isLooked = screened > candidate || candidate >= likely - deferred;
+/// Screens a candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
+/// @returns false if the candidate at that index needs no screening
+bool SpotSearchJob::State::screen(std::size_t at) {
+  const bool isLooked = screened > at || at >= likely - deferred;
   if (isLooked || findsLargest || screened + deferred >= mostTries()) return false;
-  if (!isDoubtful(candidates[candidate])) {
-    screened = candidate + 1;
+  if (!isDoubtful(candidates[at])) {
+    screened = at + 1;
     return true;
   }
-  const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(candidate);
-  std::rotate(at, at + 1, candidates.begin() + static_cast<std::ptrdiff_t>(likely));
+  const auto doubtful = candidates.begin() + static_cast<std::ptrdiff_t>(at);
+  std::rotate(doubtful, doubtful + 1, candidates.begin() + static_cast<std::ptrdiff_t>(likely));
   ++deferred;
   return true;
 }
@@ -213,89 +210,67 @@ bool SpotSearchJob::State::recallDeferred() {
   return recalled > candidate;
 }
 
-/// Returns true if no more candidates must be tested.
-bool SpotSearchJob::State::isEnough() const {
-  if (candidate >= candidates.size()) return true;
-  if (findsLargest) return candidate >= kLargestTried;
-  if (candidate < recalled) return printableSpots() >= wantedSpots();
-  return hasEnough() || candidate >= mostTries();
+/// Returns true if the candidate at that index need not be tested.
+/// @param moreSpots  greatest number of spots that the candidates before it may still give
+bool SpotSearchJob::State::isEnough(std::size_t at, std::size_t moreSpots) const {
+  if (at >= candidates.size()) return true;
+  if (findsLargest) return at >= kLargestTried;
+  if (at < recalled) return printableSpots() + moreSpots >= wantedSpots();
+  const bool mayBeEnough = moreSpots > 0 && result.spots.size() + moreSpots >= wantedSpots();
+  return mayBeEnough || hasEnough() || at >= mostTries();
 }
 
-void SpotSearchJob::State::beginTest() {
-  const SpotCandidate& spot = candidates[candidate];
-  PlacementRequest placement = request.placement;
-  offered = {};
-  offered.centreFileUnits =
-      roundedTo(spot.position / request.scaleToMm, std::pow(10, centreDecimals(request.scaleToMm)));
-  offered.centreMm = offered.centreFileUnits * request.scaleToMm;
-  placement.centreMm = offered.centreMm;
-  if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
-  direction = placement.direction;
-  const double pocketMm = placement.pockets.depth(wantedMm() / request.modules);
-  placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
-  if (findsLargest) placement.sizeMode = SizeMode::Oriented;
-  search.emplace(model->prepared, *model->renderer, request.modules, placement);
-  ++result.tried;
-}
+/// Returns the number of candidates to test at the same time. A GPU draws for one at a time.
+std::size_t SpotSearchJob::State::mostTrials() const { return model->renderer == model->raster ? kMostTrials : 1; }
 
-/// Goes on to the map's direction at the same spot, or to the next spot.
-void SpotSearchJob::State::nextTry() {
-  search.reset();
-  const bool done = withDirection || request.placement.direction;
-  if (done) ++candidate;
-  withDirection = !done;
-}
-
-Status SpotSearchJob::State::take(const Placement& placement) {
-  offered.body = model->prepared.mesh.body(placement.seed);
-  offered.direction = direction.value_or(placement.frame.normal);
-  offered.needsDirection = withDirection;
-  if (request.coloured) offered.colourLayers = layersOfCode(placement, request.modules, *request.coloured);
-  offered.symbolMm = placement.symbolMm;
-  offered.guaranteedMm = placement.guaranteedMm;
-  offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
-  offered.largestMm = placement.largestMm;
-  offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
-  const double limitMm = std::max(wantedMm(), request.placement.maxSizeMm);  // of largestMm
-  const double trustedMm = std::min(kTrustedSizeShare * offered.symbolMm, limitMm);
-  const bool tooTight = fixed() && !findsLargest && offered.largestMm < trustedMm;
-  if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
-    nextTry();
-    return {};
+/// Begins the tests of the next candidates: of one at least, and of more only if each is needed whatever the others
+/// give. So the result does not depend on their number.
+/// @returns false if a candidate was screened instead
+bool SpotSearchJob::State::beginTrials() {
+  std::size_t count = 0;
+  while (count < mostTrials() && (count == 0 || !isEnough(candidate + count, count))) {
+    if (screen(candidate + count)) return false;
+    ++count;
   }
-  const auto concerns = concernsAt(*model, placement, request);
-  QRELIEF_TRY(concerns);
-  if (concerns->takesPockets || (request.offersThinWalls && !findsLargest)) {
-    offered.prints = concerns->prints;
-    offered.takesPockets = concerns->takesPockets;
-    offered.coversColours = concerns->coversColours;
-    offered.facesDown = concerns->facesDown;
-    offered.unevenLight = concerns->unevenLight;
-    offered.concerns = concerns->reasons;
-    if (!findsLargest)
-      result.spots.push_back(offered);
-    else if (!largest || offered.symbolMm > largest->symbolMm)
-      largest = offered;
-    withDirection = true;  // done with this spot
-  } else if (!withDirection) {
+  for (std::size_t i = 0; i < count; ++i)
+    trials.push_back({SpotTrial(*model, request, result.map, candidates[candidate + i], findsLargest)});
+  return true;
+}
+
+/// Does steps until the time is over.
+void SpotSearchJob::State::Trial::advance(double ms) {
+  const auto start = Clock::now();
+  while (goesOn() && millisecondsSince(start) < ms) isDone = test.step();
+}
+
+void SpotSearchJob::State::take(const SpotTrial& trial) {
+  ++candidate;
+  result.tried += trial.tries();
+  if (const auto wallMm = trial.thinWallMm()) {
     ++tooThin;
-    thickestMm = std::max(thickestMm, concerns->wallMm);
+    thickestMm = std::max(thickestMm, *wallMm);
   }
-  nextTry();
-  return {};
+  if (!trial.spot()) return;
+  if (!findsLargest)
+    result.spots.push_back(*trial.spot());
+  else if (!largest || trial.spot()->symbolMm > largest->symbolMm)
+    largest = trial.spot();
 }
 
 Result<StageStep> SpotSearchJob::State::testOnce() {
-  if (isEnough() && !recallDeferred()) return finishTests();
-  if (!search && screen()) return StageStep{testedShare()};
-  if (!search) beginTest();
-  const Result<bool> placed = search->step();
-  if (!placed && placed.error().kind != ErrorKind::NoSolution) return tl::unexpected(placed.error());
-  if (!placed) {
-    nextTry();
-  } else if (*placed) {
-    QRELIEF_TRY(take(search->placement()));
+  if (trials.empty()) {
+    if (isEnough(candidate, 0) && !recallDeferred()) return finishTests();
+    if (!beginTrials()) return StageStep{testedShare()};
   }
+  const double sliceMs = kSliceMs / static_cast<double>(trials.size());
+  parallelFor(trials.size(), [&](std::size_t i) { trials[i].advance(sliceMs); });
+  if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) { return trial.goesOn(); }))
+    return StageStep{testedShare()};
+  for (const Trial& trial : trials) {
+    QRELIEF_TRY(trial.isDone);
+    take(trial.test);
+  }
+  trials.clear();
   return StageStep{testedShare()};
 }
 
