@@ -187,11 +187,11 @@ class Engine {
   /// @param what  {"carved": true: the carved model, "sizes": true: the largest sizes as colours on the model, or where
   ///              the fixed size fits, if they are known, "depths": true: carved depths as colours, "buildPlate": true:
   ///              the printer's plate under the model in the pose in which it is printed, "construction": true: how the
-  ///              code was placed, "lampLight": true: the light of a uniform sky and of the lamps round a placed code, if
-  ///              the settings have lamps, "section": cuts the model open across the code, from top to bottom as its
+  ///              code was placed, "lampLight": true: the light of a uniform sky and of the lamps round a placed code,
+  ///              if the settings have lamps, "section": cuts the model open across the code, from top to bottom as its
   ///              viewer sees it, at that offset from the code's middle in half edges of its square, -1 … 1; null: no
-  ///              section, "upAxis": the model's axis, "y" or "z", that points up in the view and along which the code's
-  ///              top points}
+  ///              section, "upAxis": the model's axis, "y" or "z", that points up in the view and along which the
+  ///              code's top points}
   std::string show(const std::string& what);
   /// Shows a lamp under the pointer on the hemisphere round the code, and its light, until the next configure(). The
   /// settings stay. Returns {lamps: [{azimuthDeg, elevationDeg, strength}]}: all of them; an error if no code is placed

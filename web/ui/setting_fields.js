@@ -41,7 +41,10 @@ export function fieldChange(key, text, settings) {
   if (key === 'size' && text === kFixed) return { size: settings.maxSizeMm };
   if (key === 'pattern' && text === kOwn) return { patternMask: kFirstMask };
   // The change says so itself: it is shown while it is typed, before settingsAfter() completes it.
-  const change = { [key]: fieldValue(key, text), ...(key === 'pattern' && { patternMask: undefined }) };
+  /** @type {WorkSettings} */ const change = {
+    [key]: fieldValue(key, text),
+    ...(key === 'pattern' && { patternMask: undefined }),
+  };
   return key === 'maxSizeMm' && isSizeFixed(settings) ? { ...change, size: change.maxSizeMm } : change;
 }
 
