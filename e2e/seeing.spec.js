@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-import { isDark, isOrange, isTeal, isViolet, shareOf } from './support/pixels.js';
+import { isOrange, isTeal, isViolet, shareOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
 
 test.use({ viewport: { width: 1280, height: 800 } }); // the limits for colours assume this size
@@ -141,11 +141,11 @@ test('The lamps light the model, and dragging one moves it round the code', asyn
   const elevation = page.locator('#lamp-1-elevationDeg');
 
   await test.step('by a switch', async () => {
-    await poll(() => shareOf(app.canvas, isDark)).toBeGreaterThan(0.05); // what faces away from the lamp
+    const lit = await app.settledPicture();
     await button.click();
-    await poll(() => shareOf(app.canvas, isDark)).toBeLessThan(0.04);
+    await poll(() => app.differenceFrom(lit)).toBeGreaterThan(0.01);
     await button.click();
-    await poll(() => shareOf(app.canvas, isDark)).toBeGreaterThan(0.05);
+    await poll(() => app.differenceFrom(lit)).toBeLessThan(0.002);
   });
 
   await test.step('while it is dragged, and as a setting afterwards', async () => {

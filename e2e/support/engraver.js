@@ -2,7 +2,9 @@
 // The page as its user knows it, by roles and names.
 import { readFile } from 'node:fs/promises';
 import { expect } from '@playwright/test';
+import { meanDifference } from './pixels.js';
 import { poll } from './poll.js';
+import { readPng } from './read_png.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
@@ -80,6 +82,15 @@ export class Engraver {
       return before.equals(picture);
     }).toBe(true);
     return picture;
+  }
+
+  /**
+   * Returns how far the view's brightness now differs from an earlier picture of it; 1: black and white.
+   * @param {Buffer} before  see settledPicture()
+   */
+  async differenceFrom(before) {
+    const [one, other] = [readPng(before), readPng(await this.canvas.screenshot())];
+    return meanDifference(one, other, { x: 0, y: 0 }, { x: one.width, y: one.height }, 8);
   }
 
   /** Shows codes as they will be carved, however slow the machine is. */

@@ -2,7 +2,6 @@
 // Effects of the controls of the page as a whole and of the buttons that turn the view; see controls.spec.js.
 import { expect } from '@playwright/test';
 import { showOverlays } from './hands.js';
-import { isDark, shareOf } from './pixels.js';
 import { poll } from './poll.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -54,11 +53,10 @@ export const kOfTheView = {
     await at('lamp-1-strength').fill('9');
     await at('lamp-1-strength').press('Tab');
     await app.expectReady();
-    const dark = () => shareOf(app.canvas, isDark);
     await showOverlays(page, false);
-    await poll(dark).toBeGreaterThan(0.05); // what faces away from the lamp
+    const lit = await app.settledPicture();
     await press('show-lamp-light');
-    await poll(dark).toBeLessThan(0.04);
+    await poll(() => app.differenceFrom(lit)).toBeGreaterThan(0.01);
     await showOverlays(page, true);
     await at('lamp-count').selectOption('0');
     await expect(at('show-lamp-light')).toBeHidden();
