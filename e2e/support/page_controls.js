@@ -56,7 +56,7 @@ export const kOfTheView = {
     await showOverlays(page, false);
     const lit = await app.settledPicture();
     await press('show-lamp-light');
-    await poll(() => app.differenceFrom(lit)).toBeGreaterThan(0.01);
+    await poll(() => app.differenceFrom(lit)).toBeGreaterThan(0.004);
     await showOverlays(page, true);
     await at('lamp-count').selectOption('0');
     await expect(at('show-lamp-light')).toBeHidden();
