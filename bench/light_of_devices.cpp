@@ -52,7 +52,7 @@ Result<EngraveResult> engraveBy(Device device, const std::shared_ptr<const Engra
   return runToEnd(**job);
 }
 
-/// Difference of the light from traced light, which has noise of its own.
+/// Difference between computed and path-traced luminance. Includes the noise of the traced values.
 struct LightError {
   double mean = 0, absolute = 0;  ///< mean of the differences, and of their sizes
 };

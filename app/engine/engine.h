@@ -193,9 +193,9 @@ class Engine {
   ///              section, "upAxis": the model's axis, "y" or "z", that points up in the view and along which the
   ///              code's top points}
   std::string show(const std::string& what);
-  /// Shows a lamp under the pointer on the hemisphere round the code, and its light, until the next configure(). The
-  /// settings stay. Returns {lamps: [{azimuthDeg, elevationDeg, strength}]}: all of them; an error if no code is placed
-  /// or there is no such lamp.
+  /// Moves a lamp on the hemisphere round the code to the pointer, and shows its light until the next configure(). Does
+  /// not change the settings. Returns {lamps: [{azimuthDeg, elevationDeg, strength}]} with every lamp. BadUsage if no
+  /// code is placed or the index is too large.
   /// @param where  {"lamp": index from 0, "at": [x, y]}
   std::string moveLamp(const std::string& where);
   /// Shows the simulated print on the surface in place of the carved model, until the camera moves or another model is

@@ -7,9 +7,9 @@
 namespace qrelief {
 namespace {
 
-constexpr double kWholeMesh = 0.51;  // half edge of the window round the mesh, as a part of the mesh's diagonal
-constexpr float kNothing = -1e9f;    // height where there is no surface
-constexpr int kFirstTexel = 1;       // edge of the texture before there are lamps
+constexpr double kWholeMesh = 0.51;    // half edge of the window round the mesh, as a part of the mesh's diagonal
+constexpr float kEmptyHeight = -1e9f;  // of a texel without surface
+constexpr int kFirstTexel = 1;         // edge of the texture before there are lamps
 
 constexpr double kFarDiagonals = 200;    // distance of an eye whose sight is nearly parallel, in diagonals of the mesh
 constexpr double kPyramidMargin = 1.02;  // so far away it narrows by at most 2 · 0.51 / 200 on the way through the mesh
@@ -73,7 +73,7 @@ void LampShadows::drawMap(const Map& map, int column, int row, const GpuMesh& me
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
-  glClearColor(kNothing, 0, 0, 0);
+  glClearColor(kEmptyHeight, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const ProjectionFrame axes = axesTowards(map.towards);
   program_.use();

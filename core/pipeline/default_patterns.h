@@ -23,9 +23,9 @@ inline constexpr double kWholeFinderDepthModules = 1.5;
 
 /// Fills in the patterns, contrast and maximum depth that a request leaves open.
 ///
-/// Dark modules get `thick-plus`, if there is no pattern of their own. Finders are carved whole, with a smaller
-/// contrast, if the request names no pattern and is for even light and ContrastSolver::Fast. Otherwise, or where walls
-/// are too thin for whole finders, they are `thick-plus-sharp`, with the preset's contrast.
+/// Dark modules get `thick-plus` if the request names no pattern and no mask. Finders are then carved whole, with a
+/// smaller contrast, for even light and ContrastSolver::Fast. Otherwise, or where walls are too thin for whole finders,
+/// finders are `thick-plus-sharp`, with the preset's contrast.
 /// @param moduleMm      > 0
 /// @param areWallsThin  see wallsAreThinForWholeFinders()
 EngraveRequest withDefaultPatterns(EngraveRequest request, double moduleMm, bool areWallsThin = false);

@@ -44,7 +44,7 @@ void SpotTrial::beginTry() {
   ++tries_;
 }
 
-/// Goes on to the map's direction. @returns true if there is no other to try
+/// Tries the map's direction next. @returns true if it was tried already
 bool SpotTrial::endTry() {
   search_.reset();
   if (withDirection_ || request_->placement.direction) return true;

@@ -28,7 +28,7 @@ inline constexpr int kQuietZoneSubmodules = kSubmodulesPerModule * kQuietZoneMod
 ///     #####    .....    .....    ..#..    .###.
 enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, ThickPlus };
 
-/// The carved submodules of one dark module: those of a pattern, or any others.
+/// The carved submodules of one dark module: a named pattern, or a mask drawn by the user.
 struct ModuleMask {
   std::bitset<kSubmodulesPerModule * kSubmodulesPerModule> carved;  ///< row by row from the module's top left
 
