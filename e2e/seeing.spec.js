@@ -137,6 +137,14 @@ test('The lamps light the model, and dragging one moves it round the code', asyn
     );
     return { x: x + width / 2, y: y + height / 2 };
   };
+  const drag = async () => {
+    const from = await middle();
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x - 40, from.y - 30, { steps: 4 });
+    await poll(async () => (await middle()).x).toBeLessThan(from.x - 20);
+    return from;
+  };
   const azimuth = page.locator('#lamp-1-azimuthDeg');
   const elevation = page.locator('#lamp-1-elevationDeg');
 
@@ -152,11 +160,7 @@ test('The lamps light the model, and dragging one moves it round the code', asyn
   });
 
   await test.step('while it is dragged, and as a setting afterwards', async () => {
-    const from = await middle();
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    await page.mouse.move(from.x - 40, from.y - 30, { steps: 4 });
-    await poll(async () => (await middle()).x).toBeLessThan(from.x - 20);
+    const from = await drag();
     await expect(azimuth).toHaveValue('0');
     await page.mouse.up();
     await poll(() => azimuth.inputValue()).not.toBe('0');
@@ -170,11 +174,7 @@ test('The lamps light the model, and dragging one moves it round the code', asyn
   });
 
   await test.step('until Escape', async () => {
-    const from = await middle();
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    await page.mouse.move(from.x - 40, from.y - 30, { steps: 4 });
-    await poll(async () => (await middle()).x).toBeLessThan(from.x - 20);
+    const from = await drag();
     await page.keyboard.press('Escape');
     await poll(async () => Math.abs((await middle()).x - from.x)).toBeLessThan(2);
     await page.mouse.up();

@@ -15,6 +15,8 @@ namespace qrelief {
 /// An engine with a view of 400 × 300 pixels.
 class EngineFixture : public GlTest {
  protected:
+  static constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test", "size": "free"})";
+
   void SetUp() override {
     engine_ = std::make_unique<Engine>();
     engine_->resize(400, 300, 1);

@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test", "size": "free"})";
-
 using EngineViewTest = EngineFixture;
 
 Vec2 vec2Of(const Json& position) { return {position.at(0), position.at(1)}; }

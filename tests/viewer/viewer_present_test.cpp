@@ -12,6 +12,15 @@ namespace {
 
 using ViewerPresentTest = ViewerFixture;
 
+/// Returns a decal of two by two modules without ink, for the top of a box 20 mm high.
+Decal decalOnTop() {
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 40;
+  decal.size = 2;
+  return decal;
+}
+
 TEST_F(ViewerPresentTest, LinesAreDrawnOverTheModelAndFaintBehindIt) {
   show(shapes::box({40, 40, 40}));
   camera_.lookFrom(StandardView::Front);
@@ -115,10 +124,7 @@ TEST_F(ViewerPresentTest, TheBoxOfADecalIsNoLargerThanNecessary) {
 TEST_F(ViewerPresentTest, TheDecalAppearsWhereItIsProjected) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
-  Decal decal;
-  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  decal.edgeMm = 40;
-  decal.size = 2;
+  Decal decal = decalOnTop();
   decal.ink = {255, 0,  // the viewer's upper left is dark
                0, 0};
   viewer_->setDecal(decal);
@@ -204,10 +210,7 @@ TEST_F(ViewerPresentTest, AGhostIsFainterThanADecalAndKeepsTheRefinedPicture) {
 TEST_F(ViewerPresentTest, ADecalHasItsOwnColours) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
-  Decal decal;
-  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  decal.edgeMm = 40;
-  decal.size = 2;
+  Decal decal = decalOnTop();
   decal.ink = {255, 0, 0, 0};
   decal.colours = {Vec3f(0.03f), Vec3f(0.56f)};
   viewer_->setDecal(decal);
