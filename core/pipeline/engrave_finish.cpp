@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements the last stages of CarveJob (engrave.h): file, checks and picture of the result.
 #include <algorithm>
+#include <span>
 
 #include "base/clock.h"
 #include "mesh/topology.h"
@@ -51,16 +52,15 @@ Result<StageStep> CarveJob::State::weld() {
 
 Result<StageStep> CarveJob::State::check() {
   const auto start = Clock::now();
-  const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
+  // If the model crosses itself, the crossings of the whole file are counted.
+  const bool crossesItself = model->prepared.crossesItself;
+  const auto solidity =
+      checkSolidity(result.mesh, crossesItself ? std::span<const std::uint32_t>()
+                                               : std::span<const std::uint32_t>(embedded.newTriangles));
   QRELIEF_TRY(solidity);
   result.solidity = *solidity;
   QRELIEF_TRY(checkNewDefects(result.solidity, model->prepared));
-  if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
-    const auto whole = checkSolidity(result.mesh);
-    QRELIEF_TRY(whole);
-    result.solidity = *whole;
-    result.inheritedSelfIntersections = whole->selfIntersections;
-  }
+  if (crossesItself) result.inheritedSelfIntersections = result.solidity.selfIntersections;
   if (request.marking.mark == Mark::Inlay) QRELIEF_TRY(setInlay(embedded.inlay, result));
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
