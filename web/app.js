@@ -173,7 +173,7 @@ function connect(notices) {
   const exporter = new Exporter({ ...carved, editor, panel: panels.exportPanel });
   const autosave = new Autosave({ ...base, last: new LastWork(new Database(), holdsSecret), editor });
   const undo = new Undo({ ...carved, spots, editor, autosave });
-  new ViewControl({ ...carved, ...panels, tools, inspectorControl, editor });
+  new ViewControl({ ...carved, ...panels, tools, live, inspectorControl, editor });
   faceNewCodes({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
   const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
   const opener = new FileOpener({ ...carved, editor, exporter, undo, code, tools, panel: panels.modelPanel });

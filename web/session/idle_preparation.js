@@ -37,7 +37,6 @@ export class IdlePreparation {
   /** Notes a new placement. @param {boolean} isPlaced  false: there is no placement any more */
   setPlaced(isPlaced) {
     this.isDue_ = isPlaced;
-    this.live_.update();
     this.plan();
   }
 

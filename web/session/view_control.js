@@ -8,6 +8,7 @@ const kVectorDigits = 5;
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {import('../view/live_view.js').LiveView} live
  * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
  * @property {import('../ui/face_picker.js').FacePicker} picker
  * @property {import('../view/legend.js').Legend} legend
@@ -79,8 +80,8 @@ export class ViewControl {
     });
   }
 
-  /** @param {Pick<ViewControlOptions, 'inspectorControl' | 'placing'>} options */
-  listenToToolbar_({ inspectorControl, placing }) {
+  /** @param {Pick<ViewControlOptions, 'inspectorControl' | 'placing' | 'live'>} options */
+  listenToToolbar_({ inspectorControl, placing, live }) {
     const { client_: client, tools_: tools, guard_: guard } = this;
     this.toolbar_.listen({
       onCarved: (carved) => guard(() => this.showCarved_(carved)),
@@ -91,7 +92,10 @@ export class ViewControl {
       onSection: (isShown, offset) => guard(() => client.show({ section: isShown ? offset : null })),
       onFaceSection: () => tools.act({ kind: 'faceSection' }),
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
-      onLive: () => guard(() => placing.place()),
+      onLive: () => {
+        live.reset();
+        return guard(() => placing.place());
+      },
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
       onLampLight: (isShown) => guard(() => client.show({ lampLight: isShown })),
       onConstruction: (isShown) => guard(() => this.showConstruction_(isShown)),

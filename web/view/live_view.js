@@ -7,15 +7,17 @@ export class LiveView {
   constructor(isWanted) {
     this.isWanted_ = isWanted;
     this.isSlow_ = false; // the last search took too long
+    this.resetAt_ = 0;
   }
 
   get isOn() {
     return this.isWanted_() && !this.isSlow_;
   }
 
-  /** Notes that the user may have switched it off: switching it on tries again. */
-  update() {
-    if (!this.isWanted_()) this.isSlow_ = false;
+  /** Notes that the user has switched it on or off: the next code is shown so however long the last search took. */
+  reset() {
+    this.isSlow_ = false;
+    this.resetAt_ = performance.now();
   }
 
   /**
@@ -26,7 +28,7 @@ export class LiveView {
   async time(search) {
     const begun = performance.now();
     const found = await search();
-    this.isSlow_ = performance.now() - begun > kPatienceMs;
+    if (begun >= this.resetAt_) this.isSlow_ = performance.now() - begun > kPatienceMs;
     return found;
   }
 }
