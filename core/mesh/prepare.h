@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -45,8 +46,10 @@ struct PreparedModel {
   std::shared_ptr<const ClusteredTriangles> clusters;  ///< of `mesh`, for searches that look at a part of it
   std::vector<Finding> findings;
   std::size_t shells = 0;
-  bool crossesItself = false;                   ///< some triangles of one shell cross and were not separated
-  bool hasCrossings = false;                    ///< the same, or shells touch or overlap
+  bool crossesItself = false;  ///< some triangles of one shell cross and were not separated
+  bool hasCrossings = false;   ///< the same, or shells touch or overlap
+  /// Pairs of findCrossings(), ascending; absent if they were not all found.
+  std::optional<std::vector<TrianglePair>> crossings;
   std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny and huge models; may be empty
   std::shared_ptr<const ThreeMfSource> source;  ///< the soup's, if there is one
   /// The soup's triangle that each triangle comes from or adjoins; empty: there is no source.

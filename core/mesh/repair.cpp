@@ -104,16 +104,30 @@ Status closeHoles(Repaired& r, EdgeTable& edges) {
 
 /// Counts crossing pairs, up to a limit, and moves nothing.
 Result<Untangling> countCrossings(const Mesh& mesh) {
-  constexpr std::size_t kMaxCounted = 1000;
-  const auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
+  const auto pairs = findSelfIntersections(mesh, {}, kMaxCrossingsListed);
   Untangling result;
   result.tooCrowded = !pairs && pairs.error().kind == ErrorKind::NoSolution;
   if (result.tooCrowded) return result;
   QRELIEF_TRY(pairs);
   result.pairs = pairs->size();
-  result.atLeast = pairs->size() == kMaxCounted;
+  result.atLeast = pairs->size() == kMaxCrossingsListed;
   if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);
+  result.left = *pairs;
   return result;
+}
+
+/// Finds the pairs of triangles that cross or touch, unless the untangling left all of them.
+Status listCrossings(Repaired& r) {
+  const Untangling& untangling = r.untangling;
+  if (r.consistency.shells.count == 1) {
+    if (!untangling.tooCrowded && !untangling.atLeast) r.crossings = untangling.left;
+    return {};
+  }
+  auto crossings = findCrossings(r.mesh, {}, kMaxCrossingsListed);
+  if (!crossings && crossings.error().kind != ErrorKind::NoSolution) return tl::unexpected(crossings.error());
+  r.overlaps = !crossings || !crossings->empty();
+  if (crossings && crossings->size() < kMaxCrossingsListed) r.crossings = std::move(*crossings);
+  return {};
 }
 
 }  // namespace
@@ -145,11 +159,7 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTria
     Result<Untangling> untangling = options.untangle ? untangle(r.mesh) : countCrossings(r.mesh);
     QRELIEF_TRY(untangling);
     r.untangling = *untangling;
-    if (r.consistency.shells.count > 1) {
-      const auto crossing = findCrossings(r.mesh, {}, 1);
-      if (!crossing && crossing.error().kind != ErrorKind::NoSolution) return tl::unexpected(crossing.error());
-      r.overlaps = !crossing || !crossing->empty();
-    }
+    QRELIEF_TRY(listCrossings(r));
   }
   return r;
 }

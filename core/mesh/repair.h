@@ -51,7 +51,9 @@ struct Repaired {
   Outwardness outwardness;
   Untangling untangling;
   bool overlaps = false;  ///< triangles of different shells touch or cross
-  Defects defects;        ///< defects that remain
+  /// Pairs of findCrossings(), ascending; absent: open, too crowded, or at least kMaxCrossingsListed.
+  std::optional<std::vector<TrianglePair>> crossings;
+  Defects defects;  ///< defects that remain
 
   bool closed() const { return defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided; }
 };

@@ -14,6 +14,9 @@ namespace qrelief {
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
+/// Number of pairs at which the lists of a model's crossings stop.
+inline constexpr std::size_t kMaxCrossingsListed = 1000;
+
 /// Finds pairs of triangles that cross or touch elsewhere than along a shared edge or at a shared vertex, of whichever
 /// shells. Pairs are sorted, first index < second. Exact: most neighbours are cleared together, as triangles round one
 /// vertex (mesh/vertex_stars.h), most other pairs by a plane between them (mesh/triangle_separation.h), the rest by
@@ -31,12 +34,13 @@ using TrianglePair = std::array<std::uint32_t, 2>;
 /// @param maxLooks  limit of pairs examined in each piece of the work; absent: some hundred for each triangle
 /// @returns NoSolution if the search gave up before it found `limit` pairs
 Result<std::vector<TrianglePair>> findCrossings(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
-                                                std::size_t limit = 1000, std::optional<std::size_t> maxLooks = {});
+                                                std::size_t limit = kMaxCrossingsListed,
+                                                std::optional<std::size_t> maxLooks = {});
 
 /// Finds the pairs of findCrossings() in which both triangles belong to one piece of the mesh, joined by shared
 /// vertices. Pieces may overlap and touch each other: together they are a solid, as slicers understand them.
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
-                                                        std::size_t limit = 1000,
+                                                        std::size_t limit = kMaxCrossingsListed,
                                                         std::optional<std::size_t> maxLooks = {});
 
 }  // namespace qrelief

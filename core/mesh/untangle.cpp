@@ -13,7 +13,6 @@
 namespace qrelief {
 namespace {
 
-constexpr std::size_t kMaxCounted = 1000;
 constexpr std::size_t kMaxMended = 100;      // more pairs mean overlapping parts, not scanner errors
 constexpr int kHalvings = 7;                 // of the largest move; below 40 nm 32-bit floats differ by chance
 constexpr std::size_t kMaxWork = 1'000'000;  // triangles tested in all tries together: about 2 s
@@ -168,15 +167,16 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::siz
 }  // namespace
 
 Result<Untangling> untangle(Mesh& mesh) {
-  auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
+  auto pairs = findSelfIntersections(mesh, {}, kMaxCrossingsListed);
   Untangling result;
   result.tooCrowded = isTooCrowded(pairs);
   if (result.tooCrowded) return result;
   QRELIEF_TRY(pairs);
   result.pairs = pairs->size();
-  result.atLeast = pairs->size() == kMaxCounted;
+  result.atLeast = pairs->size() == kMaxCrossingsListed;
   if (pairs->empty()) return result;
   result.at = mesh.corner(pairs->front()[0], 0);
+  result.left = *pairs;
   if (pairs->size() > kMaxMended) return result;
 
   const std::vector<Vec3f> before = mesh.positions;
@@ -193,6 +193,7 @@ Result<Untangling> untangle(Mesh& mesh) {
                  pairs->end());
   }
   result.mended = true;
+  result.left.clear();
   for (std::size_t v = 0; v < before.size(); ++v) {
     if (mesh.positions[v] == before[v]) continue;
     ++result.moved;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "base/result.h"
 #include "mesh/mesh.h"
+#include "mesh/self_intersection.h"
 
 namespace qrelief {
 
@@ -13,7 +16,8 @@ struct Untangling {
   Vec3 at{0};               ///< a corner of the first pair, before any move
   bool tooCrowded = false;  ///< too many pairs to examine, so nothing was counted or moved
   bool mended = false;      ///< no pair is left; if false, the mesh is unchanged
-  std::size_t moved = 0;    ///< number of moved vertices
+  std::vector<TrianglePair> left;  ///< the pairs counted, ascending; none if mended
+  std::size_t moved = 0;           ///< number of moved vertices
   double largestMoveMm = 0;
 };
 

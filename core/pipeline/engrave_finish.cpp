@@ -32,6 +32,25 @@ Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   return fail(ErrorKind::NoSolution, message<"carved-not-solid">(with::cause<"problem">(solidity.problems().front())));
 }
 
+/// Returns the facets whose crossings are counted: those that carving has made and those of the model that crossed
+/// others. Empty, meaning all facets, if the model's crossings are not all known.
+std::vector<std::uint32_t> suspectsOf(const EmbedResult& embedded, std::span<const FacetOrigin> origins,
+                                      const PreparedModel& before) {
+  if (!before.crossesItself) return embedded.newTriangles;
+  if (!before.crossings) return {};
+  std::vector<std::uint32_t> suspects = embedded.newTriangles;
+  const auto kept = origins.first(embedded.keptTriangles);  // ascending by their facet
+  for (const TrianglePair& pair : *before.crossings)
+    for (const std::uint32_t facet : pair) {
+      const auto at = std::lower_bound(kept.begin(), kept.end(), facet,
+                                       [](const FacetOrigin& origin, std::uint32_t f) { return origin.facet < f; });
+      if (at != kept.end() && at->facet == facet) suspects.push_back(static_cast<std::uint32_t>(at - kept.begin()));
+    }
+  std::sort(suspects.begin(), suspects.end());
+  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+  return suspects;
+}
+
 }  // namespace
 
 /// Makes the result: the mesh as a slicer reads its file, which holds positions bit for bit.
@@ -52,15 +71,11 @@ Result<StageStep> CarveJob::State::weld() {
 
 Result<StageStep> CarveJob::State::check() {
   const auto start = Clock::now();
-  // If the model crosses itself, the crossings of the whole file are counted.
-  const bool crossesItself = model->prepared.crossesItself;
-  const auto solidity =
-      checkSolidity(result.mesh, crossesItself ? std::span<const std::uint32_t>()
-                                               : std::span<const std::uint32_t>(embedded.newTriangles));
+  const auto solidity = checkSolidity(result.mesh, suspectsOf(embedded, result.origins, model->prepared));
   QRELIEF_TRY(solidity);
   result.solidity = *solidity;
   QRELIEF_TRY(checkNewDefects(result.solidity, model->prepared));
-  if (crossesItself) result.inheritedSelfIntersections = result.solidity.selfIntersections;
+  if (model->prepared.crossesItself) result.inheritedSelfIntersections = result.solidity.selfIntersections;
   if (request.marking.mark == Mark::Inlay) QRELIEF_TRY(setInlay(embedded.inlay, result));
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};

@@ -100,7 +100,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   for (;;) {
     auto patch =
         findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region, model_->clusters.get());
-    if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch));
+    if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch, knownCrossings()));
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette, region);
     if (size * halfDiagonal + beyond <= radius) return patch;
@@ -231,7 +231,7 @@ Status PlacementSearch::measure(Vec3 normal) {
 Status PlacementSearch::checkCrossings() const {
   if (!model_->hasCrossings) return {};
   const Vec3 centre = placement_.frame.centre;
-  const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
+  const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre, knownCrossings());
   QRELIEF_TRY(crossing);
   const double leastMm = kMinModuleMm * modules_;
   if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};

@@ -108,6 +108,7 @@ class PlacementSearch {
   double largestMm() const;
   double sampledMm() const;
   double outerFactor() const;
+  const std::vector<TrianglePair>* knownCrossings() const { return model_->crossings ? &*model_->crossings : nullptr; }
   DirectionOptions directionOptions() const;
   ProjectionFrame frameFor(Vec3 normal) const;
 

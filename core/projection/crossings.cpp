@@ -119,13 +119,19 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
 }
 
 /// Finds the segments that facets of the patch share with others, some of which may also belong to the patch.
-Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  const auto pairs = findCrossings(mesh, triangles, kMaxPairs);
-  QRELIEF_TRY(pairs);
-  if (pairs->size() >= kMaxPairs)
-    return fail(ErrorKind::NoSolution, message<"too-many-crossings">(with::count<"most">(kMaxPairs)));
+/// @param known  see addCrossings()
+Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles,
+                                          const std::vector<TrianglePair>* known) {
+  std::vector<TrianglePair> found;
+  if (!known) {
+    auto pairs = findCrossings(mesh, triangles, kMaxPairs);
+    QRELIEF_TRY(pairs);
+    if (pairs->size() >= kMaxPairs)
+      return fail(ErrorKind::NoSolution, message<"too-many-crossings">(with::count<"most">(kMaxPairs)));
+    found = std::move(*pairs);
+  }
   std::vector<Segment3> segments;
-  for (const auto& [s, t] : *pairs) {
+  for (const auto& [s, t] : known ? *known : found) {
     for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {
       if (!std::binary_search(triangles.begin(), triangles.end(), mine)) continue;
       for (const Segment3& segment : commonSegments(cornersOf(mesh, mine), cornersOf(mesh, other)))
@@ -144,15 +150,17 @@ Vec3 nearestOn(const Segment3& segment, Vec3 place) {
 
 }  // namespace
 
-Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch) {
-  const auto segments = crossingsOf(mesh, patch.triangles);
+Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch,
+                    const std::vector<TrianglePair>* known) {
+  const auto segments = crossingsOf(mesh, patch.triangles, known);
   QRELIEF_TRY(segments);
   for (const auto& [from, to] : *segments) patch.silhouette.push_back({frame.project(from), frame.project(to)});
   return {};
 }
 
-Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place) {
-  const auto segments = crossingsOf(mesh, triangles);
+Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place,
+                                            const std::vector<TrianglePair>* known) {
+  const auto segments = crossingsOf(mesh, triangles, known);
   QRELIEF_TRY(segments);
   std::optional<Vec3> nearest;
   for (const Segment3& segment : *segments) {

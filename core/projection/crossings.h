@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/result.h"
+#include "mesh/self_intersection.h"
 #include "projection/silhouette.h"
 
 namespace qrelief {
@@ -16,15 +17,18 @@ namespace qrelief {
 ///
 /// Two triangles that overlap in one plane add the sides of the other one if it faces the opposite way, as where a body
 /// stands on the patch, else the sides of both; two that only touch add the segment
-/// or the point of contact. Cost: one findCrossings of the patch.
-/// @param mesh  may cross itself
+/// or the point of contact. Cost: one findCrossings of the patch, or a look at each known pair.
+/// @param mesh   may cross itself
+/// @param known  all pairs of findCrossings() of the mesh; null: finds those of the patch
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
-Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);
+Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch,
+                    const std::vector<TrianglePair>* known = nullptr);
 
 /// Finds the point nearest to `place` at which other facets pass through the patch; none if no facet does.
 ///
-/// Cost and errors as for addCrossings.
+/// Cost, errors and `known` as for addCrossings.
 /// @param triangles  of the patch, ascending
-Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place);
+Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place,
+                                            const std::vector<TrianglePair>* known = nullptr);
 
 }  // namespace qrelief

@@ -124,6 +124,7 @@ TEST(PrepareModel, KeepsBodiesThatTouchOrOverlapAsTheyAre) {
     EXPECT_EQ(model->findings.size(), 1u);  // several shells
     EXPECT_FALSE(model->crossesItself);
     EXPECT_TRUE(model->hasCrossings);
+    EXPECT_EQ(model->crossings, *findCrossings(model->mesh));
   }
 }
 

@@ -176,6 +176,7 @@ TEST(PrepareModel, KeepsCrossingsOnRequest) {
   const auto model = prepareModel(shapes::soupOf(mesh), {.repair = {.untangle = false}});
   expectFinding(*model, "self-intersections", Severity::Warning, 5);
   EXPECT_EQ(model->mesh.positions, mesh.positions);
+  EXPECT_EQ(model->crossings, *findCrossings(model->mesh));
 }
 
 TEST(PrepareModel, ReportsTooManyShellsToFindCavities) {

@@ -301,6 +301,19 @@ TEST_F(EngraveTest, TheTopOfTheSymbolPointsInTheGivenDirection) {
   EXPECT_LT(turned->placement.frame.up.y, -0.99);
 }
 
+TEST_F(EngraveTest, CountsTheCrossingsThatTheModelHad) {
+  Mesh mesh = shapes::tangledSphere();
+  for (Vec3f& p : mesh.positions) p *= 4.0f;
+  auto prepared = prepareModel(shapes::soupOf(mesh), {.repair = {.untangle = false}});
+  ASSERT_TRUE(prepared && prepared->crossesItself);
+  const TrianglePair pair = prepared->crossings.value().front();
+  const Vec3 opposite = -prepared->mesh.corner(pair[0], 0);
+  const auto result = engrave(EngravableModel::upload(std::move(*prepared)), request(opposite, 20));
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  EXPECT_EQ(result->inheritedSelfIntersections, 5u);
+  EXPECT_EQ(checkSolidity(result->mesh)->selfIntersections, 5u);
+}
+
 TEST_F(EngraveTest, RefusesAnOpenModelBeforeAnyWork) {
   Mesh open = shapes::box({40, 40, 40});
   open.triangles.resize(10);
