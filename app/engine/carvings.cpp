@@ -50,11 +50,11 @@ Engraver& Carvings::engraver(const Ground& ground) {
   return *engraver_;
 }
 
-bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch) {
+bool Carvings::prepare(const Ground& ground, EngraveRequest request, const FoundPlacement* placed, bool withSearch) {
   if (timerQueries_ || !placed) return true;
   request.depth.recordSearch = true;
   Engraver& with = engraver(ground);
-  with.remember(request, placed->modules(), placed->found());
+  with.remember(request, *placed);
   return with.prepare(request, withSearch);
 }
 
@@ -64,13 +64,13 @@ const CarveJob* Carvings::prepared(EngraveRequest request) const {
 }
 
 void Carvings::start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,
-                     const PlacementSearch* placed) {
+                     const FoundPlacement* placed) {
   request.depth.recordSearch = true;  // so that the inspector can show it whenever it is opened
   std::erase_if(carvings_, [&](const Carving& one) { return one.number != current_; });
   current_ = 0;
   engraving_.reset();
   Engraver& with = engraver(ground);
-  if (placed) with.remember(request, placed->modules(), placed->found());
+  if (placed) with.remember(request, *placed);
   engraving_.emplace(with, std::move(request), options);
 }
 

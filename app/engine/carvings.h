@@ -31,13 +31,13 @@ class Carvings {
   /// @param placed      the request's place; null: not known yet, so nothing is prepared
   /// @param withSearch  also the whole first search for depths
   /// @returns true if nothing is left to do
-  bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed, bool withSearch);
+  bool prepare(const Ground& ground, EngraveRequest request, const FoundPlacement* placed, bool withSearch);
   /// Returns the job of that work; null: there is none.
   const CarveJob* prepared(EngraveRequest request) const;
   /// Starts another engraving. Keeps the current carving, if there is one.
   /// @param placed  the request's place, if known
   void start(const Ground& ground, EngraveRequest request, const EngravePlan::Options& options,
-             const PlacementSearch* placed);
+             const FoundPlacement* placed);
   /// Returns true while an attempt is under way.
   bool isRunning() const { return engraving_ && engraving_->isUnderWay(); }
   /// Does one bounded piece of work of the engraving. A finished attempt becomes the current carving, which

@@ -52,7 +52,7 @@ std::string Engine::startEngrave(const std::string& options,
   if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message<"no-centre">());
   EngraveRequest request = wanted_.request(scene_.camera().modelUp());
   if (overridden) request = overridden(std::move(request));
-  const PlacementSearch* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
+  const FoundPlacement* const placed = overridden ? nullptr : preview_.found(request, wanted_.symbol());
   carvings_.start(ground(), std::move(request),
                   {.looksAtPrint = parsed->value("print", true),
                    .mayChange = !overridden,
@@ -80,8 +80,7 @@ std::string Engine::advancePreparation(const std::string& options) {
   const EngraveRequest* const hovered = ofHovered ? preview_.hoveredRequest(task()) : nullptr;
   if (ofHovered ? !hovered : !wanted_.centreMm()) return textOf(kNothingToPrepare);
   const EngraveRequest request = ofHovered ? *hovered : wanted_.request(scene_.camera().modelUp());
-  const PlacementSearch* const placed =
-      ofHovered ? preview_.hoveredSearch() : preview_.found(request, wanted_.symbol());
+  const FoundPlacement* const placed = ofHovered ? preview_.hoveredPlace() : preview_.found(request, wanted_.symbol());
   const bool isDone = carvings_.prepare(ground(), request, placed, withSearch);
   Json depths;
   if (const CarveJob* const job = carvings_.prepared(request); job && isDone && withSearch && job->hasSearched()) {

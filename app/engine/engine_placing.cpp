@@ -8,6 +8,7 @@
 #include "math/angle.h"
 #include "mesh/flat_region.h"
 #include "message_codes/engine.h"
+#include "pipeline/best_spot.h"
 #include "pipeline/coloured_code.h"
 #include "pipeline/label_pockets.h"
 #include "projection/flatness.h"
@@ -166,8 +167,10 @@ std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
     return answer(ErrorKind::BadUsage, message<"no-such-spot">(with::count<"index">(index)));
   const Spot& spot = offers_.spots()[index];
-  const std::string chosen = chooseCentre(closestPoint(model_->mesh(), spot.centreMm));
+  const std::string chosen = chooseCentre(SurfacePoint{.position = spot.centreMm});
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
+  const SpotSearchRequest& search = offers_.request();
+  preview_.offer(placedAt(spot, search.placement), search.modules, *spot.placement);
   return chosen;
 }
 
@@ -179,7 +182,7 @@ void Engine::showSizes(bool isShown) {
 ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
   if (index >= offers_.spots().size() || !model_ || !wanted_.symbol()) return {};
   const Spot& spot = offers_.spots()[index];
-  const PlacementRequest& request = offers_.request();
+  const PlacementRequest& request = offers_.request().placement;
   const auto upTo = [&](Vec3 up) { return makeFrame(spot.centreMm, spot.direction, up, request.eyeDistanceMm); };
   const auto decal =
       visibleDecal(*model_, *wanted_.symbol(), turned(upTo(request.upHint), toRadians(request.rotateDeg)),

@@ -11,8 +11,8 @@ bool PlacementPreview::isFor(const std::optional<Found>& found, const EngraveReq
          found->request == searchedPlacement(request, symbol->size);
 }
 
-const PlacementSearch* PlacementPreview::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
-  return isFor(found_, request, symbol) ? &found_->search : nullptr;
+const FoundPlacement* PlacementPreview::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
+  return isFor(found_, request, symbol) ? &found_->place : nullptr;
 }
 
 Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& request) {
@@ -31,7 +31,7 @@ Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& r
     QRELIEF_TRY(step);
     done = *step;
   }
-  found_ = {placement, symbol->size, std::move(search)};
+  found_ = {placement, symbol->size, search.found()};
   return {};
 }
 
@@ -44,9 +44,9 @@ Status PlacementPreview::place(const PlacementTask& task) {
       code_ = std::move(*about);
     return status;
   }
-  auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->search.placement());
+  auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->place.placement);
   QRELIEF_TRY(code);
-  placement_ = found_->search.placement();
+  placement_ = found_->place.placement;
   code_ = std::move(*code);
   return {};
 }
@@ -111,7 +111,7 @@ Result<bool> PlacementPreview::settle(const PlacementTask& task) {
   QRELIEF_TRY(code);
   hovered_ = std::move(*code);
   const int modules = search->modules();
-  hoveredFound_ = {searchedPlacement(hoveredRequest_, modules), modules, std::move(*search)};
+  hoveredFound_ = {searchedPlacement(hoveredRequest_, modules), modules, search->found()};
   return true;
 }
 

@@ -27,7 +27,11 @@ class PlacementPreview {
   void show(const SearchRecord& search, const Symbol& symbol) { showIn(code_, search, symbol); }
   void showHovered(const SearchRecord& search, const Symbol& symbol) { showIn(hovered_, search, symbol); }
   /// @returns null if the last search was for another request
-  const PlacementSearch* found(const EngraveRequest& request, const Result<Symbol>& symbol) const;
+  const FoundPlacement* found(const EngraveRequest& request, const Result<Symbol>& symbol) const;
+  /// Takes a place that is known, as if the last search had found it.
+  void offer(const PlacementRequest& request, int modules, const Placement& placement) {
+    found_ = {request, modules, {placement, 0, 0}};
+  }
 
   const Placement* placement() const { return placement_ ? &*placement_ : nullptr; }
   const CodeOnSurface* code() const { return code_ ? &*code_ : nullptr; }
@@ -46,10 +50,10 @@ class PlacementPreview {
   void stopSettling() { settling_.reset(); }
   /// Does one bounded piece of work. @returns true once the hovered code is at its exact place
   Result<bool> settle(const PlacementTask& task);
-  /// Returns the request to engrave the hovered code where it has settled, and the search that found that place.
+  /// Returns the request to engrave the hovered code where it has settled, and its place.
   /// @returns null if no code has settled, or for other settings
   const EngraveRequest* hoveredRequest(const PlacementTask& task) const;
-  const PlacementSearch* hoveredSearch() const { return hoveredFound_ ? &hoveredFound_->search : nullptr; }
+  const FoundPlacement* hoveredPlace() const { return hoveredFound_ ? &hoveredFound_->place : nullptr; }
 
   /// Forgets the place, the code and the hovered code, but not the result of the last search.
   void forget();
@@ -60,7 +64,7 @@ class PlacementPreview {
   struct Found {
     PlacementRequest request;
     int modules;
-    PlacementSearch search;
+    FoundPlacement place;
   };
   static bool isFor(const std::optional<Found>& found, const EngraveRequest& request, const Result<Symbol>& symbol);
   static void showIn(std::optional<CodeOnSurface>& code, const SearchRecord& search, const Symbol& symbol) {

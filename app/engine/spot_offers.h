@@ -26,7 +26,7 @@ class SpotOffers {
   /// Returns the size of the symbol that is offered at a spot.
   double offeredMm(const Spot& spot) const;
   /// Returns the request of the search.
-  const PlacementRequest& request() const { return request_.placement; }
+  const SpotSearchRequest& request() const { return request_; }
   /// Returns the symbol size that has the last colour: the largest one.
   double topMm() const { return topMm_; }
   /// Returns the size that was searched for; none: the largest one.

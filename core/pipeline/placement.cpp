@@ -90,20 +90,28 @@ double PlacementSearch::largestMm() const {
   return request_.sizeMode == SizeMode::Fixed ? std::max(request_.maxSizeMm, request_.sizeMm) : request_.maxSizeMm;
 }
 
+/// Returns half the diagonal of the square that must fit for a symbol of an edge, mm.
+double PlacementSearch::halfDiagonalMm(double symbolMm) const {
+  return symbolMm * outerFactor() * std::numbers::sqrt2 / 2;
+}
+
+Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, double radiusMm,
+                                                  GrowingRegion region) const {
+  auto patch =
+      findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radiusMm, region, model_->clusters.get());
+  if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch, knownCrossings()));
+  return patch;
+}
+
 /// Returns the part of the patch that decides the size. Searches as far as the code is expected to reach, then farther
 /// and farther, until a silhouette bounds the size or the size is the largest allowed.
 Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const {
-  const double halfDiagonal = std::numbers::sqrt2 / 2 * outerFactor();  // half diagonal with margin, of a code's size
-  const double beyond = kNearnessFactor * request_.beyondMm;
-  const double farthest = largestMm() * halfDiagonal + beyond;
-  double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
+  const double farthest = halfDiagonalMm(largestMm());
+  double radius = std::min(farthest, kFirstReach * halfDiagonalMm(sampledMm()));
   for (;;) {
-    auto patch =
-        findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region, model_->clusters.get());
-    if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch, knownCrossings()));
+    auto patch = patchWithin(frame, radius, region);
     if (!patch || radius >= farthest) return patch;
-    const double size = sizeWithin(patch->silhouette, region);
-    if (size * halfDiagonal + beyond <= radius) return patch;
+    if (halfDiagonalMm(sizeWithin(patch->silhouette, region)) <= radius) return patch;
     radius = std::min(farthest, kNextReach * radius);
   }
 }
@@ -244,7 +252,8 @@ Status PlacementSearch::checkCrossings() const {
 /// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
 /// at the rounded rotation.
 Error PlacementSearch::doesNotFit() const {
-  const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
+  const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square);
+  const std::vector<Segment2>& silhouette = farthest ? farthest->silhouette : placement_.patch.silhouette;
   const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
   const double bestDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
   const double turn = toRadians(bestDeg - request_.rotateDeg);
@@ -358,10 +367,23 @@ bool PlacementSearch::grow() {
   return false;
 }
 
+/// Extends the patch of a fit by the margin for walls.
+Status PlacementSearch::extend(Fit& fit) const {
+  Placement& placed = fit.placement;
+  const double radius = halfDiagonalMm(placed.symbolMm) + kNearnessFactor * request_.beyondMm;
+  if (radius <= placed.patch.radiusMm) return {};
+  const bool isForDisc = fit.turn == Fit::Turn::EveryRotation;
+  auto patch = patchWithin(placed.frame, radius, isForDisc ? GrowingRegion::Disc : GrowingRegion::Square);
+  QRELIEF_TRY(patch);
+  placed.patch = std::move(*patch);
+  return {};
+}
+
 /// Reduces a found size if walls are too thin for its pockets. If they take no code at all, keeps the size; the depth
 /// search then decides whether anything can be carved.
 Status PlacementSearch::leaveWalls(Fit& fit) const {
   fit.leavesWalls = true;
+  QRELIEF_TRY(extend(fit));
   const PocketDemand& pockets = request_.pockets;
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depth(1) > 0)) return {};
   Placement& placed = fit.placement;

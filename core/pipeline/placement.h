@@ -88,6 +88,7 @@ class PlacementSearch {
   Result<bool> find();
   Result<bool> searchOnce();
   Status start();
+  Status extend(Fit& fit) const;
   Status leaveWalls(Fit& fit) const;
   bool lookFromFree();
   Result<double> sizeAnyWayUp(Vec3 normal);
@@ -103,8 +104,10 @@ class PlacementSearch {
   Status checkCrossings() const;
   Result<bool> refine();
   bool grow();
+  Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region) const;
   Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
   double sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const;
+  double halfDiagonalMm(double symbolMm) const;
   double largestMm() const;
   double sampledMm() const;
   double outerFactor() const;

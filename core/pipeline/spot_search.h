@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "pipeline/coloured_code.h"
 #include "pipeline/engravable_model.h"
+#include "pipeline/placement.h"
 #include "printing/build_direction.h"
 #include "projection/spot_candidates.h"
 #include "settings/engrave_request.h"
@@ -66,6 +67,7 @@ struct Spot {
   SquareQuality quality;          ///< of the symbol, with its quiet zone if that must fit
   int colourLayers = 0;           ///< layersOfCode(); 0 without SpotSearchRequest::coloured
   std::vector<Message> concerns;  ///< reasons why a code may not print or decode there; empty if none
+  std::shared_ptr<const Placement> placement;  ///< as an engraving there finds it, see placedAt()
 };
 
 struct SpotSearchResult {

@@ -38,7 +38,7 @@ void SpotTrial::beginTry() {
   if (withDirection_) placement.direction = roundedTo(candidate_.direction, kPerDirectionUnit);
   direction_ = placement.direction;
   const double pocketMm = placement.pockets.depth(wantedMm(*request_) / request_->modules);
-  placement.beyondMm = request_->minWallMm + std::max(request_->leastDepthMm, pocketMm);
+  placement.beyondMm = std::max(placement.beyondMm, request_->minWallMm + std::max(request_->leastDepthMm, pocketMm));
   if (findsLargest_) placement.sizeMode = SizeMode::Oriented;
   search_.emplace(model_->prepared, *model_->renderer, request_->modules, placement);
   ++tries_;
@@ -84,6 +84,7 @@ Result<bool> SpotTrial::judge(const Placement& placement) {
   spot.facesDown = concerns->facesDown;
   spot.unevenLight = concerns->unevenLight;
   spot.concerns = concerns->reasons;
+  spot.placement = std::make_shared<const Placement>(placement);
   spot_ = spot;
   return true;
 }

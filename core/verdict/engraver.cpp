@@ -34,9 +34,10 @@ Engraver::Place* Engraver::placeOf(const EngraveRequest& request, int modules) {
   return place == places_.end() ? nullptr : &*place;
 }
 
-void Engraver::remember(const EngraveRequest& request, int modules, FoundPlacement found) {
-  if (placeOf(request, modules)) return;
-  places_.push_front({modules, searchedPlacement(request, modules), std::move(found), nullptr});
+void Engraver::remember(const EngraveRequest& request, FoundPlacement found) {
+  const auto symbol = requestedSymbol(request.code);
+  if (!symbol || placeOf(request, symbol->size)) return;
+  places_.push_front({symbol->size, searchedPlacement(request, symbol->size), std::move(found), nullptr});
   if (places_.size() > maxPlaces_) places_.pop_back();
 }
 
@@ -76,7 +77,7 @@ Result<Progress> Engraver::advance(Work& work) {
 
 /// Remembers the place of a finished carving and what was measured there.
 void Engraver::keepPlace(const Work& work) {
-  if (auto found = work.job->foundPlace()) remember(work.request, work.modules, std::move(*found));
+  if (auto found = work.job->foundPlace()) remember(work.request, std::move(*found));
   if (Place* const place = placeOf(work.request, work.modules)) place->measured = work.job->placementMeasurement();
 }
 

@@ -25,9 +25,8 @@ class Engraver {
   Result<std::shared_ptr<const LuminancePrograms>> programs();
 
   /// Adds a place to the cache.
-  /// @param modules  along the symbol's edge
-  /// @param found    for searchedPlacement(request, modules)
-  void remember(const EngraveRequest& request, int modules, FoundPlacement found);
+  /// @param found  for searchedPlacement() of the request and its symbol
+  void remember(const EngraveRequest& request, FoundPlacement found);
   /// Does one bounded piece of the work that the engraving of a request begins with, if its place is known. Keeps the
   /// work of the last kPreparedKept requests.
   /// @param withSearch  also the whole first search for depths

@@ -72,7 +72,9 @@ void Engraving::searchSpot() {
   if (progress && !progress->done) return;
   const std::unique_ptr<SpotSearchJob> search = std::exchange(spots_, nullptr);
   if (!progress) return fail(progress.error());
-  plan_.placed(placedAt(search->takeResult().spots.front(), plan_.request().placement));
+  const Spot spot = search->takeResult().spots.front();
+  plan_.placed(placedAt(spot, plan_.request().placement));
+  engraver_.remember(plan_.request(), {*spot.placement, 0, 0});  // its time counts as the search's
 }
 
 /// Does one step of the attempt's carving.

@@ -10,6 +10,8 @@
 #include "messages/sentences.h"
 #include "pipeline/best_spot.h"
 #include "pipeline/engrave.h"
+#include "pipeline/placement.h"
+#include "pipeline/requested_symbol.h"
 #include "pipeline/spot_light.h"
 #include "projection/flatness.h"
 #include "support/follow_job.h"
@@ -188,6 +190,29 @@ TEST_F(SpotSearchTest, EveryOfferedSpotFitsTheCode) {
     EXPECT_NEAR(engraved->placement.guaranteedMm, spot.guaranteedMm, 1e-9);
     EXPECT_LT(glm::distance(engraved->placement.frame.normal, glm::normalize(spot.direction)), 1e-9);
     EXPECT_TRUE(engraved->solidity.solid());
+  }
+}
+
+TEST_F(SpotSearchTest, HasTheSpotsPlacesAsAnEngravingFindsThem) {
+  const auto model = upload(shapes::bumpySphere(30, 1.5, 5, 5));
+  EngraveRequest engraving;
+  engraving.code.text = "https://qrelief.example";
+  const SpotSearchRequest search = spotSearchFor(engraving, *requestedSymbol(engraving.code));
+  const auto found = findSpots(model, search);
+  ASSERT_TRUE(found.has_value());
+  for (const Spot& spot : found->spots) {
+    EngraveRequest there = engraving;
+    there.placement = placedAt(spot, engraving.placement);
+    PlacementSearch placing(model->prepared, *model->renderer, search.modules,
+                            searchedPlacement(there, search.modules));
+    for (bool done = false; !done;) {
+      const Result<bool> step = placing.step();
+      ASSERT_TRUE(step.has_value());
+      done = *step;
+    }
+    EXPECT_EQ(spot.placement->symbolMm, placing.placement().symbolMm);
+    EXPECT_EQ(spot.placement->frame.up, placing.placement().frame.up);
+    EXPECT_EQ(spot.placement->patch.triangles, placing.placement().patch.triangles);
   }
 }
 
