@@ -17,7 +17,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kTexelsPerSquare = 32;
+constexpr double kTexelsPerSquare = 16;
 constexpr int kMinTexels = 128;
 constexpr int kMaxTexels = 512;
 constexpr double kBorderTexels = 2;  // background around the model, so that some texel is always blocked

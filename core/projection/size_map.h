@@ -16,7 +16,7 @@ struct SizeMapOptions {
   double minMm = 10;  ///< smallest square of interest, > 0; sets the map's resolution and drops views that show less
   int views = 240;    ///< number of viewing directions, ≥ 1
   std::optional<Vec3> onlyFrom{};  ///< the only viewing direction, any length > 0; none: all around
-  std::size_t facets = 24000;      ///< meshes with more facets are simplified to about this many, ≥ 100
+  std::size_t facets = 12000;      ///< meshes with more facets are simplified to about this many, ≥ 100
 };
 
 /// Size of the square that fits at each point of a model.
@@ -51,7 +51,7 @@ Vec3 latticeDirection(int index, int count);
 /// than kMaxTiltDeg (pockets would be carved along it), and centres whose normal makes more than kMaxCentreTiltDeg with
 /// the line of sight (a code around the corner of a cube).
 ///
-/// The map is an estimate, not a proof: accurate to a texel or two (minMm / 32, or 1/512 of the model), and limited by
+/// The map is an estimate, not a proof: accurate to a texel or two (minMm / 16, or 1/512 of the model), and limited by
 /// the detail that the simplified mesh keeps.
 class SizeMapSearch {
  public:

@@ -51,7 +51,8 @@ TEST(SizeMap, HasTheSameSizeAtEveryPointOfASphere) {
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v) {
     EXPECT_LT(map.sizeMm[v], expected * 1.02);
     EXPECT_GT(map.sizeMm[v], expected * 0.86);
-    EXPECT_GT(glm::dot(map.direction[v], map.normals[v]), std::cos(8 * kDegree));
+    // A texel of 1.9 mm is 2.7° of the sphere, and the size is accurate to two.
+    EXPECT_GT(glm::dot(map.direction[v], map.normals[v]), std::cos((5 + 2 * 2.7) * kDegree));
   }
 }
 
