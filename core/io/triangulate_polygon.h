@@ -20,7 +20,8 @@ struct PolygonTriangles {
 /// Triangulates a polygon in its own plane (Newell's normal). Uses a fan where one is valid (for a quadrilateral, the
 /// fan with the shorter diagonal), otherwise ear clipping [Meisters 1975] with the reflex corners in a tree of boxes.
 /// Concave corners, straight corners and holes joined to the outline by a doubled edge are fine. The triangles always
-/// span the same closed outline, so neighbouring polygons stay joined even where one is not simple.
+/// span the same closed outline, so neighbouring polygons stay joined even where one is not simple. A constrained
+/// Delaunay triangulation could not do this (docs/decisions/0056).
 ///
 /// Cost: O(n) for a fan, usually O(n log n) for ear clipping. The number of tests per corner is limited; beyond the
 /// limit the rest becomes a fan and `simple` is false.

@@ -164,6 +164,26 @@ TEST(TriangulatePolygon, TriangulatesVeryAcuteSpikes) {
   EXPECT_TRUE(triangulatePolygon(polygon).simple);
 }
 
+std::size_t turnedOrFlat(const std::vector<Vec3>& polygon) {
+  const auto triangles = triangulatePolygon(polygon).triangles;
+  return static_cast<std::size_t>(
+      std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) { return area(polygon, t, kUp) <= 0; }));
+}
+
+TEST(TriangulatePolygon, SpoilsOneTriangleWhereAnOutlineTouchesItself) {
+  std::vector<Vec3> polygon = starOf(2000, 0.5);
+  polygon[1000] = polygon[1];
+  EXPECT_FALSE(triangulatePolygon(polygon).simple);
+  EXPECT_EQ(turnedOrFlat(polygon), 1u);
+}
+
+TEST(TriangulatePolygon, SpoilsFewTrianglesWhereCornersAreGivenTwice) {
+  std::vector<Vec3> polygon;
+  for (const Vec3& corner : starOf(2000, 0.5)) polygon.insert(polygon.end(), polygon.size() % 11 == 9 ? 2 : 1, corner);
+  EXPECT_EQ(polygon.size(), 2200u);
+  EXPECT_LE(turnedOrFlat(polygon), 201u);  // each second copy has a triangle without area
+}
+
 TEST(TriangulatePolygon, GivesUpOnAHostileOutline) {
   // A spiral crosses itself everywhere: it has no ears, and all its corners are reflex one way or the other.
   std::vector<Vec3> polygon;
