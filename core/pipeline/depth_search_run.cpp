@@ -96,6 +96,13 @@ std::vector<float> DepthSearchRun::measured() {
   return place_.light->luminance(cells, depthsOfCells(), reachMm(*std::max_element(depths.begin(), depths.end())));
 }
 
+SearchRecord DepthSearchRun::startedRecord() const {
+  SearchRecord record;
+  record.carved = carved_;
+  for (const std::uint32_t i : carved_) record.limitMm.push_back(static_cast<float>(target_.limitMm[i]));
+  return record;
+}
+
 void DepthSearchRun::step(SearchRecord* record) {
   if (onGpu_) {
     stepOnGpu(record);

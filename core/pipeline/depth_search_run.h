@@ -38,8 +38,11 @@ class DepthSearchRun {
   /// @param contrastOfModule  target contrasts from the print (contrast_for_print.h)
   void restart(std::vector<double> contrastOfModule);
 
+  /// Returns a record with the carved submodules, for step().
+  SearchRecord startedRecord() const;
+
   /// Runs a pass, or on a GPU a batch of passes. Do not call it once found() is finished.
-  /// @param record  where to record the passes; may be null
+  /// @param record  where to add the passes; may be null
   void step(SearchRecord* record);
 
   /// Returns what the search has found so far; its iterations count since restart().

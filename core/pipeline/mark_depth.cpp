@@ -23,11 +23,6 @@ void forSubmodules(const Symbol& symbol, int row, int column, const Visit& visit
     visit(static_cast<std::size_t>((kN * row + k / kN) * kN * symbol.size + kN * column + k % kN));
 }
 
-DepthField noPockets(const Symbol& symbol, double symbolMm) {
-  const auto edge = static_cast<std::size_t>(kN * symbol.size);
-  return {kN * symbol.size, symbolMm, std::vector<double>(edge * edge, 0)};
-}
-
 template <class Visit>
 void forDarkModules(const Symbol& symbol, const Visit& visit) {
   for (int row = 0; row < symbol.size; ++row)
@@ -73,6 +68,11 @@ double inlayDepthMm(const Mesh& mesh, const Placement& placement, const Vec3& bu
   for (const Need& need : needs)
     if ((covered += need.areaMm2) >= kCoveredFraction * all) return need.depthMm;
   return needs.back().depthMm;
+}
+
+DepthField noPockets(const Symbol& symbol, double symbolMm) {
+  const auto edge = static_cast<std::size_t>(kN * symbol.size);
+  return {kN * symbol.size, symbolMm, std::vector<double>(edge * edge, 0)};
 }
 
 InlayPockets inlayPockets(const Symbol& symbol, double symbolMm, const std::vector<double>& limitMm, double wantedMm) {

@@ -35,6 +35,9 @@ inline constexpr double kLeastInlayDepth = 0.5;
 /// @param buildUp  the printer's vertical
 double inlayDepthMm(const Mesh& mesh, const Placement& placement, const Vec3& buildUp, const Printer& printer);
 
+/// Returns a depth field that carves nothing.
+DepthField noPockets(const Symbol& symbol, double symbolMm);
+
 /// The pockets of an inlay.
 struct InlayPockets {
   DepthField depths;        ///< whole modules, all of one depth
