@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "depth/depth_solver.h"
 #include "math/frame.h"
 #include "pipeline/engravable_model.h"
 #include "settings/engrave_request.h"
@@ -107,6 +108,42 @@ TEST_P(SymbolDecal, ALabelThatCannotBeLaidOutLeavesItsRoomEmpty) {
   const double half = symbol_.size / 2.0;
   EXPECT_GT(made.edgeMm, (symbol_.size + 2 * kQuietZoneModules) * kModuleMm);
   EXPECT_EQ(inkAt(made, {0, half + kQuietZoneModules + 1}), 0);  // a frame would be there
+}
+
+TEST(SearchedDecal, ShowsTheLightOfEverySubmodule) {
+  const Symbol symbol = *encodeSymbol("A");
+  const ProjectionFrame frame = makeFrame({}, {0, 0, 1}, {0, 1, 0}, 250);
+  const int edge = kSubmodulesPerModule * symbol.size;
+  SearchRecord search;
+  search.carved = {0, static_cast<std::uint32_t>(3 * edge + 7)};
+  search.passes = {{{0, 0}, {1, 1}}, {{0.5f, 0.5f}, {0.25f, 1.5f}}};  // the last pass counts
+  EngraveRequest request;
+  for (const int scale : {1, 2}) {
+    if (scale == 2) request.code.label = {"No 7", LabelFrame::Square};
+    const Decal plain = symbolDecal(symbol, frame, symbol.size * kModuleMm, request);
+    Decal shown = plain;
+    showSearch(shown, symbol, symbol.size * kModuleMm, search);
+    ASSERT_EQ(shown.inkUnderLamps.size(), plain.ink.size());
+    const int border = (shown.size - scale * edge) / 2;
+    for (int row = 0; row < shown.size; ++row)
+      for (int column = 0; column < shown.size; ++column) {
+        const auto texel = static_cast<std::size_t>(row * shown.size + column);
+        const Vec2 at = Vec2(column - border, row - border) / static_cast<double>(scale);
+        const auto isIn = [&](Vec2 corner) {
+          return at.x >= corner.x && at.x < corner.x + 1 && at.y >= corner.y && at.y < corner.y + 1;
+        };
+        if (isIn({0, 0})) {
+          EXPECT_EQ(shown.inkUnderLamps[texel], 191) << "as dark as the light says: the view's light adds nothing";
+          EXPECT_GT(shown.ink[texel], 191) << "darker, as the view's own light shows pockets";
+        } else if (isIn({7, 3})) {
+          EXPECT_EQ(shown.inkUnderLamps[texel], 0) << "brighter than the surface";
+          EXPECT_EQ(shown.ink[texel], 0);
+        } else {
+          ASSERT_EQ(shown.ink[texel], plain.ink[texel]) << row << " " << column;
+          ASSERT_EQ(shown.inkUnderLamps[texel], plain.ink[texel]) << row << " " << column;
+        }
+      }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Marks, SymbolDecal, testing::Values(Mark::Shadow, Mark::Inlay, Mark::Paint),

@@ -94,6 +94,31 @@ TEST_F(LampLightTest, ShadowsOfSmallStepsNeedTheFineMap) {
   EXPECT_GT(luminance(coarse, shaded), 0.8 * luminance(coarse, lit));
 }
 
+TEST_F(LampLightTest, AFrameInWhichOnlyALampMovedIsThatOfAFullRedraw) {
+  const Mesh mesh = plateWithWall(5);
+  const auto lampAt = [](double azimuthDeg) {
+    return std::vector<DirectionalLight>{{.azimuthDeg = azimuthDeg, .elevationDeg = 40, .strength = 3},
+                                         {.azimuthDeg = 90, .elevationDeg = 50, .strength = 1}};
+  };
+  const auto frame = [&] {
+    draw(clock_ += 30);
+    return Picture{target_.readRgba()};
+  };
+  lookFromAbove(mesh, 50);
+  light(lampAt(0));
+  const Picture before = frame();
+  for (const double azimuthDeg : {40.0, 200.0}) {
+    light(lampAt(azimuthDeg));
+    const Picture lit = frame();
+    lookFromAbove(mesh, 50);  // another model of the same shape: nothing is kept
+    EXPECT_EQ(lit.rgba, frame().rgba) << azimuthDeg;
+    EXPECT_NE(lit.rgba, before.rgba) << azimuthDeg;
+  }
+  refined();
+  light(lampAt(0));
+  EXPECT_EQ(frame().rgba, before.rgba) << "a frame after the picture came to rest";
+}
+
 TEST_F(LampLightTest, WhatIsCutAwayCastsNoShadow) {
   lookFromAbove(plateWithWall(5), 50);
   light({{.azimuthDeg = 180, .elevationDeg = 40, .strength = 3}});

@@ -51,6 +51,29 @@ TEST_F(ViewerPresentTest, ALineThatPassesTheEyeIsCutOff) {
   EXPECT_NEAR(picture.at({20, 20}).x, picture.at({20, 20}).y, 0.1) << "nothing away from the line";
 }
 
+TEST_F(ViewerPresentTest, InkHasOtherShadesUnderLamps) {
+  show(shapes::box({40, 40, 20}));
+  camera_.lookFrom(StandardView::Top);
+  camera_.finishGlide();
+  Decal decal = decalOnTop();
+  decal.ink = {255, 0, 0, 0};
+  decal.inkUnderLamps = {0, 0, 0, 255};
+  const Vec2 upperLeft = camera_.toScreen({-10, 10, 10}), lowerRight = camera_.toScreen({10, -10, 10});
+  const auto expectInkAt = [&](Vec2 ink, Vec2 paper) {
+    const Picture picture = refined();
+    EXPECT_LT(picture.brightness(ink), 0.5 * picture.brightness(paper));
+  };
+  viewer_->setDecal(decal);
+  expectInkAt(upperLeft, lowerRight);
+  viewer_->setLight(LampLight{{{Vec3(0, 0, 1), 1}}, 2, 0.7, {}, 30});
+  expectInkAt(lowerRight, upperLeft);
+  decal.inkUnderLamps = {};
+  viewer_->setDecal(decal);
+  expectInkAt(upperLeft, lowerRight);
+  viewer_->setLight({});
+  expectInkAt(upperLeft, lowerRight);
+}
+
 /// A decal that moves over a finished picture is redrawn in its own box only.
 TEST_F(ViewerPresentTest, MovingDecalsLookLikeAFullRedraw) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
