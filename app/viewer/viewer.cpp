@@ -46,7 +46,7 @@ ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   quality.stillSteps = 8;
   quality.stillSlices = 1;
   quality.stillSamples = 32;
-  quality.shadowTexels = 2048;
+  quality.movingShadowTexels = quality.stillShadowTexels = 2048;
   quality.mostPixels = 4.2e6;
   return quality;
 }
@@ -297,7 +297,7 @@ Vec2 Viewer::jitterOf(const Sample& sample, const Stage& stage) {
 }
 
 Status Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) {
-  if (light_ && mesh_) QRELIEF_TRY(shadows_.draw(*light_, *mesh_, cut_, quality_.shadowTexels));
+  if (light_ && mesh_) QRELIEF_TRY(shadows_.draw(*light_, *mesh_, cut_, sample.shadowTexels));
   const Vec2 jitter = jitterOf(sample, stage);
   if (!sample.isLightOnly) {
     drawSurface(stage, camera, jitter);
@@ -328,6 +328,7 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
   Sample sample;
   sample.isLightOnly = isLightOnly && moving_->width == width && moving_->height == height;
   sample.steps = quality_.movingSteps;
+  sample.shadowTexels = quality_.movingShadowTexels;
   sample.blur = true;
   QRELIEF_TRY(drawSample(*moving_, *moving_, camera, sample));
   picture_ = {&*moving_, &*moving_, {}};
@@ -350,6 +351,7 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   sample.shift = 0.35 + 0.5 * round;
   sample.slices = quality_.stillSlices;
   sample.steps = quality_.stillSteps;
+  sample.shadowTexels = quality_.stillShadowTexels;
   sample.weight = 1.0 / index;
   QRELIEF_TRY(drawSample(*still_, *sum_, camera, sample));
   statistics_.width = still_->width;

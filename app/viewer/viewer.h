@@ -50,9 +50,10 @@ struct ViewQuality {
   int stillSteps = 5;        ///< the same at rest
   int stillSlices = 2;       ///< of occlusion in a picture at rest
   int stillSamples = 8;      ///< pictures averaged at rest; with 16 slices in all or a multiple they leave no pattern
-  int shadowTexels = 1024;   ///< along an edge of a lamp's shadow map
-  double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
-  double settleMs = 120;     ///< without a change, before refinement starts
+  int movingShadowTexels = 512;  ///< along an edge of a lamp's shadow map while something changes
+  int stillShadowTexels = 1024;  ///< the same at rest
+  double mostPixels = 8e5;       ///< larger canvases are drawn at a lower resolution and scaled up
+  double settleMs = 120;         ///< without a change, before refinement starts
 
   static ViewQuality suitedTo(const gl::Capabilities& capabilities);
 };
@@ -128,6 +129,7 @@ class Viewer {
     double turn = 0, shift = 0.35;
     int slices = 1, steps = 3;
     bool blur = false;
+    int shadowTexels = 1024;
     bool isLightOnly = false;  // the stage has surface and occlusion of the last such sample
     double weight = 1;         // of this picture in the average
   };
