@@ -2,7 +2,7 @@
 // The findings at the head of study.html: a number, what it says to somebody who prints codes, and bars.
 import { decoderShares } from './decoder_rates.js';
 import { distinct, median } from './compare.js';
-import { isOurs, kDefaultMethod } from './methods.js';
+import { isOurs, kDefaultMethod, ofSearch } from './methods.js';
 import { mm, name, said } from './say.js';
 import { kNeeded, kTries } from './tries.js';
 
@@ -114,7 +114,7 @@ export const kFindings = [
   {
     section: 'angles',
     find: ({ light_angles: rows = [] }) => {
-      const underSky = rows
+      const underSky = ofSearch(rows)
         .filter((row) => row.modules === 'none' && row.carved_at === 'sky')
         .sort((a, b) => a.read_at - b.read_at);
       const highest = readsUpTo(underSky);

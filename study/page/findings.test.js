@@ -23,6 +23,7 @@ test('the kept tables have five findings, each with a number, bars, and a figure
     assert.match(sentence('en', finding.number), /^\d/);
     assert.ok(finding.bars.length >= 2);
     for (const { value } of finding.bars) assert.ok(value >= 0, section);
+    assert.equal(new Set(finding.bars.map(({ label }) => sentence('en', label))).size, finding.bars.length, section);
     assert.match(page, new RegExp(`<h3 id="${section}"`));
   }
 });
@@ -71,9 +72,14 @@ test('depths are compared only with methods that decode as printed on every mode
 
 test('the highest lamp is the last angle before the first that fails', () => {
   const finding = found('angles', {
-    light_angles: 'modules,carved_at,read_at,reads\nnone,sky,4,60\nnone,sky,15,29\nnone,sky,23,28\nnone,sky,88,40\n',
+    light_angles:
+      'modules,carved_at,read_at,search,reads\n' +
+      ['4,papp-2022,60', '15,papp-2022,29', '15,papp-2022-literal,70', '23,papp-2022,28', '88,papp-2022,40']
+        .map((row) => `none,sky,${row}\n`)
+        .join(''),
   });
   assert.equal(finding && sentence('en', finding.number), '15°');
+  assert.equal(finding?.bars.length, 4, 'without the search by its words');
 });
 
 test('a bar is as long as its value in the whole, and the number links the figure', () => {
