@@ -52,6 +52,25 @@ export const asSmallIfBothRead = (rows, column, one, other) =>
     other,
   );
 
+/**
+ * Counts how often whole finder patterns allow a module at least as small as finder patterns in the pattern of the
+ * modules. Whole modules are no such pattern: there the two are the same.
+ * @param {Row[]} rows
+ */
+export const wholeAsSmallAsModules = (rows) =>
+  asSmall(
+    rows.filter(({ modules }) => modules !== 'none'),
+    'finders',
+    'none',
+    'as-modules',
+  );
+
+/** Counts the same beside the paper's finder patterns, diamond and thick plus. @param {Row[]} rows */
+export function wholeAsSmallAsOwn(rows) {
+  const [diamond, thick] = ['diamond', 'thick-plus'].map((finders) => asSmall(rows, 'finders', 'none', finders));
+  return { holds: diamond.holds + thick.holds, of: diamond.of + thick.of };
+}
+
 /** @type {import('../page/figure.js').Figure} */
 export const leastModule = {
   name: 'leastModule',
@@ -90,7 +109,7 @@ export const leastModule = {
     return [
       ...least,
       said('leastThick', { thick: cases(read(rows, 'thick-plus')), thin: cases(read(rows, 'thin-plus')) }),
-      said('leastFinders', { cases: cases(asSmall(rows, 'finders', 'none', 'as-modules')) }),
+      said('leastFinders', { own: cases(wholeAsSmallAsOwn(rows)), same: cases(wholeAsSmallAsModules(rows)) }),
       said('leastPrint', {
         standing: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')),
         finer: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')),

@@ -2,7 +2,7 @@
 // The statements of the paper's section 8 [Papp 2022], and how often each holds in our tables.
 import { gainsAtPlaces } from '../figures/guaranteed_size.js';
 import { lampsDeepen, lampsMakeShallower } from '../figures/lamp_depths.js';
-import { asSmall, asSmallIfBothRead } from '../figures/least_module.js';
+import { asSmallIfBothRead, wholeAsSmallAsModules, wholeAsSmallAsOwn } from '../figures/least_module.js';
 import { bearsHigher, carving, kPaper, lowerNeverHurts, tolerates } from '../figures/light_angles.js';
 import { isPaperOrder, oneLightOfSelfShadows, wholeIsAsSelfShadows } from '../figures/method_depths.js';
 import {
@@ -64,8 +64,16 @@ export const kStatements = [
     section: 'module',
     table: 'least_module',
     over: 'cases',
-    judge: (rows) => asSmall(rows, 'finders', 'none', 'as-modules'),
+    judge: wholeAsSmallAsModules,
     why: 'claimWhySteps',
+  },
+  {
+    claim: 'claimFinderOwn',
+    section: 'module',
+    table: 'least_module',
+    over: 'cases',
+    judge: wholeAsSmallAsOwn,
+    why: 'claimWhyStanding',
   },
   {
     claim: 'claimSize',

@@ -43,6 +43,19 @@ test('the reasons that name cases are true of the tables', () => {
   const thin = measured(tables.least_module.rows).filter(({ modules }) => modules === 'thin-plus');
   assert.ok(thin.length > 0 && thin.every((row) => row.module_mm === null));
 
+  const sizes = measured(tables.least_module.rows);
+  const whole = new Map(
+    sizes
+      .filter(({ finders }) => finders === 'none')
+      .map((row) => [[row.process, row.pose, row.modules].join(' '), row.module_mm]),
+  );
+  for (const { process, pose, modules, finders, module_mm: mm } of sizes) {
+    const ofWhole = whole.get([process, pose, modules].join(' ')) ?? Infinity;
+    if (mm === null || mm >= ofWhole) continue;
+    if (finders === 'diamond') assert.ok(pose === 'code-upright' && ['square', 'diamond'].includes(modules));
+    if (finders === 'thick-plus') assert.ok(mm > 0.88 * ofWhole, `${process} ${pose} ${modules}`);
+  }
+
   const angles = ofSearch(measured(tables.light_angles.rows));
   const lowLamp = carving(angles, 'none', 8);
   assert.deepEqual(
