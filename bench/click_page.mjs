@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times a click on Engrave on the built page, in Chromium with SwiftShader: seconds until the page allows the download,
-// and until it shows the print's verdict. Runs every sample with all defaults and prints the three verdicts.
+// Times the built page in Chromium with SwiftShader, on every sample with all defaults: a frame while a lamp is dragged and
+// while the pointer moves over the model, seconds from the pointer's rest until the code under it is shown as it will be
+// carved, and seconds from a click on Engrave until the page allows the download and until it shows the print's verdict.
+// Prints the three verdicts.
 //
 //     script/bench click [FOLDER] [SAMPLE]...      FOLDER: a built page (dist by default)
 import { chromium } from '@playwright/test';
@@ -9,8 +11,11 @@ import { resolve } from 'node:path';
 
 import { preview } from 'vite';
 
+import { dragLamp, hover } from './page_frames.mjs';
+
 const [folder = 'dist', ...wanted] = process.argv.slice(2);
 const kText = 'https://example.org/p/0123456789';
+const kLamp = '120,40,2'; // azimuth, elevation, strength
 const kWait = { timeout: 120_000 };
 
 /** In the page: notes when the file and the print are ready after a click. @param {Element} button */
@@ -34,6 +39,14 @@ function watch(button) {
   );
 }
 
+/** @param {string} query */
+async function open(query) {
+  await page.goto(`${address}${query}`);
+  await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
+  await page.locator('#placement-facts').filter({ hasText: 'mm wide' }).waitFor(kWait);
+  await page.waitForTimeout(1500); // work that is prepared while the user looks
+}
+
 const server = await preview({ preview: { host: '127.0.0.1', port: 0 }, build: { outDir: resolve(folder) } });
 const address = server.resolvedUrls?.local[0];
 const browser = await chromium.launch({
@@ -52,16 +65,19 @@ const samples =
         .evaluateAll((options) => options.map((option) => option.value));
 mkdirSync('build/bench', { recursive: true });
 console.log(
-  '| sample | mm wide | click to file, s | click to the print’s verdict, s | reads | prints | solid |\n|---|---:|---:|---:|---|---|---|',
+  '| sample | mm wide | a frame, lamp dragged, ms | pointer moves, ms | rest to carved preview, s | click to file, s | click to the print’s verdict, s | reads | prints | solid |\n|---|---:|---:|---:|---:|---:|---:|---|---|---|',
 );
 /** @type {string[]} */ const stages = [];
 for (const sample of samples) {
-  await page.goto(`${address}?sample=${sample}&text=${encodeURIComponent(kText)}`);
+  const query = `?sample=${sample}&text=${encodeURIComponent(kText)}`;
+  await open(`${query}&light=${kLamp}`);
+  const lampMs = await dragLamp(page);
+  await open(query);
+  const width = /([\d.]+)\smm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
+  const { frameMs, previewMs } = await hover(page);
+  await page.mouse.move(0, 0);
+  await page.waitForTimeout(1500);
   const button = page.getByRole('button', { name: 'Engrave', exact: true });
-  await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
-  await page.locator('#placement-facts').filter({ hasText: 'mm wide' }).waitFor(kWait);
-  await page.waitForTimeout(1500); // work that is prepared while the user looks
-  const width = /^([\d.]+) mm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
   await button.evaluate(watch);
   await button.click();
   const lines = page
@@ -82,7 +98,9 @@ for (const sample of samples) {
       .map(([stage, ms]) => `${stage} ${Math.round(Number(ms))}`)
       .join(', ')} ms`,
   );
-  console.log(`| ${sample} | ${width} | ${file.toFixed(2)} | ${print.toFixed(2)} | ${levels.join(' | ')} |`);
+  const shown = Number.isNaN(previewMs) ? 'given up' : (previewMs / 1000).toFixed(2);
+  const cells = [sample, width, lampMs.toFixed(0), frameMs.toFixed(0), shown, file.toFixed(2), print.toFixed(2)];
+  console.log(`| ${[...cells, ...levels].join(' | ')} |`);
 }
 console.log(`\nStages:\n\n${stages.join('\n')}`);
 await browser.close();
