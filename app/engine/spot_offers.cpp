@@ -20,6 +20,7 @@ Status SpotOffers::start(const PlacementTask& task) {
   request_ = spotSearchFor(task.wanted.settings(), *task.wanted.symbol());
   request_.placement.upHint = task.wanted.upHint(task.sceneUp);
   model_ = task.model.engravable;
+  request_.known = mappedModel_.lock() == model_ ? map_ : nullptr;
   auto job = SpotSearchJob::create(model_, request_);
   QRELIEF_TRY(job);
   job_ = std::move(*job);
@@ -38,9 +39,10 @@ void SpotOffers::finish() {
   job_.reset();
   spots_ = std::move(result.spots);
   map_ = std::move(result.map);
+  mappedModel_ = model_;
   // The map has squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
-  const double largest = static_cast<double>(*std::max_element(map_.sizeMm.begin(), map_.sizeMm.end()));
+  const double largest = static_cast<double>(*std::max_element(map_->sizeMm.begin(), map_->sizeMm.end()));
   topMm_ = std::max(kLeastTopMm, largest / outer);
 }
 
@@ -53,12 +55,13 @@ const std::shared_ptr<const GpuMesh>& SpotOffers::sizesDisplay() {
   if (sizesDisplay_ || job_ || !model_ || !model_->gpu) return sizesDisplay_;
   const double outer = request_.outerFactor();
   if (const auto fixed = fixedMm()) {
-    sizesDisplay_ = std::make_shared<const GpuMesh>(fitMesh(model_->prepared.mesh, map_, *fixed * outer));
+    sizesDisplay_ = std::make_shared<const GpuMesh>(fitMesh(model_->prepared.mesh, *map_, *fixed * outer));
     return sizesDisplay_;
   }
-  map_.sizeMm = countedSizes(map_, topMm_ * outer);
+  SizeMap counted = *map_;
+  counted.sizeMm = countedSizes(counted, topMm_ * outer);
   sizesDisplay_ = std::make_shared<const GpuMesh>(
-      heatMesh(model_->prepared.mesh, map_, request_.leastPrintableMm * outer, topMm_ * outer));
+      heatMesh(model_->prepared.mesh, counted, request_.leastPrintableMm * outer, topMm_ * outer));
   return sizesDisplay_;
 }
 
@@ -68,7 +71,6 @@ void SpotOffers::forget() {
   job_.reset();
   model_.reset();
   spots_.clear();
-  map_ = {};
   sizesDisplay_.reset();
 }
 

@@ -45,7 +45,8 @@ class SpotOffers {
   std::unique_ptr<SpotSearchJob> job_;
   std::vector<Spot> spots_;
   double topMm_ = 0;
-  SizeMap map_;
+  std::shared_ptr<const SizeMap> map_;                // of the last search that was done, ...
+  std::weak_ptr<const EngravableModel> mappedModel_;  // ... and its model
   std::shared_ptr<const GpuMesh> sizesDisplay_;
 };
 

@@ -108,7 +108,6 @@ struct SpotSearchJob::State {
   }
   std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * wantedSpots(); }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
-  const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
   static JobStages<State> stagesOf();
   double mostInMap() const;
   void startMap(double leastMm);
@@ -133,7 +132,7 @@ JobStages<SpotSearchJob::State> SpotSearchJob::State::stagesOf() {
 }
 
 double SpotSearchJob::State::mostInMap() const {
-  const std::vector<float>& sizes = map().sizeMm;
+  const std::vector<float>& sizes = result.map->sizeMm;
   return static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
 }
 
@@ -144,19 +143,22 @@ void SpotSearchJob::State::startMap(double leastMm) {
   options.minMm = leastMm;
   options.views = request.views;
   options.onlyFrom = request.placement.direction;
-  mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
+  if (request.known && request.known->options == options)
+    result.map = request.known;
+  else
+    mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
 }
 
 Result<StageStep> SpotSearchJob::State::drawViews() {
   const auto start = Clock::now();
-  while (millisecondsSince(start) < kSliceMs) {
+  while (mapping && millisecondsSince(start) < kSliceMs) {
     if (!mapping->step()) continue;
-    result.map = mapping->takeMap();
+    result.map = std::make_shared<const SizeMap>(mapping->takeMap());
     mapping.reset();
-    propose(fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
-    return kStageDone;
   }
-  return StageStep{mapping->doneFraction()};
+  if (mapping) return StageStep{mapping->doneFraction()};
+  propose(fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
+  return kStageDone;
 }
 
 void SpotSearchJob::State::propose(double leastSizeMm) {
@@ -164,7 +166,7 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   options.edgeMm = std::min(wantedMm(request) * outer, std::max(mostInMap(), 1e-3));
   options.minSizeMm = leastSizeMm;
   options.enoughMm = std::max(wantedMm(request), request.placement.maxSizeMm) * outer;
-  candidates = spotCandidates(map(), options);
+  candidates = spotCandidates(*result.map, options);
   candidate = 0;
   screened = deferred = recalled = 0;
   const double takes = fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
@@ -233,7 +235,7 @@ bool SpotSearchJob::State::beginTrials() {
     ++count;
   }
   for (std::size_t i = 0; i < count; ++i)
-    trials.push_back({SpotTrial(*model, request, result.map, candidates[candidate + i], findsLargest)});
+    trials.push_back({SpotTrial(*model, request, *result.map, candidates[candidate + i], findsLargest)});
   return true;
 }
 
@@ -278,7 +280,7 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
   if (findsLargest) return tl::unexpected(nothingFound());
   if (result.spots.empty()) {
     findsLargest = true;
-    const bool draws = result.map.viewsDropped > 0;  // these views may take a smaller code
+    const bool draws = result.map->viewsDropped > 0;  // these views may take a smaller code
     stages.add({message<"finding-largest-size">(), 60, &State::drawViews, draws});
     stages.add({message<"finding-largest-size">(), 10, &State::testOnce});
     if (draws)
@@ -352,8 +354,6 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
 Progress SpotSearchJob::progress() const { return state_->stages.progress(); }
 
 Result<Progress> SpotSearchJob::advance() { return state_->stages.advance(*state_); }
-
-const SizeMap& SpotSearchJob::map() const { return state_->map(); }
 
 SpotSearchResult SpotSearchJob::takeResult() {
   assert(state_->stages.done());

@@ -37,6 +37,8 @@ struct SpotSearchRequest {
   /// filament change. None: layers do not matter.
   std::optional<ColouredCode> coloured = {};
   int views = 240;  ///< number of views for the size map, ≥ 200
+  /// A size map of the same model, to be used if this search would make it with the same options; may be null.
+  std::shared_ptr<const SizeMap> known = nullptr;
   /// File units → mm. A centre is rounded as the user will read it, to about a micrometre, before it is tested.
   double scaleToMm = 1;
 
@@ -71,7 +73,7 @@ struct Spot {
 };
 
 struct SpotSearchResult {
-  SizeMap map;
+  std::shared_ptr<const SizeMap> map;
   std::vector<Spot> spots;  ///< best first, spots with concerns last; at least one
   std::size_t tried = 0;    ///< number of spots tested
 };
@@ -94,9 +96,6 @@ class SpotSearchJob {
   /// Does the next piece of work. Do not call it again after an error or `done`.
   /// @returns at the end, NoSolution if there is no spot; the message names the largest size that fits somewhere
   Result<Progress> advance();
-
-  /// Returns the map so far; complete when the first spot is tested.
-  const SizeMap& map() const;
 
   /// Returns the result. Call it once, after `done`.
   SpotSearchResult takeResult();

@@ -186,6 +186,7 @@ SizeMapSearch::SizeMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, c
   s.options = options;
   if (options.onlyFrom) s.options.views = 1;
   s.map = sampled(mesh, normals, options.facets);
+  s.map.options = options;
   s.adjacency = buildAdjacency(s.map.mesh.triangles);
   s.centre = boundingBox(s.map.mesh).centre();
   s.radius = radiusAbout(s.map.mesh, s.centre);
@@ -219,8 +220,6 @@ bool SizeMapSearch::step() {
 }
 
 double SizeMapSearch::doneFraction() const { return static_cast<double>(state_->viewsDone) / state_->options.views; }
-
-const SizeMap& SizeMapSearch::map() const { return state_->map; }
 
 SizeMap SizeMapSearch::takeMap() { return std::move(state_->map); }
 

@@ -17,10 +17,13 @@ struct SizeMapOptions {
   int views = 240;    ///< number of viewing directions, ≥ 1
   std::optional<Vec3> onlyFrom{};  ///< the only viewing direction, any length > 0; none: all around
   std::size_t facets = 12000;      ///< meshes with more facets are simplified to about this many, ≥ 100
+
+  bool operator==(const SizeMapOptions&) const = default;
 };
 
 /// Size of the square that fits at each point of a model.
 struct SizeMap {
+  SizeMapOptions options;      ///< that it was made with
   Mesh mesh;                   ///< the model, simplified and with its long edges cut
   std::vector<Vec3f> normals;  ///< per vertex
   /// Edge of the largest square about each vertex that fits at every rotation in some view, mm; 0 if none fits.
@@ -66,7 +69,6 @@ class SizeMapSearch {
   bool step();
 
   double doneFraction() const;
-  const SizeMap& map() const;
 
   /// Returns the map; call it once, after the last step.
   SizeMap takeMap();

@@ -92,9 +92,9 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                         {"leastPrintableMm", request.leastPrintableMm},
                         {"views", request.views},
                         {"count", request.count}};
-  json["map"] = {{"vertices", result.map.mesh.positions.size()},
-                 {"triangles", result.map.mesh.triangles.size()},
-                 {"viewsDropped", result.map.viewsDropped},
+  json["map"] = {{"vertices", result.map->mesh.positions.size()},
+                 {"triangles", result.map->mesh.triangles.size()},
+                 {"viewsDropped", result.map->viewsDropped},
                  {"spotsTested", result.tried}};
   json["spots"] = Json::array();
   for (const Spot& spot : result.spots)

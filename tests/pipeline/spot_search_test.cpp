@@ -367,10 +367,27 @@ TEST_F(SpotSearchTest, TheMapPrecedesTheSpots) {
   const auto model = upload(shapes::icosphere(40, 4));
   EXPECT_THAT(followJob(**SpotSearchJob::create(model, request(20))),
               testing::ElementsAre("looking-from-all-sides", "testing-spots"));
-  const auto job = *SpotSearchJob::create(model, request(20));
-  while (job->progress().stage.code != "testing-spots") ASSERT_TRUE(job->advance().has_value());
-  const std::vector<float>& sizes = job->map().sizeMm;
+  const auto found = findSpots(model, request(20));
+  ASSERT_TRUE(found.has_value());
+  const std::vector<float>& sizes = found->map->sizeMm;
   EXPECT_GT(*std::max_element(sizes.begin(), sizes.end()), 20);
+}
+
+TEST_F(SpotSearchTest, UsesAKnownMapOnlyIfItsOptionsAreThoseOfTheSearch) {
+  const auto model = upload(shapes::bumpySphere(40, 3, 4, 4));
+  const auto first = findSpots(model, request(20));
+  ASSERT_TRUE(first.has_value());
+  SpotSearchRequest again = request(20);
+  again.known = first->map;
+  const auto second = findSpots(model, again);
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->map, first->map);
+  ASSERT_EQ(second->spots.size(), first->spots.size());
+  for (std::size_t i = 0; i < first->spots.size(); ++i) EXPECT_EQ(second->spots[i].centreMm, first->spots[i].centreMm);
+  again.placement.sizeMm = 25;
+  const auto larger = findSpots(model, again);
+  ASSERT_TRUE(larger.has_value());
+  EXPECT_NE(larger->map, first->map);
 }
 
 TEST_F(SpotSearchTest, TheLargestSizeIsSoughtIfTheRequestedSizeFitsNowhere) {

@@ -36,7 +36,7 @@ TEST(SpotTrial, OneAfterAnotherFindTheSpotsOfTheSearch) {
   ASSERT_EQ(search->spots.size(), 4u);
   for (const Spot& spot : search->spots) {
     const SpotCandidate candidate{spot.centreMm, spot.direction, spot.symbolMm, {}};
-    const SpotTrial trial = finished(*model, request, search->map, candidate);
+    const SpotTrial trial = finished(*model, request, *search->map, candidate);
     ASSERT_TRUE(trial.spot().has_value());
     EXPECT_EQ(trial.tries(), 1u);
     EXPECT_EQ(trial.spot()->centreMm, spot.centreMm);
