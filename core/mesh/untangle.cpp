@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "math/tolerance.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
 #include "mesh/self_intersection.h"
+#include "mesh/topology.h"
+#include "message_codes/model.h"
 
 namespace qrelief {
 namespace {
@@ -57,13 +60,16 @@ struct Surroundings {
   Mesh mesh;
   std::vector<std::uint32_t> vertices;  ///< their indices in the whole mesh, ascending
   std::vector<std::uint32_t> tangle;    ///< in `mesh`
+  std::vector<std::uint32_t> pieces;    ///< of its vertices, in the whole mesh; see piecesOf()
 
   std::uint32_t indexOf(std::uint32_t v) const {
     return static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
   }
 };
 
-Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle) {
+/// @param pieces  of the mesh's vertices
+Surroundings surroundingsOf(const Mesh& mesh, std::span<const std::uint32_t> pieces,
+                            const std::vector<std::uint32_t>& tangle) {
   Box3 box;
   for (const Triangle& t : mesh.triangles)
     if (usesAny(t, tangle))
@@ -78,7 +84,10 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
     }
   std::sort(around.vertices.begin(), around.vertices.end());
   around.vertices.erase(std::unique(around.vertices.begin(), around.vertices.end()), around.vertices.end());
-  for (const std::uint32_t v : around.vertices) around.mesh.positions.push_back(mesh.positions[v]);
+  for (const std::uint32_t v : around.vertices) {
+    around.mesh.positions.push_back(mesh.positions[v]);
+    around.pieces.push_back(pieces[v]);
+  }
   for (Triangle& t : around.mesh.triangles)
     for (std::uint32_t& v : t) v = around.indexOf(v);
   for (const std::uint32_t v : tangle) around.tangle.push_back(around.indexOf(v));
@@ -132,12 +141,25 @@ bool isTooCrowded(const Result<std::vector<TrianglePair>>& pairs) {
   return !pairs && pairs.error().kind == ErrorKind::NoSolution;
 }
 
+/// Finds the pairs that findSelfIntersections() finds in the whole mesh: pieces may be joined outside the surroundings.
+/// @returns NoSolution if there are too many to examine
+Result<std::vector<TrianglePair>> selfIntersectionsIn(const Surroundings& around) {
+  auto pairs = findCrossings(around.mesh, {}, kMaxCrossingsListed);
+  QRELIEF_TRY(pairs);
+  if (pairs->size() == kMaxCrossingsListed) return fail(ErrorKind::NoSolution, message<"crossings-too-crowded">());
+  std::erase_if(*pairs, [&](const TrianglePair& pair) {
+    return around.pieces[around.mesh.triangles[pair[0]][0]] != around.pieces[around.mesh.triangles[pair[1]][0]];
+  });
+  return pairs;
+}
+
 /// Separates the tangle by the shortest move that removes all its pairs and creates no other.
 /// @param work  triangles tested so far, in all tries
 /// @returns true if there is such a move
-Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::size_t& work) {
-  Surroundings around = surroundingsOf(mesh, tangle);
-  auto others = findSelfIntersections(around.mesh);
+Result<bool> part(Mesh& mesh, std::span<const std::uint32_t> pieces, const std::vector<std::uint32_t>& tangle,
+                  std::size_t& work) {
+  Surroundings around = surroundingsOf(mesh, pieces, tangle);
+  auto others = selfIntersectionsIn(around);
   if (isTooCrowded(others)) return false;
   QRELIEF_TRY(others);
   const auto ofTangle = [&](const TrianglePair& pair) {
@@ -152,7 +174,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, std::siz
     work += around.mesh.triangles.size();
     if (work > kMaxWork) return false;
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
-    const auto left = findSelfIntersections(around.mesh);
+    const auto left = selfIntersectionsIn(around);
     if (isTooCrowded(left)) return false;
     QRELIEF_TRY(left);
     if (std::includes(others->begin(), others->end(), left->begin(), left->end()) && allHaveArea(around.mesh)) {
@@ -180,10 +202,11 @@ Result<Untangling> untangle(Mesh& mesh) {
   if (pairs->size() > kMaxMended) return result;
 
   const std::vector<Vec3f> before = mesh.positions;
+  const std::vector<std::uint32_t> pieces = piecesOf(mesh);
   std::size_t work = 0;
   while (!pairs->empty()) {
     const std::vector<std::uint32_t> tangle = firstTangle(mesh, *pairs);
-    const Result<bool> parted = part(mesh, tangle, work);
+    const Result<bool> parted = part(mesh, pieces, tangle, work);
     if (!parted || !*parted) {
       mesh.positions = before;
       return parted ? Result<Untangling>(result) : tl::unexpected(parted.error());

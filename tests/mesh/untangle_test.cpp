@@ -69,6 +69,16 @@ TEST(Untangle, MovesNoVertexFartherThanAPrinterShows) {
   expectUntouched(larger, 5);
 }
 
+TEST(Untangle, KeepsASpikeThatComesOutOnTheOtherSide) {
+  // Only far from their crossing are the spike's triangles joined with those that they cross.
+  Mesh spiked = shapes::icosphere(10, 4);
+  spiked.positions[100] *= -1.2f;
+  const std::size_t pairs = crossingsOf(spiked);
+  EXPECT_GT(pairs, 0u);
+  EXPECT_LT(pairs, 100u);
+  expectUntouched(spiked, pairs);
+}
+
 TEST(Untangle, KeepsACleanMeshUnchanged) { expectUntouched(shapes::bumpySphere(50, 3, 4, 3), 0); }
 
 TEST(Untangle, KeepsOverlappingShells) {
