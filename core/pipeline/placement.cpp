@@ -38,6 +38,9 @@ constexpr double kNearnessFactor = 2;
 
 double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
 
+/// Rounds a size down as messages show it: of a code that hardly fits at all, to 0.
+double sizeShown(double mm) { return mm < 0.01 ? 0 : downToThreeDigits(mm); }
+
 class Stopwatch {
  public:
   explicit Stopwatch(double& sumMs) : sumMs_(sumMs) {}
@@ -220,12 +223,12 @@ Status PlacementSearch::measure(Vec3 normal) {
         roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm, message<"choose-a-wider-spot">());
     if (request_.isText)
       return fail(ErrorKind::NoSolution,
-                  message<"text-too-small-here">(with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
+                  message<"text-too-small-here">(with::lengthMm<"size">(sizeShown(placement_.symbolMm)),
                                                  with::lengthMm<"least">(kMinModuleMm * modules_),
                                                  with::cause<"advice">(advice)));
     return fail(ErrorKind::NoSolution,
-                message<"modules-too-small-here">(with::lengthMm<"size">(downToThreeDigits(placement_.symbolMm)),
-                                                  with::lengthMm<"module">(placement_.moduleMm),
+                message<"modules-too-small-here">(with::lengthMm<"size">(sizeShown(placement_.symbolMm)),
+                                                  with::lengthMm<"module">(sizeShown(placement_.moduleMm)),
                                                   with::cause<"advice">(advice)));
   }
   if (request_.sizeMode != SizeMode::Best) fits_.clear();

@@ -13,7 +13,7 @@ import { changeByHandles, withChanges } from './work.js';
  * @typedef {object} WorkEditorOptions
  * @property {import('./work_store.js').WorkStore} store
  * @property {WorkSettings} defaults  of the settings that have a control
- * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'listen'>} form
+ * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'listen' | 'showPlaced'>} form
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'listen' | 'refresh' | 'showParts' | 'showPlaced'>} code
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'listen'>} batchPanel
  * @property {import('./model_session.js').ModelSession} model
@@ -62,7 +62,10 @@ export class WorkEditor {
       onChange: (input) => guard(() => this.useParts(input)),
       onFile: (file) => guard(() => batching.openList(file)),
     });
-    placing.placed.on((placement) => code.showPlaced(placement));
+    placing.placed.on((placement) => {
+      code.showPlaced(placement);
+      form.showPlaced(placement);
+    });
     placePanel.listenToRemedies((change, label) => void guard(() => this.remedy({ changes: [change] }, label)));
     batching.changed.on((planned) =>
       code.showParts(

@@ -35,10 +35,11 @@ export function fieldText(key, settings) {
  * @param {FieldKey} key  of the control
  * @param {string} text   in the control
  * @param {WorkSettings} settings  before the change
+ * @param {number} [placedMm]  size of the placed code, which a fixed size begins with
  * @returns {WorkSettings}
  */
-export function fieldChange(key, text, settings) {
-  if (key === 'size' && text === kFixed) return { size: settings.maxSizeMm };
+export function fieldChange(key, text, settings, placedMm = settings.maxSizeMm) {
+  if (key === 'size' && text === kFixed) return { size: placedMm };
   if (key === 'pattern' && text === kOwn) return { patternMask: kFirstMask };
   // The change says so itself: it is shown while it is typed, before settingsAfter() completes it.
   /** @type {WorkSettings} */ const change = {

@@ -44,6 +44,7 @@ test('A fixed size is a choice and the number beside it, which else limits the s
   assert.deepEqual([fieldText('size', free), fieldText('maxSizeMm', free)], ['best', '35']);
   assert.deepEqual([fieldText('size', fixed), fieldText('maxSizeMm', fixed)], ['fixed', '31.5']);
   assert.deepEqual(fieldChange('size', 'fixed', free), { size: 35 });
+  assert.deepEqual(fieldChange('size', 'fixed', free, 28.31), { size: 28.31 });
   assert.deepEqual(fieldChange('size', 'free', fixed), { size: 'free' });
   assert.deepEqual(fieldChange('maxSizeMm', '21', free), { maxSizeMm: 21 });
   assert.deepEqual(fieldChange('maxSizeMm', '21', fixed), { maxSizeMm: 21, size: 21 });

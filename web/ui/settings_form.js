@@ -37,6 +37,7 @@ export class SettingsForm {
       prepare(control);
       this.watch_(control);
     }
+    /** @type {number | undefined} */ this.placedMm_ = undefined;
     /** The defaults of the settings that have a control. */
     this.defaults = this.settings_ = defaultsOf(this.controls_.map(keyOf));
     this.show(this.defaults);
@@ -76,7 +77,14 @@ export class SettingsForm {
   /** The change that a control asks for. @param {Control} control @returns {WorkSettings} */
   changeBy_(control) {
     const key = keyOf(control);
-    return key === 'light' ? { light: this.lamps_.lamps } : fieldChange(key, textIn(control), this.settings_);
+    if (key === 'light') return { light: this.lamps_.lamps };
+    return fieldChange(key, textIn(control), this.settings_, this.placedMm_);
+  }
+
+  /** @param {import('../engine/types.js').Placement | undefined} placement  undefined: the code has no place */
+  showPlaced(placement) {
+    const isUpright = placement?.rotationDeg === this.settings_.rotateDeg; // else a code of that size may not fit
+    this.placedMm_ = placement && isUpright ? Math.floor(100 * placement.symbolMm) / 100 : undefined;
   }
 
   /** Reports the edits of a control. A text is edited once typing pauses. @param {Control} control */
