@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/self_intersection.h"
 #include "message_codes/printing.h"
 #include "message_codes/verdict.h"
 #include "pipeline/engrave.h"
@@ -166,7 +167,10 @@ Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   } else if (solid.selfIntersections > 0) {
     aspect.level = Level::Barely;
     aspect.summary = message<"solid-but-crossing">();
-    aspect.reasons.push_back(message<"inherited-crossings">(with::count<"count">(solid.selfIntersections)));
+    const auto count = with::count<"count">(solid.selfIntersections);
+    aspect.reasons.push_back(solid.selfIntersections < kMaxCrossingsListed
+                                 ? message<"inherited-crossings">(count)
+                                 : message<"many-inherited-crossings">(count));
   } else {
     aspect.summary = message<"solid">();
     aspect.reasons.push_back(message<"solid-because">(with::count<"count">(solid.triangles)));

@@ -292,6 +292,10 @@ TEST_F(VerdictTest, ReportsInheritedCrossingsAndFailsOnNewOnes) {
   const Verdict inherited = judge(request_, result, evidence(72));
   EXPECT_EQ(inherited.solid.level, Level::Barely);
   EXPECT_THAT(inherited.solid.failed, IsEmpty());
+  EXPECT_EQ(inherited.solid.reasons.front().code, "inherited-crossings");
+  result.solidity.selfIntersections = result.inheritedSelfIntersections = kMaxCrossingsListed;
+  EXPECT_EQ(judge(request_, result, evidence(72)).solid.reasons.front().code, "many-inherited-crossings");
+  result.solidity.selfIntersections = 35;
   result.inheritedSelfIntersections = 34;
   EXPECT_EQ(judge(request_, result, evidence(72)).solid.level, Level::Bad);
 }
