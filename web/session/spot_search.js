@@ -201,6 +201,11 @@ export class SpotSearch {
     if (this.placing_.placement) await this.client_.act({ kind: 'face' });
   }
 
+  /** Shows no spot as chosen: the code lies elsewhere. */
+  unmark() {
+    this.panel_.mark();
+  }
+
   /** Drops the spots: they were found with other settings. */
   async forget() {
     this.isOutdated_ = true;

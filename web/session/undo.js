@@ -4,7 +4,7 @@ import { text } from '../i18n/catalogue.js';
 import { setDisabled } from '../dom/set_disabled.js';
 import { byId } from '../dom/dom.js';
 import { History } from './history.js';
-import { sameCentre, sameModel, sameWork } from './work.js';
+import { sameButPlace, sameCentre, sameModel, sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('./carving.js').Carved} Carved */
@@ -134,9 +134,11 @@ export class Undo {
       await model.load(state.source, state.centreIsGuess ? undefined : state.centreMm);
     } else {
       if (state.source && before.source?.upAxis !== state.source.upAxis) await model.turnUp(state.source.upAxis);
-      await spots.forget();
-      if (!sameCentre(before.centreMm, state.centreMm))
+      if (!sameButPlace(before, state)) await spots.forget();
+      if (!sameCentre(before.centreMm, state.centreMm)) {
+        spots.unmark();
         await placing.restoreCentre(state.centreMm, state.centreIsGuess);
+      }
       await placing.place();
     }
     if (!(await carving.restore(state.carved)) && state.carved) messages.say(() => text('page.carvingGone'));

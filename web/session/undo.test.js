@@ -34,6 +34,7 @@ const {
 /** @type {import('./work_store.js').WorkStore} */ let store;
 let busy = false;
 /** @type {Undo} */ let undo;
+/** @type {any} */ let spots;
 
 beforeEach(() => {
   elements = { undo: new FakeElement(), redo: new FakeElement(), panel: new FakeElement() };
@@ -73,11 +74,12 @@ beforeEach(() => {
     { latest: undefined, finished: new Signal() },
   );
   messages = new FakeMessages();
+  spots = fake(SpotSearch);
   undo = new Undo({
     model,
     placing,
     carving,
-    spots: fake(SpotSearch),
+    spots,
     messages: /** @type {any} */ (messages),
     jobs: /** @type {any} */ ({
       get busy() {
@@ -107,6 +109,7 @@ test('A text is undone and redone, and the code placed again', async () => {
   await settled();
   assert.equal(store.work.text, 'a');
   assert.deepEqual(placing.calls, ['place']);
+  assert.deepEqual(spots.calls, ['forget']);
   undo.redo();
   await settled();
   assert.equal(store.work.text, 'b');
@@ -119,6 +122,7 @@ test('Undo restores a centre and whether it was proposed', async () => {
   await settled();
   assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
   assert.deepEqual(model.calls, []);
+  assert.deepEqual(spots.calls, ['unmark'], 'the suggested spots stay');
 });
 
 test('A proposed spot is nothing to undo', async () => {

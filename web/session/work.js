@@ -22,14 +22,16 @@ export const sameModel = (a, b) => a?.bytes === b?.bytes && a?.scaleToMm === b?.
 /** @param {Point | undefined} a @param {Point | undefined} b */
 export const sameCentre = (a, b) => a?.join() === b?.join();
 
-/** @param {Work} a @param {Work} b */
-export const sameWork = (a, b) =>
+/** Returns true if only the place of the code may differ. @param {Work} a @param {Work} b */
+export const sameButPlace = (a, b) =>
   sameModel(a.source, b.source) &&
   a.source?.upAxis === b.source?.upAxis &&
   a.text === b.text &&
   a.batch === b.batch &&
-  sameCentre(a.centreMm, b.centreMm) &&
   sameSettings(a.settings, b.settings);
+
+/** @param {Work} a @param {Work} b */
+export const sameWork = (a, b) => sameButPlace(a, b) && sameCentre(a.centreMm, b.centreMm);
 
 /** Returns the centre chosen by the user, which is stored with the model. @param {Work} work */
 export const chosenCentre = ({ centreMm, centreIsGuess }) => (centreIsGuess ? undefined : centreMm);
