@@ -16,7 +16,7 @@ struct SizeMapOptions {
   double minMm = 10;  ///< smallest square of interest, > 0; sets the map's resolution and drops views that show less
   int views = 240;    ///< number of viewing directions, ≥ 1
   std::optional<Vec3> onlyFrom{};  ///< the only viewing direction, any length > 0; none: all around
-  std::size_t facets = 12000;      ///< meshes with more facets are simplified to about this many, ≥ 100
+  std::size_t facets = 24000;      ///< meshes with more facets are simplified to about this many, ≥ 100
 
   bool operator==(const SizeMapOptions&) const = default;
 };
