@@ -141,8 +141,7 @@ std::string describeRow(const CarvedRow& row) {
                         {"prints", levelName(verdict.prints.level)},
                         {"solid", levelName(verdict.solid.level)}};
   if (!request.code.isText()) {
-    const SymbolGrades grades =
-        gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.depth.albedo));
+    const SymbolGrades grades = gradesOf(request, result);
     details["grades"] = {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}};
   }
   details["depth"] = {{"meanMm", rounded(depth.meanMm)},

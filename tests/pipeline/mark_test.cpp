@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "batch/manifest.h"
 #include "engine/ink_seen.h"
 #include "io/write_stl.h"
 #include "message_codes/printing.h"
@@ -252,10 +253,13 @@ TEST_F(MarkTest, AnInvertedCodeIsWarnedOf) {
   EngraveRequest request = requestFor(Mark::Paint);
   std::swap(request.marking.ink.dark, request.marking.ink.light);
   const EngraveResult result = engraved(sphere(), request);
-  const Verdict verdict = judge(request, result, readCarving(request, result));
+  const ReadingEvidence reading = readCarving(request, result);
+  const Verdict verdict = judge(request, result, reading);
   ASSERT_FALSE(verdict.reads.warnings.empty());
   EXPECT_EQ(verdict.reads.warnings.front().code, "code-inverted");
   EXPECT_GT(gradesOf(request, result).symbolContrast.value, 0.6);
+  const auto row = nlohmann::json::parse(describeRow({request, result, reading, std::nullopt, verdict, 0}));
+  EXPECT_EQ(row.at("grades").at("iso15415"), gradesOf(request, result).iso15415);
 }
 
 TEST_F(MarkTest, ACameraFromTheSideSeesTheInkWhereItLies) {
