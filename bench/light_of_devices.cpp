@@ -70,10 +70,9 @@ LightError lightError(const EngraveResult& engraved, int count, int paths) {
     cells.push_back({{corner.x, corner.y - edge}, {corner.x + edge, corner.y}});
     ours.push_back(engraved.luminance.at(row, column));
   }
-  const auto traced = study::traceCells(tree, engraved.placement.frame, cells,
-                                        {.paths = paths,
-                                         .albedo = static_cast<double>(engraved.request.depth.albedo),
-                                         .lights = engraved.request.lamps()});
+  const auto traced = study::traceCells(
+      tree, engraved.placement.frame, cells,
+      {.paths = paths, .albedo = engraved.request.marking.surfaceAlbedo(), .lights = engraved.request.lamps()});
   LightError error;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double difference = ours[i] - traced[i].luminance.mean;

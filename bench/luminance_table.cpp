@@ -61,7 +61,7 @@ EngraveRequest requestFor(const bench::Centre& centre, int number) {
   request.code.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
   if (isByReading(number)) request.depth.contrast = study::ReadingOptions().dataContrast;
   request.depth.minWallMm = 0.4;
-  request.depth.albedo = static_cast<float>(kAlbedo);
+  request.marking.albedo = kAlbedo;
   return request;
 }
 

@@ -95,7 +95,7 @@ Result<Row> runRedrawing(const Spot& spot) {
     LuminanceOptions light;
     light.cellTexels = cellTexels;
     light.sampling = {4, 2};
-    light.albedo = spot.request.depth.albedo;
+    light.albedo = static_cast<float>(spot.request.marking.surfaceAlbedo());
     light.radiusMm = static_cast<float>(3 * spot.placement.moduleMm);
     light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);
     light.horizonSamples = 1;
@@ -134,7 +134,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     QRELIEF_TRY(mesh);
     const RayTree tree(*mesh);
     const auto light = study::traceCells(tree, spot.placement.frame, cells,
-                                         {.paths = rays, .albedo = static_cast<double>(spot.request.depth.albedo)});
+                                         {.paths = rays, .albedo = spot.request.marking.surfaceAlbedo()});
     deepened = false;
     noise = 0;
     for (const study::CellLight& cell : light)

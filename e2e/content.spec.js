@@ -152,6 +152,7 @@ test('A text alone is shown, engraved and saved as a solid; the code comes back'
   await expect(page.locator('#symbol-facts')).toContainText(/^[\d.]+\smm across, capitals [\d.]+\smm high$/);
   await expect(page.locator('#code-state')).toHaveText(/^Text alone, capitals [\d.]+\smm high$/);
   await expect(app.setting('How deep')).toBeHidden();
+  await expect(page.locator('fieldset:has(#filament)')).toHaveAttribute('hidden'); // a text needs no light
   await expect(page.getByRole('button', { name: 'Phone view' })).toBeDisabled();
   await expect(page.getByRole('button', { name: 'Code as SVG' })).toBeHidden();
 

@@ -23,7 +23,7 @@ Result<std::vector<double>> tracedLuminance(const StudyPlacement& spot, const Ca
     const double h = code.depths.submoduleMm();
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }
-  PathTraceOptions options{.paths = kPaths, .albedo = static_cast<double>(spot.request.depth.albedo), .seed = 1};
+  PathTraceOptions options{.paths = kPaths, .albedo = spot.request.marking.surfaceAlbedo(), .seed = 1};
   if (code.readUnder) options.lights = {*code.readUnder};
   std::vector<double> luminance;
   for (const CellLight& cell : traceCells(surface->tree(), spot.placement.frame, cells, options))

@@ -136,7 +136,7 @@ void Engine::lightScene() {
   }
   LampLight light{{},
                   openIrradiance(lamps),
-                  settings().surfaceAlbedo(),
+                  settings().marking.surfaceAlbedo(),
                   hemisphere_->frame.centre,
                   kFineShadowRadii * hemisphere_->radiusMm};
   for (const DirectionalLight& lamp : lamps) light.lamps.push_back({hemisphere_->direction(lamp), lamp.strength});
@@ -184,7 +184,7 @@ std::string Engine::construction() const {
 
 void Engine::updateView() {
   const auto inkOf = [](const EngraveRequest* request) {
-    return request && request->marking.isInColour() ? std::optional(request->marking.ink) : std::nullopt;
+    return request && request->marking.isInColour() ? std::optional(request->marking.ink()) : std::nullopt;
   };
   const EngraveResult* const result = carvings_.result();
   construction_ = scene_.constructionShown() ? placedConstruction() : std::nullopt;

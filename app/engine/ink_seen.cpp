@@ -10,7 +10,7 @@ void addInkSeen(BottomUp<float>& luminance, const ProjectionFrame& camera, doubl
   const MapWindow window{extentMm, luminance.rows()};
   const std::vector<float> drawn = surface.draw(camera, window);
   const ProjectionFrame& code = result.placement.frame;
-  const InkMap ink(markedSymbol(result), result.placement.symbolMm, result.request.marking.ink);
+  const InkMap ink(markedSymbol(result), result.placement.symbolMm, result.request.marking.ink());
   const double eye = camera.eyeDistance;
   for (std::size_t i = 0; i < luminance.size(); ++i) {
     if (drawn[4 * i] == 0 && drawn[4 * i + 1] == 0 && drawn[4 * i + 2] == 0) continue;  // off the model

@@ -33,7 +33,7 @@ Decal symbolDecal(const Symbol& symbol, const ProjectionFrame& frame, double sym
       label.isAlone ? kTextMargin : std::max<double>(kQuietZoneModules, labelMarginModules(label, symbol.size));
   const int border = static_cast<int>(std::ceil(margin * scale * kSubmodulesPerModule));
   Decal decal;
-  if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink);
+  if (request.marking.isInColour()) decal.colours = coloursOf(request.marking.ink());
   decal.frame = frame;
   decal.size = scale * mask.rows() + 2 * border;
   const double edgeModules = static_cast<double>(decal.size) / (scale * kSubmodulesPerModule);

@@ -84,7 +84,7 @@ InkedSurface inkedSurface(const EngraveResult& result) {
 
 std::vector<std::optional<Colour>> inkedColours(const InkedSurface& surface, const EngraveResult& result,
                                                 std::span<const std::optional<Colour>> ofModel) {
-  const Ink& ink = result.request.marking.ink;
+  const Ink ink = result.request.marking.ink();
   const auto body = [&](std::size_t t) -> std::optional<Colour> {
     if (ofModel.empty()) return greyOf(ink.light);
     return ofModel[t < result.keptTriangles ? result.origins[t].facet : result.placement.seed];

@@ -42,7 +42,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
   }
   const std::size_t count = sky_->carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
-  difference_.assign(count, firstDifference(options_.albedo));
+  difference_.assign(count, firstDifference(static_cast<double>(options_.albedo)));
   differenceChange_.assign(count, 0);
   seenFraction_.assign(count, 1);
   states_.assign(count, State::TooBright);

@@ -44,7 +44,7 @@ struct FastSearchOptions {
   /// c per module, row-major from the symbol's top left; empty: `contrast` for all.
   std::vector<double> contrastOfModule = {};
   double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
-  double albedo = 0.7;    ///< albedo of the material, 0 … 1: first estimate of interreflection
+  float albedo = 0.7f;    ///< albedo of the material, 0 … 1: first estimate of interreflection
   /// Lamps add to the sky: depths then start small and only grow, little by little. The plane's prediction knows the
   /// sky alone, and would jump to depths that the lamp's shadow does not need.
   bool hasLamps = false;

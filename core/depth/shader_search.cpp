@@ -66,7 +66,7 @@ Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target,
   QRELIEF_TRY(passes);
   search->passes_ = std::move(*passes);
   search->passes_.start(static_cast<float>(kFirstDepthModules * ownTarget.symbolMm / ownTarget.symbol->size),
-                        static_cast<float>(firstDifference(options.albedo)));
+                        static_cast<float>(firstDifference(static_cast<double>(options.albedo))));
   light.selectCells(search->place_.cells);
   search->restart(options);
   search->freePasses_ = options.hasLamps ? 0 : kFreePasses;

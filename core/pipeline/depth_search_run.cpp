@@ -156,7 +156,7 @@ FastSearchOptions fastSearchOptions(const EngraveRequest& request) {
   FastSearchOptions options;
   options.contrast = request.depth.contrastAsked();
   options.slackMm = std::min(request.print.printer.layerMm, kDepthStepMm) / 2;
-  options.albedo = static_cast<double>(request.depth.albedo);
+  options.albedo = static_cast<float>(request.marking.surfaceAlbedo());
   options.hasLamps = !request.lamps().empty();
   if (options.hasLamps)
     options.maxIterations = kPassesUnderLamps;

@@ -126,9 +126,9 @@ struct CarveJob::State {
   /// Measures the place, if it is not the one measured before.
   Status measurePlace(bool withLight) {
     const Placement& placement = result.placement;
-    const PlacementMeasurement::Request place{placement.frame,    placement.moduleMm, {result.symbol.size},
-                                              asked.depth.albedo, asked.lamps(),      known.device,
-                                              withLight};
+    const auto albedo = static_cast<float>(asked.marking.surfaceAlbedo());
+    const PlacementMeasurement::Request place{
+        placement.frame, placement.moduleMm, {result.symbol.size}, albedo, asked.lamps(), known.device, withLight};
     const auto earlier = std::move(known.measured);
     if (earlier && earlier->request() == place) {
       if (withLight) earlier->light().uncarve();

@@ -76,7 +76,7 @@ ReaderPicture readerPicture(const Mesh& model, const EngraveResult& result) {
   options.texels = pixels * modulesAcross;
   options.reliefMm = static_cast<float>(request.marking.isInColour() ? kFlatReliefMm : summarise(result.depths).maxMm);
   options.radiusMm = static_cast<float>(kViewReachPerDepth) * options.reliefMm;
-  options.albedo = request.surfaceAlbedo();
+  options.albedo = static_cast<float>(request.marking.surfaceAlbedo());
   options.lights = request.lamps();
   // A body with its inlay has the surface of the model.
   BottomUp<float> luminance = meshLuminance(request.marking.mark == Mark::Inlay ? model : result.mesh, placement.frame,
@@ -87,7 +87,8 @@ ReaderPicture readerPicture(const Mesh& model, const EngraveResult& result) {
                                              .lamps = options.lights,
                                              .lampRadiusDeg = kLampRadiusDeg});
   if (request.marking.isInColour()) {
-    InkMap(markedSymbol(result), placement.symbolMm, request.marking.ink).apply(luminance, placement.moduleMm / pixels);
+    InkMap(markedSymbol(result), placement.symbolMm, request.marking.ink())
+        .apply(luminance, placement.moduleMm / pixels);
     picture.luminance = submoduleMeans(luminance, result.symbol.size, pixels);
   }
   picture.view = photographed(std::move(luminance), options);

@@ -44,7 +44,7 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .lamps = request.lamps,
                             .mark = request.mark,
                             .markDepthMm = request.markDepthMm,
-                            .ink = request.ink,
+                            .ink = request.ink(),
                             .label = request.label};
 }
 

@@ -55,7 +55,8 @@ Status checkShared(const VerifyRequest& request) {
   placement.sizeMm = request.symbolMm;
   placement.eyeDistanceMm = request.frame.eyeDistance;
   QRELIEF_TRY(checkSettings(placement));
-  QRELIEF_TRY(checkSettings(MarkRequest{.mark = request.mark, .ink = request.ink}));
+  QRELIEF_TRY(checkSettings(
+      MarkRequest{.mark = request.mark, .albedo = request.albedo, .darkReflectance = request.darkReflectance}));
   DepthRequest depth;
   depth.minWallMm = request.minWallMm;
   depth.lights = request.lamps;
@@ -79,11 +80,10 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   verification.process = request.print.process;
   verification.buildUp = request.print.buildUp.resolve(verification.frame);
   verification.minWallMm = request.depth.minWallMm;
-  verification.albedo =
-      std::round(1e6 * static_cast<double>(request.surfaceAlbedo())) / 1e6;  // undoes rounding to a float
+  verification.albedo = request.marking.surfaceAlbedo();
   verification.mark = request.marking.mark;
   verification.markDepthMm = result.markDepthMm;
-  verification.ink = request.marking.ink;
+  verification.darkReflectance = request.marking.darkReflectance;
   verification.label = request.code.lettering();
   verification.lamps = request.lamps();
   verification.needsLamp = request.isForOneLight();
@@ -286,10 +286,10 @@ SymbolGrades VerifyJob::State::gradeInk() const {
   BottomUp<float> luminance(light->options().texels, light->options().texels, 1);
   for (std::size_t i = 0; i < luminance.size(); ++i)
     if (light->light()[i].sky >= 0) luminance[i] = static_cast<float>(light->light()[i].sky);
-  InkMap(marked, request.symbolMm, request.ink).apply(luminance, light->options().texelMm);
+  InkMap(marked, request.symbolMm, request.ink()).apply(luminance, light->options().texelMm);
   return gradeSymbol(
-      measureModules(request.symbol, withoutInversion(submoduleMeans(luminance, request.symbol.size), request.ink)),
-      request.ink.light);
+      measureModules(request.symbol, withoutInversion(submoduleMeans(luminance, request.symbol.size), request.ink())),
+      request.albedo);
 }
 
 Result<StageStep> VerifyJob::State::bake() {
@@ -306,11 +306,11 @@ Result<StageStep> VerifyJob::State::bake() {
         measureModules(request.symbol, submoduleLight(*light, request.symbol.size, !request.lamps.empty()));
     result.grades = gradeSymbol(measured, request.albedo);
   }
-  sweep.emplace(
-      *light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
-      SweepOptions{.ranges = request.ranges,
-                   .underLamps = !request.lamps.empty(),
-                   .ink = isInColour() ? std::optional(InkMap(marked, request.symbolMm, request.ink)) : std::nullopt});
+  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
+                SweepOptions{.ranges = request.ranges,
+                             .underLamps = !request.lamps.empty(),
+                             .ink = isInColour() ? std::optional(InkMap(marked, request.symbolMm, request.ink()))
+                                                 : std::nullopt});
   return kStageDone;
 }
 

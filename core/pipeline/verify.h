@@ -33,11 +33,11 @@ struct VerifyRequest {
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   std::optional<Vec3> lowMm = {};      ///< lower corner of the bounding box of the item with the code; none: unknown
   double minWallMm = 0.8;
-  double albedo = 0.7;       ///< of the printed material; of a code in colour: Ink::light
+  double albedo = 0.7;       ///< reflectance of the model's material
   Mark mark = Mark::Shadow;  ///< Inlay, Paint: `symbol` says which modules are dark, as meshes have no colours
   double markDepthMm = 0;    ///< Inlay: depth along the rays, > 0
-  Ink ink;                   ///< Inlay, Paint: the reflectances
-  LabelOptions label;        ///< Inlay, Paint: in the second colour, too; only the print shows it. Alone: see isText()
+  double darkReflectance = Ink{}.dark;  ///< Inlay, Paint: of the second colour
+  LabelOptions label;  ///< Inlay, Paint: in the second colour, too; only the print shows it. Alone: see isText()
   std::vector<DirectionalLight>
       lamps;               ///< in addition to the sky, under which the code must decode; at most kMaxLights
   bool needsLamp = false;  ///< it reads reliably under its only lamp alone, see DepthObjective::OneLight
@@ -45,6 +45,9 @@ struct VerifyRequest {
   bool isTraced = false;   ///< trace light path by path, which takes many times as long; else light it as a height map
   int paths = 16;          ///< paths from every texel of the pictures, for traced light, ≥ 1
   std::size_t inheritedSelfIntersections = 0;  ///< reported pairs of crossing triangles before carving
+
+  /// Returns the two materials of Mark::Inlay and Mark::Paint.
+  Ink ink() const { return {darkReflectance, albedo}; }
 
   /// Returns true for a text in place of a code. Only the solid is then checked: there is nothing to decode.
   bool isText() const { return label.isAlone; }

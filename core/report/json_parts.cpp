@@ -88,10 +88,10 @@ Json describePrinted(const std::optional<PrintedEvidence>& printed) {
 
 void addMark(Json& report, Mark mark, double markDepthMm, const Ink& ink) {
   report["mark"] = markName(mark);
+  report["albedo"] = ink.light;
   if (mark == Mark::Shadow) return;
   report["markDepthMm"] = markDepthMm;
   report["darkReflectance"] = ink.dark;
-  report["lightReflectance"] = ink.light;
 }
 
 Json describeFeatures(const CarvedFeatures& features, const Printer& printer) {

@@ -51,7 +51,7 @@ nlohmann::ordered_json describeLights(const std::vector<DirectionalLight>& light
 /// @returns null if the print was not simulated
 nlohmann::ordered_json describePrinted(const std::optional<PrintedEvidence>& printed);
 
-/// Adds "mark" to a report, and for a code in colour "markDepthMm", "darkReflectance" and "lightReflectance".
+/// Adds "mark" and "albedo" to a report, and for a code in colour "markDepthMm" and "darkReflectance".
 void addMark(nlohmann::ordered_json& report, Mark mark, double markDepthMm, const Ink& ink);
 
 /// Describes the printed features. Lengths that are not finite become null.

@@ -230,7 +230,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"guaranteedMm", result.placement.guaranteedMm},
                     {"rotationDeg", result.placement.rotationDeg},
                     {"mode", sizeModeName(request.placement.sizeMode)}};
-  addMark(report, request.marking.mark, result.markDepthMm, request.marking.ink);
+  addMark(report, request.marking.mark, result.markDepthMm, request.marking.ink());
   report["depth"] = isText                         ? describeDepthOfText(result)
                     : request.marking.isInColour() ? describeInlay(result)
                                                    : describeDepth(request, result, context);

@@ -42,16 +42,16 @@ const char* nameOf(SymbolPose pose) {
   return "not found";
 }
 
-/// Reads the mark; reports of older versions have none. Throws the exceptions of nlohmann's accessors.
+/// Reads mark and materials; reports of older versions have none. Throws the exceptions of nlohmann's accessors.
 Status readMark(const Json& report, VerifyRequest& request) {
   const auto name = report.value("mark", std::string(markName(Mark::Shadow)));
   for (const Mark mark : {Mark::Shadow, Mark::Inlay, Mark::Paint}) {
     if (name != markName(mark)) continue;
     request.mark = mark;
+    request.albedo = report.value("albedo", MarkRequest{.mark = mark}.surfaceAlbedo());
     if (mark == Mark::Shadow) return {};
     request.markDepthMm = report.at("markDepthMm").get<double>();
-    request.ink = {report.at("darkReflectance").get<double>(), report.at("lightReflectance").get<double>()};
-    request.albedo = request.ink.light;
+    request.darkReflectance = report.at("darkReflectance").get<double>();
     return {};
   }
   return badInput(message<"report-mark">(with::term<"found">(name)));
@@ -216,7 +216,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
   for (const SolidityFinding& finding : solid.findings())
     report["mesh"]["findings"].push_back({{"problem", describeMessage(finding.message, context.wording)},
                                           {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
-  addMark(report, request.mark, request.markDepthMm, request.ink);
+  addMark(report, request.mark, request.markDepthMm, request.ink());
   if (request.mark == Mark::Shadow && !request.isText())
     report["carving"] = {{"pose", nameOf(result.profile.pose)},
                          {"fit", result.profile.fit},

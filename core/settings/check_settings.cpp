@@ -46,10 +46,10 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
-  if (request.marking.isInColour() && request.marking.ink.contrast() < kLeastInkContrast)
-    return fail(ErrorKind::BadUsage, message<"colours-too-alike">(with::number<"dark">(request.marking.ink.dark),
-                                                                  with::number<"light">(request.marking.ink.light),
-                                                                  with::number<"least">(kLeastInkContrast)));
+  if (const Ink ink = request.marking.ink(); request.marking.isInColour() && ink.contrast() < kLeastInkContrast)
+    return fail(ErrorKind::BadUsage,
+                message<"colours-too-alike">(with::number<"dark">(ink.dark), with::number<"light">(ink.light),
+                                             with::number<"least">(kLeastInkContrast)));
   if (request.code.isText() && !request.code.label.text.empty())
     return fail(ErrorKind::BadUsage,
                 message<"text-alone-has-label">(with::setting<"label">("label"), with::setting<"content">("content"),

@@ -75,16 +75,27 @@ struct CodeRequest {
   bool operator==(const CodeRequest&) const = default;
 };
 
-/// The technique for dark modules, and its options.
+/// Reflectance of a model with a code made by shadow, unless the request has one.
+inline constexpr double kShadowAlbedo = 0.7;
+
+/// The technique for dark modules, its options, and the reflectances of the materials.
 struct MarkRequest {
-  /// Inlay and Paint need no light: patterns, depths, lamps, albedo and surface have no effect on them.
+  /// Inlay and Paint need no light: patterns, depths, lamps and surface have no effect on them.
   Mark mark = Mark::Shadow;
   /// If a shadow does not read or print well, try an inlay, then paint (verdict/engrave_plan.h). Needs Mark::Shadow.
   bool isOpen = false;
   std::optional<double> markDepthMm = {};  ///< depth of Mark::Inlay along the rays; none: pipeline/mark_depth.h
-  Ink ink = {};                            ///< of Mark::Inlay and Mark::Paint
+  std::optional<double> albedo = {};       ///< reflectance of the model's material; none: see surfaceAlbedo()
+  double darkReflectance = Ink{}.dark;     ///< of the second colour of Mark::Inlay and Mark::Paint
 
   bool isInColour() const { return mark != Mark::Shadow; }
+
+  /// Returns the requested reflectance of the model's material, else white plastic's for a code in colour, and
+  /// kShadowAlbedo for a shadow.
+  double surfaceAlbedo() const { return albedo.value_or(isInColour() ? Ink{}.light : kShadowAlbedo); }
+
+  /// Returns the two materials of Mark::Inlay and Mark::Paint.
+  Ink ink() const { return {darkReflectance, surfaceAlbedo()}; }
 
   bool operator==(const MarkRequest&) const = default;
 };
@@ -101,7 +112,6 @@ struct DepthRequest {
   CarveFor carveFor = CarveFor::Design;
   std::optional<double> maxDepthMm = {};      ///< none: see pipeline/default_patterns.h
   double minWallMm = 0.8;                     ///< material left behind every floor, ≥ 0
-  float albedo = 0.7f;                        ///< reflectance of the printed material
   std::vector<DirectionalLight> lights = {};  ///< in addition to the uniform sky, at most kMaxLights; see lamps()
   SurfaceMode surface = SurfaceMode::Preserved;
   bool recordSearch = false;  ///< record every pass of the depth search in EngraveResult::search
@@ -148,9 +158,6 @@ struct EngraveRequest {
 
   /// Returns the treatment of the facets under the code.
   SurfaceMode surface() const { return needsLight() ? depth.surface : SurfaceMode::Preserved; }
-
-  /// Returns the reflectance of the model's material.
-  float surfaceAlbedo() const { return marking.isInColour() ? static_cast<float>(marking.ink.light) : depth.albedo; }
 
   bool operator==(const EngraveRequest&) const = default;
 };

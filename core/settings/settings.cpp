@@ -279,10 +279,11 @@ Setting markDepth() {
   return setting;
 }
 
-/// Makes the setting for the reflectance of one of two materials.
-template <class Part>
-Setting reflectance(const char* key, Part part) {
-  Setting setting = number(key, "mark", Unit::None, {0.01, 1, 0.05}, part);
+/// Makes the setting for the model's reflectance. If left out, it follows the mark.
+Setting albedo() {
+  Setting setting = optionalNumber(
+      "albedo", "mark", Unit::None, {0.01, 0.95, 0.05}, [](auto& r) -> auto& { return r.marking.albedo; });
+  setting.otherwise = [](const R& r) { return r.marking.surfaceAlbedo(); };
   return setting;
 }
 
@@ -402,10 +403,10 @@ std::vector<Setting> makeSettings() {
       eci(),
       mark(),
       markDepth(),
-      reflectance(
-          "darkReflectance", [](auto& r) -> auto& { return r.marking.ink.dark; }),
-      reflectance(
-          "lightReflectance", [](auto& r) -> auto& { return r.marking.ink.light; }),
+      albedo(),
+      number(
+          "darkReflectance", "mark", Unit::None, {0.01, 1, 0.05},
+          [](auto& r) -> auto& { return r.marking.darkReflectance; }),
       choice(
           "preset", "depth", [](auto& r) -> auto& { return r.depth.preset; },
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
@@ -441,8 +442,6 @@ std::vector<Setting> makeSettings() {
       number(
           "eyeDistanceMm", "placement", mm, {20, 1e5, 10}, [](auto& r) -> auto& { return r.placement.eyeDistanceMm; }),
       lamps(),
-      number(
-          "albedo", "light", Unit::None, {0, 0.95, 0.05}, [](auto& r) -> auto& { return r.depth.albedo; }),
       choice(
           "surface", "making", [](auto& r) -> auto& { return r.depth.surface; },
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),

@@ -258,11 +258,10 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
 }
 
 SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result) {
-  return gradeSymbol(
-      measureModules(result.symbol, request.marking.isInColour()
-                                        ? withoutInversion(result.luminance, request.marking.ink)
-                                        : result.luminance),
-      request.marking.isInColour() ? request.marking.ink.light : static_cast<double>(request.depth.albedo));
+  return gradeSymbol(measureModules(result.symbol, request.marking.isInColour()
+                                                       ? withoutInversion(result.luminance, request.marking.ink())
+                                                       : result.luminance),
+                     request.marking.surfaceAlbedo());
 }
 
 namespace {
@@ -276,7 +275,7 @@ Verdict judgeCode(const EngraveRequest& request, const EngraveResult& result, co
       reading, request.code.text,
       request.marking.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
   if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
-  if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink);
+  if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink());
   if (result.coversColours) verdict.reads.warnings.push_back(message<"spot-in-several-colours">());
   if (result.modulesLeftOut > 0)
     verdict.reads.warnings.push_back(message<"modules-left-out">(with::count<"count">(result.modulesLeftOut),
@@ -332,7 +331,7 @@ Verdict judgeFoundCode(const VerifyRequest& request, const VerifyResult& result,
   verdict.reads = judgeReading(evidence, request.text, isInColour ? std::nullopt : std::optional(profile.meanDepthMm),
                                result.grades ? &*result.grades : nullptr);
   if (request.needsLamp) verdict.reads.warnings = {oneLightNeeded(request.lamps.front())};
-  if (isInColour) verdict.reads.warnings = adviseInk(request.ink);
+  if (isInColour) verdict.reads.warnings = adviseInk(request.ink());
   if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message<"paint-not-checked">());
   std::vector<Message> failed = isInColour ? std::vector<Message>() : shapeFailures(result);
   const bool isExplained = !isInColour && (profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm);

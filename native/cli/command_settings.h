@@ -16,8 +16,7 @@ inline constexpr std::array<const char*, 13> kPlaceKeys = {
 inline constexpr std::array<const char*, 2> kVerifyGroups = {"symbol", "printing"};
 // The report can supply these:
 inline constexpr std::array<const char*, 4> kVerifyPlaceKeys = {"direction", "up", "size", "eyeDistanceMm"};
-inline constexpr std::array<const char*, 4> kVerifyMarkKeys = {"mark", "markDepthMm", "darkReflectance",
-                                                               "lightReflectance"};
+inline constexpr std::array<const char*, 4> kVerifyMarkKeys = {"mark", "markDepthMm", "albedo", "darkReflectance"};
 inline constexpr std::array<const char*, 2> kVerifyKeys = {"minWallMm", "light"};
 
 }  // namespace qrelief

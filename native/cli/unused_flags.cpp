@@ -11,11 +11,10 @@ namespace qrelief {
 namespace {
 
 // Settings that MarkRequest::mark says have no effect on a mark.
-constexpr std::array kOfShadows = {"preset",   "keepPreset", "pattern",   "patternMask", "finderPattern",
-                                   "contrast", "carveFor",   "objective", "solver",      "maxDepthMm",
-                                   "light",    "albedo",     "surface"};
+constexpr std::array kOfShadows = {"preset",   "keepPreset", "pattern", "patternMask", "finderPattern", "contrast",
+                                   "carveFor", "objective",  "solver",  "maxDepthMm",  "light",         "surface"};
 constexpr std::array kOfCodes = {"ecc", "version", "mask", "eci", "quietZone"};
-constexpr std::array kOfColours = {"markDepthMm", "darkReflectance", "lightReflectance"};
+constexpr std::array kOfColours = {"markDepthMm", "darkReflectance"};
 
 }  // namespace
 
@@ -27,6 +26,8 @@ std::vector<Message> unusedFlags(const SettingFlags& flags, const EngraveRequest
       if (flags.isGiven(key)) unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
     for (const char* key : kOfShadows)
       if (flags.isGiven(key)) unused.push_back(message<"text-ignores-it">(with::setting<"option">(key)));
+    if (!marking.isInColour() && !marking.isOpen && flags.isGiven("albedo"))
+      unused.push_back(message<"text-ignores-it">(with::setting<"option">("albedo")));
   } else if (marking.isInColour()) {
     for (const char* key : kOfShadows)
       if (flags.isGiven(key))

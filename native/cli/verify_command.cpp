@@ -49,8 +49,8 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const Engra
   request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
   request.mark = settings.marking.mark;
   request.markDepthMm = settings.marking.markDepthMm.value_or(0);
-  request.ink = settings.marking.ink;
-  if (settings.marking.isInColour()) request.albedo = settings.marking.ink.light;
+  request.albedo = settings.marking.surfaceAlbedo();
+  request.darkReflectance = settings.marking.darkReflectance;
   return request;
 }
 

@@ -69,7 +69,7 @@ Result<EngraveRequest> drawnRequest(Random& random, StudyContext& context, const
   request->print.process = random.below(namedPrinters().size());
   request->print.printer = namedPrinters()[*request->print.process].printer;
   request->print.buildUp.pose = random.below(2) == 0 ? BuildPose::CodeUp : BuildPose::CodeUpright;
-  request->depth.albedo = static_cast<float>(random.uniform(0.3, 0.85));
+  request->marking.albedo = random.uniform(0.3, 0.85);
   request->placement.rotateDeg = random.uniform(-180, 180);
   const auto symbol = encodeSymbol(request->code.text, request->code.symbol);
   QRELIEF_TRY(symbol);
@@ -195,7 +195,7 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
                    {.texelMm = placement.moduleMm / kBakedPixels,
                     .texels = kBakedPixels * edgeModules(carving.code.symbol.size),
                     .paths = kPaths,
-                    .albedo = static_cast<double>(carving.spot.request.depth.albedo),
+                    .albedo = carving.spot.request.marking.surfaceAlbedo(),
                     .lamps = {carving.lamp}});
   while (!light.bakeRows(16)) continue;
   light.smooth();

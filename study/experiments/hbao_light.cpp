@@ -50,7 +50,10 @@ Result<Row> measure(const Row& key, StudyContext& context) {
   options.directions = std::stoi(key[3]);
   options.steps = std::stoi(key[4]);
   HbaoLight light(cellHeights(**spot),
-                  {layout.cells() / CellLayout::kN, (*spot)->placement.moduleMm, (*spot)->request.depth.albedo, {}},
+                  {layout.cells() / CellLayout::kN,
+                   (*spot)->placement.moduleMm,
+                   static_cast<float>((*spot)->request.marking.surfaceAlbedo()),
+                   {}},
                   options);
   const DepthField& depths = (*carving)->code.depths;
   std::vector<float> depthsMm(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()));

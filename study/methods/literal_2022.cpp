@@ -28,7 +28,7 @@ std::unique_ptr<PlacementLight> lightOf(const StudyPlacement& spot, const Engrav
                                         const LiteralOptions& options) {
   const MapWindow window = windowOf(spot);
   const PlacementLightOptions light{layoutOf(spot).cells() / CellLayout::kN, spot.placement.moduleMm,
-                                    request.depth.albedo, request.lamps()};
+                                    static_cast<float>(request.marking.surfaceAlbedo()), request.lamps()};
   HeightMap map = heightsOver(spot, window);
   if (options.hbao) return std::make_unique<HbaoLight>(std::move(map), light, *options.hbao);
   const MapWindow around = surroundingsOf(window, spot.placement.frame, spot.model->box);

@@ -193,11 +193,13 @@ TEST_F(EngraveCommandTest, SaysWhichOptionsHaveNoEffect) {
   const Outcome slicer = run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--for", "bambu"});
   EXPECT_EQ(slicer.status, 2);
   EXPECT_NE(slicer.err.find("--for is only for 3MF"), std::string::npos) << slicer.err;
-  const Outcome painted = run({"engrave", model, "--text", "x", "-o", path("x.3mf"), "--at", "0,0,4", "--size", "25",
-                               "--max-size", "30", "--mark", "paint", "--solver", "fast", "--quiet"});
+  const Outcome painted =
+      run({"engrave", model, "--text", "x", "-o", path("x.3mf"), "--at", "0,0,4", "--size", "25", "--max-size", "30",
+           "--mark", "paint", "--solver", "fast", "--albedo", "0.8", "--quiet"});
   EXPECT_EQ(painted.status, 0) << painted.err;
   EXPECT_NE(painted.err.find("--solver has no effect"), std::string::npos) << painted.err;
   EXPECT_NE(painted.err.find("--max-size has no effect"), std::string::npos) << painted.err;
+  EXPECT_EQ(painted.err.find("--albedo"), std::string::npos) << painted.err;
   const Outcome shadow = run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--at", "0,0,800", "--size", "25",
                               "--mark-depth", "1", "--process", "none", "--quiet"});
   EXPECT_EQ(shadow.status, 0) << shadow.err;

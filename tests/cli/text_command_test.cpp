@@ -41,8 +41,10 @@ TEST_F(TextCommandTest, MakesATextAloneInLines) {
   EXPECT_NE(labelled.err.find("--label does not go with --content text"), std::string::npos) << labelled.err;
   EXPECT_EQ(engrave({"--text", "Rev B", "--preview", path("out.png"), "-o", path("out.stl")}).status, 2);
   EXPECT_EQ(engrave({"--text", "Rev B", "--maps", path("out.npz"), "-o", path("out.stl")}).status, 2);
-  const Outcome unused = engrave({"--text", "Rev B", "--at", "0,0,40", "--ecc", "H", "-o", path("out.stl")});
+  const Outcome unused =
+      engrave({"--text", "Rev B", "--at", "0,0,40", "--ecc", "H", "--albedo", "0.8", "-o", path("out.stl")});
   EXPECT_NE(unused.err.find("--ecc has no effect"), std::string::npos) << unused.err;
+  EXPECT_NE(unused.err.find("--albedo has no effect"), std::string::npos) << unused.err;
 }
 
 TEST_F(TextCommandTest, AnOpenMarkPaintsATextWhereWallsTakeNoLetters) {

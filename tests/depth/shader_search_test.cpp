@@ -86,7 +86,7 @@ TEST_F(ShaderSearchTest, AnUpdateFromRandomLuminancesIsThatOfTheFastSearch) {
   passes->setTargets(
       std::vector<FloorTarget>(cells_.size(), {1, static_cast<float>(1 - kContrast), static_cast<float>(kLimitMm)}));
   passes->start(static_cast<float>(kFirstDepthModules * kSymbolMm / symbol_.size),
-                static_cast<float>(firstDifference(FastSearchOptions{}.albedo)));
+                static_cast<float>(firstDifference(static_cast<double>(FastSearchOptions{}.albedo))));
   FastSearch fast(target(), {.contrast = kContrast, .sweepsPerPass = kSweeps});
 
   Random random(1);

@@ -96,7 +96,7 @@ TEST_F(EngraveTest, ReusesTheMeasurementsOfThePlaceForAnotherCode) {
   EXPECT_EQ(writeStl(result->mesh), writeStl(expected->mesh));
   EXPECT_EQ(result->luminance, expected->luminance);
 
-  engraving.depth.albedo = 0.5f;  // a place measured for other settings is not reused
+  engraving.marking.albedo = 0.5;  // a place measured for other settings is not reused
   EXPECT_NE(carve(engraving, before)->placementMeasurement(), before);
 }
 

@@ -185,7 +185,6 @@ TEST_F(MarkTest, SettingsOfShadowsChangeNothing) {
   odd.depth.lights = {kOneLight};
   odd.depth.objective = DepthObjective::OneLight;
   odd.depth.surface = SurfaceMode::Resampled;
-  odd.depth.albedo = 0.2f;
   const EngraveResult same = engraved(sphere(), odd);
   EXPECT_EQ(writeStl(same.mesh), writeStl(plain.mesh));
   EXPECT_EQ(same.luminance, plain.luminance);
@@ -208,7 +207,8 @@ TEST_F(MarkTest, ThinWallsLimitAnInlayButNotPaint) {
 
 TEST_F(MarkTest, ColoursThatAreTooAlikeAreRefused) {
   EngraveRequest request = requestFor(Mark::Paint);
-  request.marking.ink = {.dark = 0.5, .light = 0.6};
+  request.marking.darkReflectance = 0.5;
+  request.marking.albedo = 0.6;
   const auto refused = engrave(sphere(), request);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().message.code, "colours-too-alike");
@@ -225,7 +225,7 @@ TEST_F(MarkTest, VerifyTakesMarkAndColoursFromTheReportAndAgrees) {
     EXPECT_EQ(json.at("mark"), markName(mark));
     EXPECT_EQ(json.at("markDepthMm"), result.markDepthMm);
     EXPECT_EQ(json.at("darkReflectance"), 0.05);
-    EXPECT_EQ(json.at("lightReflectance"), 0.85);
+    EXPECT_EQ(json.at("albedo"), 0.85);
     auto fromReport = requestFromReport(report);
     ASSERT_TRUE(fromReport.has_value()) << sentence(fromReport.error().message);
     EXPECT_EQ(fromReport->mark, mark);
@@ -241,6 +241,15 @@ TEST_F(MarkTest, VerifyTakesMarkAndColoursFromTheReportAndAgrees) {
   }
 }
 
+TEST_F(MarkTest, VerifyTakesTheAlbedoOfAShadowFromTheReport) {
+  EngraveRequest request = requestFor(Mark::Shadow);
+  request.marking.albedo = 0.5;
+  const EngraveResult result = engraved(sphere(), request);
+  const auto fromReport = requestFromReport(reportOf(request, result));
+  ASSERT_TRUE(fromReport.has_value()) << sentence(fromReport.error().message);
+  EXPECT_EQ(fromReport->albedo, 0.5);
+}
+
 TEST_F(MarkTest, VerifyOfTheBodyAloneSeesWhereItsInlayBelongs) {
   const EngraveRequest request = requestFor(Mark::Inlay);
   const EngraveResult result = engraved(sphere(), request);
@@ -251,7 +260,8 @@ TEST_F(MarkTest, VerifyOfTheBodyAloneSeesWhereItsInlayBelongs) {
 
 TEST_F(MarkTest, AnInvertedCodeIsWarnedOf) {
   EngraveRequest request = requestFor(Mark::Paint);
-  std::swap(request.marking.ink.dark, request.marking.ink.light);
+  request.marking.darkReflectance = 0.85;
+  request.marking.albedo = 0.05;
   const EngraveResult result = engraved(sphere(), request);
   const ReadingEvidence reading = readCarving(request, result);
   const Verdict verdict = judge(request, result, reading);

@@ -177,6 +177,22 @@ TEST(SettingsTable, UsesThePresetsContrastByDefault) {
   EXPECT_EQ(contrast.otherwise(request), 0.38);
 }
 
+TEST(SettingsTable, TheAlbedoFollowsTheMarkUnlessItIsGiven) {
+  EngraveRequest request = defaultRequest();
+  const Setting& albedo = *findSetting("albedo");
+  for (const auto& [mark, otherwise] : {std::pair(Mark::Shadow, 0.7), {Mark::Inlay, 0.85}, {Mark::Paint, 0.85}}) {
+    request.marking.mark = mark;
+    EXPECT_EQ(albedo.read(request), SettingValue());
+    EXPECT_EQ(albedo.otherwise(request), otherwise) << markName(mark);
+    EXPECT_EQ(request.marking.ink(), (Ink{0.05, otherwise}));
+  }
+  albedo.write(request, 0.6);
+  for (const Mark mark : {Mark::Shadow, Mark::Inlay, Mark::Paint}) {
+    request.marking.mark = mark;
+    EXPECT_EQ(request.marking.surfaceAlbedo(), 0.6) << markName(mark);
+  }
+}
+
 TEST(SettingsTable, AProcessSetsNozzleAndLayerUnlessTheyAreGiven) {
   EngraveRequest request = defaultRequest();
   findSetting("process")->write(request, std::string("fdm-0.25/0.1"));

@@ -306,11 +306,12 @@ class ColourVerdictTest : public VerdictTest {
     request_.marking.mark = Mark::Inlay;
     result_ = carved(request_, 30, 0);
     result_.markDepthMm = result_.opaqueDepthMm = 0.4;
-    lay(request_.marking.ink);
+    lay(request_.marking.ink());
   }
   /// Sets the luminance of whole modules in two colours.
   void lay(Ink ink) {
-    request_.marking.ink = ink;
+    request_.marking.darkReflectance = ink.dark;
+    request_.marking.albedo = ink.light;
     for (int row = 0; row < 5 * result_.symbol.size; ++row)
       for (int column = 0; column < 5 * result_.symbol.size; ++column)
         result_.luminance.at(row + kQuietZoneSubmodules, column + kQuietZoneSubmodules) =

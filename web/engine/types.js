@@ -37,8 +37,8 @@
  * @property {'auto' | 'never'} [eci]
  * @property {'auto' | 'shadow' | 'inlay' | 'paint'} [mark]
  * @property {number} [markDepthMm]
- * @property {number} [darkReflectance]
- * @property {number} [lightReflectance]
+ * @property {number} [albedo]                     fraction of light that the model reflects
+ * @property {number} [darkReflectance]            the same of the second colour
  * @property {'shallow' | 'balanced' | 'robust'} [preset]   target darkness of the code
  * @property {boolean} [keepPreset]
  * @property {ModulePattern} [pattern]
@@ -58,7 +58,6 @@
  * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal' | 'largest' | [number, number, number]} [direction]
  * @property {number} [eyeDistanceMm]
  * @property {import('./lamps.js').Lamp[]} [light]   in addition to the sky
- * @property {number} [albedo]
  * @property {'preserved' | 'resampled'} [surface]
  * @property {string} [label]
  * @property {'none' | 'rounded' | 'square'} [frame]

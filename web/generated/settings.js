@@ -17,7 +17,7 @@
  * @property {number} [most]         lamps
  */
 
-/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'darkReflectance' | 'lightReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'patternMask' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'content' | 'ecc' | 'version' | 'mask' | 'eci' | 'mark' | 'markDepthMm' | 'albedo' | 'darkReflectance' | 'preset' | 'keepPreset' | 'pattern' | 'patternMask' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'surface' | 'label' | 'frame' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 /** @typedef {'mm' | 'deg' | 'skies'} UnitName */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
@@ -30,8 +30,8 @@ export const kSettings = {
   eci: {"group":"symbol","kind":"choice","choices":["auto","never"],"default":"auto"},
   mark: {"group":"mark","kind":"choice","choices":["auto","shadow","inlay","paint"],"default":"shadow"},
   markDepthMm: {"group":"mark","kind":"number","unit":"mm","min":0.05,"max":1000.0,"step":0.05,"mayBeEmpty":true,"default":null},
+  albedo: {"group":"mark","kind":"number","min":0.01,"max":0.95,"step":0.05,"mayBeEmpty":true,"default":null},
   darkReflectance: {"group":"mark","kind":"number","min":0.01,"max":1.0,"step":0.05,"default":0.05},
-  lightReflectance: {"group":"mark","kind":"number","min":0.01,"max":1.0,"step":0.05,"default":0.85},
   preset: {"group":"depth","kind":"choice","choices":["shallow","balanced","robust"],"default":"balanced"},
   keepPreset: {"group":"depth","kind":"switch","default":false},
   pattern: {"group":"depth","kind":"choice","choices":["auto","none","square","thin-plus","diamond","thick-plus"],"default":"auto"},
@@ -51,7 +51,6 @@ export const kSettings = {
   direction: {"group":"placement","kind":"choice-or-vector","choices":["mean-normal","depth-balanced","pca","optimal","largest"],"default":"depth-balanced"},
   eyeDistanceMm: {"group":"placement","kind":"number","unit":"mm","min":20.0,"max":100000.0,"step":10.0,"default":250.0},
   light: {"group":"light","kind":"lamps","default":[],"parts":{"azimuthDeg":{"min":-360.0,"max":360.0,"step":15.0,"default":0.0},"elevationDeg":{"min":0.1,"max":90.0,"step":5.0,"default":45.0},"strength":{"min":0.0,"max":1000.0,"step":0.25,"default":1.0}},"most":2},
-  albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7},
   surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved"},
   label: {"group":"making","kind":"text","default":""},
   frame: {"group":"making","kind":"choice","choices":["none","rounded","square"],"default":"none"},

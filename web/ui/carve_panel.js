@@ -20,10 +20,13 @@ export function showCarving({ content, mark, preset, nozzleMm = NaN }) {
       nozzle: Number.isFinite(nozzleMm) ? formatPlain(nozzleMm) : '?',
     }),
   );
-  /** @type {NodeListOf<HTMLElement>} */ const parts = document.querySelectorAll('[data-marks], [data-content]');
+  /** @type {NodeListOf<HTMLElement>} */ const parts = document.querySelectorAll(
+    '[data-marks], [data-marks-of-text], [data-content]',
+  );
   for (const part of parts) {
-    const { marks = String(mark), content: wanted = content } = part.dataset;
-    part.hidden = wanted !== content || !marks.split(' ').includes(String(mark));
+    const { marks = String(mark), marksOfText = marks, content: wanted = content } = part.dataset;
+    const counted = content === 'text' ? marksOfText : marks;
+    part.hidden = wanted !== content || !counted.split(' ').includes(String(mark));
   }
 }
 

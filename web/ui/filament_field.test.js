@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { kSettings } from '../generated/settings.js';
 import { setLanguage } from '../i18n/catalogue.js';
+import { settingText } from '../settings/setting_text.js';
 import { FilamentField, kFilaments } from './filament_field.js';
 
 class FakeElement extends EventTarget {
@@ -55,14 +56,14 @@ test('Every colour has an albedo of its own that leaves a shadow some contrast, 
   const albedos = kFilaments.map(({ albedo }) => albedo);
   assert.equal(new Set(albedos).size, albedos.length);
   const { max = 0, default: initial } = kSettings.albedo;
-  assert.ok(albedos.every((albedo) => albedo >= 0.3 && albedo <= max));
-  assert.ok(albedos.some((albedo) => albedo === initial));
+  assert.ok(albedos.every((albedo) => albedo === undefined || (albedo >= 0.3 && albedo <= max)));
+  assert.ok(albedos.some((albedo) => settingText(albedo) === settingText(initial)));
 });
 
 test('The colour of the albedo is chosen; only another albedo has a choice of its own', () => {
   field.show(0.85);
   assert.equal(shown(), 'White');
-  for (const albedo of [0.5, 0.51, NaN, undefined]) {
+  for (const albedo of [0.5, 0.51, NaN]) {
     field.show(albedo);
     assert.equal(shown(), 'Other');
     assert.equal(elements.filament.options.length, kFilaments.length + 1);
@@ -70,6 +71,8 @@ test('The colour of the albedo is chosen; only another albedo has a choice of it
   field.show(0.35);
   assert.equal(shown(), 'Medium grey');
   assert.ok(!names().includes('Other'));
+  field.show();
+  assert.equal(shown(), 'Automatic');
 });
 
 test('A chosen colour fills in its albedo, and the albedo’s control announces it', () => {
@@ -78,7 +81,9 @@ test('A chosen colour fills in its albedo, and the albedo’s control announces 
   field.show(0.7);
   elements.filament.value = '0.85';
   elements.filament.dispatchEvent(new Event('change'));
-  assert.deepEqual(announced, ['0.85']);
+  elements.filament.value = '';
+  elements.filament.dispatchEvent(new Event('change'));
+  assert.deepEqual(announced, ['0.85', '']);
 });
 
 test('The colours are named in the chosen language', async () => {
