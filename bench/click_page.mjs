@@ -73,10 +73,9 @@ for (const sample of samples) {
   await open(`${query}&light=${kLamp}`);
   const lampMs = await dragLamp(page);
   await open(query);
-  const width = /([\d.]+)\smm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
   const { frameMs, previewMs } = await hover(page);
-  await page.mouse.move(0, 0);
-  await page.waitForTimeout(1500);
+  await open(query); // the pointer has disturbed what was prepared
+  const width = /([\d.]+)\smm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
   const button = page.getByRole('button', { name: 'Engrave', exact: true });
   await button.evaluate(watch);
   await button.click();
