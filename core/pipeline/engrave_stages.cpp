@@ -19,8 +19,8 @@ constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
 constexpr double kViewReachPerDepth = 4;  // at four times its height away a wall hides 1.5 % of the sky
 constexpr double kFlatReliefMm = 0.1;     // where nothing is lowered; shaders divide by it
 
-/// Returns the facets that may cross others: those that carving has made and those of the model that crossed others.
-/// Empty, meaning all facets, if the model's crossings are not all known.
+/// Returns the facets to test for crossings: the new facets, and the kept facets that already crossed others before
+/// carving. Returns none, which means all facets, if some crossings of the model are unknown.
 std::vector<std::uint32_t> suspectsOf(std::span<const FacetOrigin> origins, std::span<const std::uint32_t> newTriangles,
                                       const PreparedModel& before) {
   if (!before.crossings) return {};

@@ -25,8 +25,8 @@ CarvableSubmodules carvableSubmodules(const EngraveRequest& request, const Symbo
 
 /// Checks a carved file, and refuses defects that carving has added. Crossings are counted in the whole file if the
 /// model had some, and then refuse nothing: facets that crossed before may have been cut.
-/// @param origins       of the mesh's triangles: those of kept facets ascending, as in EmbedResult
-/// @param newTriangles  of the mesh
+/// @param origins       one for each triangle, in the order of EmbedResult: kept facets first
+/// @param newTriangles  indices of the facets that carving has made, see EmbedResult
 Result<SolidityReport> checkCarved(const Mesh& mesh, std::span<const FacetOrigin> origins,
                                    std::span<const std::uint32_t> newTriangles, const PreparedModel& before);
 

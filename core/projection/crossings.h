@@ -19,7 +19,7 @@ namespace qrelief {
 /// stands on the patch, else the sides of both; two that only touch add the segment
 /// or the point of contact. Cost: one findCrossings of the patch, or a look at each known pair.
 /// @param mesh   may cross itself
-/// @param known  all pairs of findCrossings() of the mesh; null: finds those of the patch
+/// @param known  all crossing pairs of the mesh, see findCrossings(); null: searches the patch for them
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch,
                     const std::vector<TrianglePair>* known = nullptr);
