@@ -10,8 +10,7 @@ precision highp sampler2D;
 uniform sampler2D u_solved;
 uniform sampler2D u_luminance;
 uniform int u_isFree;  // 1: depths may rise and fall
-uniform float u_leastGrowthMm;                       // of a floor that is too bright
-uniform float u_mostGrowthMm, u_mostGrowthFraction;  // greatest growth: the larger of this and this of the depth
+uniform float u_leastGrowthMm;  // of a floor that is too bright
 
 layout(location = 0) out vec4 o_floor;
 
@@ -21,8 +20,7 @@ void main() {
   vec4 target = texelFetch(u_targets, cell, 0);
   float depth = before.r;
   if (target.a > 0.0) {
-    float most = depth + max(u_mostGrowthMm, u_mostGrowthFraction * depth);
-    float next = quantisedDepth(clamp(texelFetch(u_solved, cell, 0).r, u_quantum.x, most), target.b);
+    float next = quantisedDepth(max(texelFetch(u_solved, cell, 0).r, u_quantum.x), target.b);
     if (u_isFree == 1)
       depth = next;
     else if (texelFetch(u_luminance, cell, 0).r > target.g * target.r)

@@ -109,8 +109,8 @@ float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, fl
 }
 
 // Returns the fraction of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge
-// is as wide as a texel, so that cell means do not jump.
-vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float pocketMm) {
+// is as wide as a texel, so that cell means do not jump, but not so wide that a plane shades itself.
+vec2 lampReaches(vec2 start, vec3 toLamp, vec3 normal, vec3 origin, SightFrame sight, float pocketMm) {
   vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);
   float sine = length(across);
   if (sine < 1e-3) return vec2(1.0);  // next to the eye, which sees the texel
@@ -120,12 +120,14 @@ vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float p
   if (cotangent <= surfaceHorizon) return vec2(0.0);
   March march = marchFrom(start, onPlane(along, sight.ray));
   float edgeMm = u_texelMm * max(cotangent, 0.05);
+  float overOwnPlane = max(cotangent - tangentCotangent(normal, along, sight.toEye), 1e-3);
   float lit = 1.0;
   for (int i = 0; i < 256 && !isSettled(march, cotangent, surfaceHorizon, pocketMm); ++i) {
     vec3 towards;
     if (!stepMarch(march, origin, towards)) break;
-    float over = dot(towards, sight.toEye) - dot(towards, along) * cotangent;
-    lit = min(lit, clamp(0.5 - over / edgeMm, 0.0, 1.0));
+    float away = dot(towards, along);
+    float over = dot(towards, sight.toEye) - away * cotangent;
+    lit = min(lit, clamp(0.5 - over / min(edgeMm, max(2.0 * overOwnPlane * away, 1e-6)), 0.0, 1.0));
   }
   return vec2(lit, 1.0);
 }
@@ -189,7 +191,7 @@ void main() {
   vec2 lamps = vec2(0.0);
   for (int i = 0; i < u_lampCount; ++i) {
     float facing = max(dot(surface.xyz, u_lamps[i].xyz), 0.0);
-    if (facing > 0.0) lamps += u_lamps[i].w * facing * lampReaches(texel, u_lamps[i].xyz, origin, sight, pocketMm);
+    if (facing > 0.0) lamps += u_lamps[i].w * facing * lampReaches(texel, u_lamps[i].xyz, surface.xyz, origin, sight, pocketMm);
   }
   o_received = vec4(visibility, lamps);
 }

@@ -13,13 +13,13 @@
 
 namespace qrelief {
 
-// Constants of the search, here and on the GPU (shader_search.h).
+// Constants of the search, here and, but for those of lamps, on the GPU (shader_search.h).
 inline constexpr double kFirstDepthModules = 0.25;
 inline constexpr double kChangeFraction = 0.4;  ///< of a floor's last change of difference: extra darkness to aim at
 inline constexpr double kMaxChange = 0.3;       ///< limit on the change that counts
 inline constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
 /// Under lamps, a pass makes a floor deeper by at most this, or by this fraction of its depth.
-inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.2;
+inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.1;
 /// Under lamps, a floor that is still too bright after so many passes gets deeper by at least this in each.
 inline constexpr int kLampPatience = 15;
 inline constexpr double kLampLeastStepMm = 0.05;

@@ -69,11 +69,12 @@ Result<std::unique_ptr<ShaderSearch>> ShaderSearch::create(CarvingTarget target,
                         static_cast<float>(firstDifference(static_cast<double>(options.albedo))));
   light.selectCells(search->place_.cells);
   search->restart(options);
-  search->freePasses_ = options.hasLamps ? 0 : kFreePasses;
+  search->freePasses_ = kFreePasses;
   return search;
 }
 
 void ShaderSearch::restart(const FastSearchOptions& options) {
+  assert(!options.hasLamps);
   options_ = options;
   targets_.clear();
   for (std::size_t k = 0; k < carved_.size(); ++k) {
@@ -85,7 +86,7 @@ void ShaderSearch::restart(const FastSearchOptions& options) {
          static_cast<float>(quantisedDepth(std::numeric_limits<double>::max(), target_.limitMm[carved_[k]]))});
   }
   passes_.setTargets(targets_);
-  freePasses_ = options.hasLamps ? 0 : kFreePassesAfterAnother;
+  freePasses_ = kFreePassesAfterAnother;
   iterations_ = readBacks_ = 0;
   finished_ = false;
 }
@@ -98,17 +99,13 @@ bool ShaderSearch::measuresAll(int pass, int freePasses) {
 void ShaderSearch::runPass(int record, bool isLast) {
   const bool isFirst = iterations_ == 0, all = isLast || measuresAll(iterations_, freePasses_);
   LuminancePass& light = *place_.light;
-  FloorMove move{.sweeps = kSweepsPerPass,
-                 .aim = static_cast<float>(kAimFraction),
-                 .aimForTooBright = static_cast<float>(aimForTooBright(iterations_, freePasses_)),
-                 .changeFraction = static_cast<float>(isFirst ? 0 : kChangeFraction),
-                 .maxChange = static_cast<float>(kMaxChange),
-                 .leastGrowthMm = static_cast<float>(leastGrowthMm(options_, iterations_)),
-                 .isFree = iterations_ < freePasses_};
-  if (options_.hasLamps) {
-    move.mostGrowthMm = static_cast<float>(kLampStepMm);
-    move.mostGrowthFraction = static_cast<float>(kLampGrowth);
-  }
+  const FloorMove move{.sweeps = kSweepsPerPass,
+                       .aim = static_cast<float>(kAimFraction),
+                       .aimForTooBright = static_cast<float>(aimForTooBright(iterations_, freePasses_)),
+                       .changeFraction = static_cast<float>(isFirst ? 0 : kChangeFraction),
+                       .maxChange = static_cast<float>(kMaxChange),
+                       .leastGrowthMm = static_cast<float>(leastGrowthMm(options_, iterations_)),
+                       .isFree = iterations_ < freePasses_};
   passes_.move(light.luminance(), move);
   light.runOnFloors(passes_.floors(), !all);
   passes_.compare(light.luminance(), all, isFirst);

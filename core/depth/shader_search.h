@@ -14,8 +14,8 @@ namespace qrelief {
 /// Returns the paths along which floors look for their horizon (floorPaths), for FloorPasses::Setup::steps.
 std::vector<glm::vec4> floorSteps(int size, double submoduleMm);
 
-/// FastSearch on the GPU. Depths stay in textures: a batch of passes measures and moves the floors, and then one
-/// read-back tells whether it was enough.
+/// FastSearch under the sky, on the GPU. Depths stay in textures: a batch of passes measures and moves the floors, and
+/// then one read-back tells whether it was enough.
 ///
 /// It differs from FastSearch in three ways. The solver on the plane moves all floors at once, with more sweeps.
 /// Between the passes that measure all floors, a pass measures only floors that moved, or that touch one that did. The
@@ -30,7 +30,7 @@ class ShaderSearch final : public DepthSearch {
     Grid<double> luminance;            ///< before carving, of symbol and quiet zone; see DepthSolver::update
   };
 
-  /// @param options  sweepsPerPass does not apply
+  /// @param options  without lamps; sweepsPerPass does not apply
   /// @returns Internal if the GL implementation cannot make the textures
   static Result<std::unique_ptr<ShaderSearch>> create(CarvingTarget target, const FastSearchOptions& options,
                                                       Place place);

@@ -264,6 +264,10 @@ void addLampOfRow(const LightRow& row, const LampStretch& lamp, int begin, int e
     const Floats along = hn::Sqrt(timesPlus(alongX, alongX, hn::Mul(alongY, alongY)));
     const Floats climb = hn::Div(hn::Mul(number(lamp.z), perScale), hn::Max(along, number(1e-6f)));
     const Floats perClimb = hn::Div(number(1), climb);
+    // The edge of a shadow must not reach so far before its occluder that a plane shades itself.
+    const OnLine line = onLine(row, points, direction.cosine, direction.sine);
+    const Floats overOwnPlane = hn::Sub(number(1), hn::Mul(line.ownSlope, perClimb));
+    const Floats leastPerEdge = hn::Div(number(0.5f), hn::Max(overOwnPlane, number(1e-3f)));
     Floats over = number(-1e6f);
     Borders<false> borders(row, column);
     const std::size_t steps = stepsInMap(row, direction, column);
@@ -271,7 +275,8 @@ void addLampOfRow(const LightRow& row, const LampStretch& lamp, int begin, int e
       const HorizonStep& step = direction.steps[k];
       // End of its shadow.
       const Floats shadow = hn::Mul(hn::Sub(borders.heightAt(step), points.height), perClimb);
-      over = hn::Max(over, hn::Mul(hn::Sub(shadow, number(1 / step.perMm)), number(lamp.perShadowEdge[k])));
+      const Floats perEdge = hn::Max(number(lamp.perShadowEdge[k]), hn::Mul(leastPerEdge, number(step.perMm)));
+      over = hn::Max(over, hn::Mul(hn::Sub(shadow, number(1 / step.perMm)), perEdge));
     }
     const Floats lit = hn::Min(hn::Max(hn::Sub(number(0.5f), over), number(0)), number(1));
 
@@ -284,7 +289,6 @@ void addLampOfRow(const LightRow& row, const LampStretch& lamp, int begin, int e
     Floats facing = hn::Div(hn::Sub(hn::Mul(towards, number(lamp.z)), across), length);
     facing = hn::Mul(hn::Max(facing, number(0)), number(lamp.strength));
     if (row.farCotangents) {
-      const OnLine line = onLine(row, points, direction.cosine, direction.sine);
       const auto isHidden = hn::Le(cotangentOf(points, line, climb), farCotangent(row, direction, column));
       facing = hn::IfThenZeroElse(isHidden, facing);
     }

@@ -32,7 +32,8 @@ Result<std::unique_ptr<DepthSearchRun>> DepthSearchRun::create(const EngraveRequ
   std::unique_ptr<DepthSearchRun> search(new DepthSearchRun(request, std::move(target), place));
   if (makeOwnSearch) {
     search->solver_ = makeOwnSearch(search->target_);
-  } else if (LuminancePass* const shaders = place.light->shaders(); shaders && usesFastSearch(request)) {
+  } else if (LuminancePass* const shaders = place.light->shaders();
+             shaders && usesFastSearch(request) && request.lamps().empty()) {
     QRELIEF_TRY(search->startOnGpu(*shaders));
   } else {
     search->solver_ = makeDepthSolver(request, search->target_);

@@ -17,6 +17,10 @@ constexpr LuminanceSampling kUncarvedSampling{1, 4};  // the surface is smooth b
 constexpr LightSampling kUncarvedPoints{1, 12}, kPoints{2, 12};
 constexpr double kEveryCell = 12;  // up to this distance a horizon checks every cell
 
+/// Returns the places per module whose horizon the processor finds: the shadow of a lamp ends more sharply than the
+/// sky.
+int horizonsPerModule(const PlacementLightOptions& options) { return options.lamps.empty() ? 1 : kHorizonsPerModule; }
+
 std::vector<float> luminancesOf(std::span<const Received> received, const PlacementLightOptions& options) {
   const auto open = static_cast<float>(openIrradiance(options.lamps));
   std::vector<float> luminance;
@@ -64,7 +68,7 @@ class LightByProcessor final : public PlacementLight {
  public:
   LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options)
       : options_(options),
-        light_(map, farHorizonOf(map, &around, options.moduleMm, options.modules)),
+        light_(map, farHorizonOf(map, &around, options.moduleMm, horizonsPerModule(options) * options.modules)),
         size_(map.size),
         luminance_(map.height.size(), 0.0f),
         depthsMm_(map.height.size(), 0.0f) {

@@ -112,8 +112,6 @@ void FloorPasses::move(const gl::Texture& luminance, const FloorMove& how) {
   depth.setTexture("u_solved", 4, solved_.now());
   depth.set("u_isFree", how.isFree ? 1 : 0);
   depth.set("u_leastGrowthMm", how.leastGrowthMm);
-  depth.set("u_mostGrowthMm", how.mostGrowthMm);
-  depth.set("u_mostGrowthFraction", how.mostGrowthFraction);
   gl::drawFullscreen();
   floors_.flip();
 }

@@ -26,9 +26,8 @@ struct FloorMove {
   int sweeps = 1;  ///< over all floors, towards the solution on a plane
   float aim = 0, aimForTooBright = 0;
   float changeFraction = 0, maxChange = 0;
-  float leastGrowthMm = 0;                            ///< of a floor that is too bright
-  bool isFree = true;                                 ///< depths may rise and fall
-  float mostGrowthMm = 1e6f, mostGrowthFraction = 0;  ///< greatest growth: the larger of this and this of the depth
+  float leastGrowthMm = 0;  ///< of a floor that is too bright
+  bool isFree = true;       ///< depths may rise and fall
 };
 
 /// The update of a depth search on the GPU: luminances in, depths out, both as textures, so that nothing waits for a

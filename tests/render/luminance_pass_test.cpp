@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/angle.h"
 #include "mesh/ray_tree.h"
 #include "study/path_tracer.h"
 #include "support/gl_test.h"
@@ -56,7 +57,7 @@ TEST_F(LuminancePassTest, AnUncarvedPlaneSeesTheWholeSky) {
   for (const float l : pass_.readLuminance()) ASSERT_NEAR(l, 1, 1e-3);
 }
 
-TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
+TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSkyAndALampByItsCosine) {
   for (const double tilt : {0.2, 0.5, 0.9}) {
     const Mesh plate = shapes::box({400, 400, 10});
     auto geometry = GeometryPass::create();
@@ -65,10 +66,18 @@ TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
     const ProjectionFrame frame = makeFrame({0, 0, 5}, {std::sin(tilt), 0, std::cos(tilt)}, {0, 1, 0}, 250);
     auto maps = geometry->render(mesh, frame, {40, 256});
     ASSERT_TRUE(maps.has_value());
-    auto pass = LuminancePass::create(*maps, nullptr, 250, {.sampling = {4, 16}, .turnSlices = false});
+    // A low lamp behind the plane's upper edge: 0.1 rad over the plane.
+    const DirectionalLight lamp{.azimuthDeg = 0, .elevationDeg = toDegrees(tilt + 0.1)};
+    auto pass =
+        LuminancePass::create(*maps, nullptr, 250, {.sampling = {4, 16}, .turnSlices = false, .lights = {lamp}});
     ASSERT_TRUE(pass.has_value());
     pass->run();
     for (const Received& r : pass->readReceived()) ASSERT_NEAR(r.sky, 1, 0.004) << "tilt " << tilt;
+
+    // Carved all over, it is such a plane, too.
+    pass->setDepths(std::vector<float>(pass->readLuminance().size(), 0.3f));
+    pass->run();
+    for (const Received& r : pass->readReceived()) ASSERT_NEAR(r.lamps, std::sin(0.1), 2e-3) << "tilt " << tilt;
   }
 }
 
