@@ -18,6 +18,7 @@ inline constexpr Part kSearch{"search", 2};        ///< depths by the program it
 inline constexpr Part kHbao{"hbao", 1};            ///< light by horizon-based ambient occlusion: study/hbao_light.h
 inline constexpr Part kLiteral{"papp-2022-literal", 1};  ///< depths by study/methods/literal_2022.h
 inline constexpr Part kLight{"light", 2};        ///< light on carved surfaces, 1: by path tracing (decision 0040)
+inline constexpr Part kLamps{"lamps", 1};        ///< light of lamps: core/light, shaders/hbao.frag
 inline constexpr Part kPrint{"print", 2};        ///< the surface as printed: core/printing
 inline constexpr Part kDecoding{"decoding", 1};  ///< pictures and decoders: core/verification
 

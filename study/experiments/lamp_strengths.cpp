@@ -30,9 +30,12 @@ Result<Row> measure(const Row& key, StudyContext& context) {
 }  // namespace
 
 Experiment lampStrengths() {
-  Experiment experiment{
-      "lamp_strengths", {"modules", "elevation", "strength"},     {"depth_mm", "limited", "reads"}, {},
-      measure,          dependingOn({kSearch, kLight, kDecoding})};
+  Experiment experiment{"lamp_strengths",
+                        {"modules", "elevation", "strength"},
+                        {"depth_mm", "limited", "reads"},
+                        {},
+                        measure,
+                        dependingOn({kSearch, kLight, kLamps, kDecoding})};
   for (const char* modules : {"none", "square"})
     for (const char* elevation : {"8", "20", "33", "50", "70"})
       for (const char* strength : {"0.25", "0.5", "1", "2", "4"})
