@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "base/parallel.h"
 #include "depth/light_neighbours.h"
 
 namespace qrelief {
@@ -20,6 +20,15 @@ double darkness(double fraction) {
 
 double fractionOfDarkness(double darkness) { return 1 / (1 + std::exp(darkness)); }
 
+/// Calls work(k) for k = 0 … count − 1 on all cores, piece by piece.
+template <class Work>
+void forEachFloor(std::size_t count, const Work& work) {
+  constexpr std::size_t kPiece = 512;
+  parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    for (std::size_t k = piece * kPiece; k < std::min(count, (piece + 1) * kPiece); ++k) work(k);
+  });
+}
+
 }  // namespace
 
 FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before)
@@ -32,15 +41,12 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
                   : before          ? kFreePassesAfterAnother
                                     : kFreePasses) {
   depths_ = {target_.mask->rows(), target_.symbolMm, std::vector<double>(target_.mask->size(), 0)};
-  const int modules = target_.symbol->size;
-  for (const std::uint32_t i : sky_->carved()) {
-    limitMm_.push_back(target_.limitMm[i]);
-    const int row = static_cast<int>(i) / depths_.size / kN, column = static_cast<int>(i) % depths_.size / kN;
-    fractionAsked_.push_back(1 - (options_.contrastOfModule.empty()
-                                      ? options_.contrast
-                                      : options_.contrastOfModule[row * modules + column]));
-  }
   const std::size_t count = sky_->carved().size();
+  for (std::size_t k = 0; k < count; ++k) {
+    limitMm_.push_back(target_.limitMm[sky_->carved()[k]]);
+    fractionAsked_.push_back(
+        1 - (options_.contrastOfModule.empty() ? options_.contrast : options_.contrastOfModule[moduleOf(k)]));
+  }
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
   difference_.assign(count, firstDifference(static_cast<double>(options_.albedo)));
   differenceChange_.assign(count, 0);
@@ -69,7 +75,7 @@ void FastSearch::solve() {
   }
   sky_->solve(fractions, limitMm_, solvedMm_, isDue_, options_.sweepsPerPass);
   const PocketSky::Depths solved(*sky_, solvedMm_);
-  for (std::size_t k = 0; k < states_.size(); ++k) {
+  forEachFloor(states_.size(), [&](std::size_t k) {
     double& depth = depths_.depthMm[sky_->carved()[k]];
     const double most = options_.hasLamps ? depth + std::max(kLampStepMm, kLampGrowth * depth) : limitMm_[k];
     const double next = quantisedDepth(std::clamp(solvedMm_[k], kDepthQuantumMm, most), limitMm_[k]);
@@ -78,12 +84,18 @@ void FastSearch::solve() {
       depth = quantisedDepth(std::max(next, depth + leastGrowthMm(options_, iterations_)), limitMm_[k]);
     else if (isFree || (next > depth && expectedFraction(k, solved.fraction(k, depth)) > fractionAsked_[k]))
       depth = next;
-  }
+  });
 }
 
 /// Returns the expected LS/AL of a floor: the plane's prediction corrected by the measured difference.
 double FastSearch::expectedFraction(std::size_t k, double planeFraction) const {
   return fractionOfDarkness(darkness(planeFraction) + difference_[k]);
+}
+
+/// Returns the index of a floor's module.
+std::size_t FastSearch::moduleOf(std::size_t k) const {
+  const std::size_t i = sky_->carved()[k], size = static_cast<std::size_t>(depths_.size);
+  return i / size / kN * static_cast<std::size_t>(target_.symbol->size) + i % size / kN;
 }
 
 /// Returns the depths in the order of sky_->carved().
@@ -106,7 +118,7 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
     const auto i = static_cast<std::size_t>(row * depths_.size + column);
     return depths_.depthMm[i] != depthsBefore[i];
   };
-  for (std::size_t k = 0; k < isDue_.size(); ++k) {
+  forEachFloor(isDue_.size(), [&](std::size_t k) {
     const std::uint32_t i = sky_->carved()[k];
     const int row = static_cast<int>(i) / depths_.size, column = static_cast<int>(i) % depths_.size;
     bool due = false;
@@ -116,26 +128,26 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
       due = expected + (expected - seenFraction_[k]) > fractionAsked_[k];
     }
     isDue_[k] = due;
-    if (due) dueInMask_.push_back(i);
-  }
+  });
+  for (std::size_t k = 0; k < isDue_.size(); ++k)
+    if (isDue_[k]) dueInMask_.push_back(sky_->carved()[k]);
 }
 
 void FastSearch::update(const Grid<double>& luminance) {
-  const int m = target_.symbol->size;
+  const auto m = static_cast<std::size_t>(target_.symbol->size);
   const Grid<double> modules = moduleMeans(luminance);
   const std::vector<double> depths = carvedDepths();
   const PocketSky::Depths onPlane(*sky_, depths);
-  std::size_t module = std::numeric_limits<std::size_t>::max();
-  double around = 1;
-  for (std::size_t k = 0; k < states_.size(); ++k) {
-    if (!isDue_[k]) continue;
+  std::vector<double> around(m * m, 0.0);  // of the modules with due floors
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    if (const std::size_t module = moduleOf(k); isDue_[k] && around[module] == 0)
+      around[module] = neighbours_.darkestMean(module, modules);
+  forEachFloor(states_.size(), [&](std::size_t k) {
+    if (!isDue_[k]) return;
     isStale_[k] = 0;
     const int row = static_cast<int>(sky_->carved()[k]) / depths_.size;
     const int column = static_cast<int>(sky_->carved()[k]) % depths_.size;
-    const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
-    if (of != module) around = neighbours_.darkestMean(of, modules);
-    module = of;
-    const double fraction = luminanceOf(luminance, row, column) / around;
+    const double fraction = luminanceOf(luminance, row, column) / around[moduleOf(k)];
     seenFraction_[k] = fraction;
     const double difference = darkness(fraction) - darkness(onPlane.fraction(k, depths[k]));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
@@ -150,7 +162,7 @@ void FastSearch::update(const Grid<double>& luminance) {
           iterations_ + 1 < freePasses_ && less > 0 && darkness(onPlane.fraction(k, less)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
     }
-  }
+  });
   ++iterations_;
   const bool allDone = std::all_of(states_.begin(), states_.end(),
                                    [](State state) { return state == State::Done || state == State::Limited; });

@@ -88,6 +88,7 @@ class FastSearch final : public DepthSolver {
   enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
 
   void solve();
+  std::size_t moduleOf(std::size_t k) const;
   std::vector<double> carvedDepths() const;
   double expectedFraction(std::size_t k, double planeFraction) const;
   void chooseDue(const std::vector<double>& depthsBefore);

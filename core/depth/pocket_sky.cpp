@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "math/grid_march.h"
 
 namespace qrelief {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kSettledMm = 2e-3, kShortStepMm = 1e-2;
 constexpr int kSteps = 24;
+constexpr std::size_t kMostGroups = 16;
 // Positions on a floor, in its width: the two-point Gauss–Legendre nodes. (A low step next to a floor hardly darkens
 // its middle.)
 constexpr double kPlaces[2] = {0.2113, 0.7887};
@@ -56,6 +58,32 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
       steps_.perMm[i] = paths[k][step].perMm;
     }
   }
+  findGroups();
+}
+
+void PocketSky::findGroups() {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> groupOf(carved_.size(), kNone);
+  std::vector<std::uint32_t> open;
+  const std::size_t enough = (carved_.size() + kMostGroups - 1) / kMostGroups;
+  for (std::uint32_t start = 0; start < groupOf.size(); ++start) {
+    if (groupOf[start] != kNone) continue;
+    if (groups_.empty() || groups_.back().size() >= enough) groups_.emplace_back();
+    const auto group = static_cast<std::uint32_t>(groups_.size() - 1);
+    const auto add = [&](std::uint32_t floor) {
+      if (groupOf[floor] != kNone) return;
+      groupOf[floor] = group;
+      groups_[group].push_back(floor);
+      open.push_back(floor);
+    };
+    add(start);
+    while (!open.empty()) {
+      const std::uint32_t floor = open.back();
+      open.pop_back();
+      forEachInSight(floor, add);
+    }
+  }
+  for (std::vector<std::uint32_t>& group : groups_) std::sort(group.begin(), group.end());
 }
 
 /// Spreads the floors' values over the grid; 0 in light cells.
@@ -96,23 +124,27 @@ double PocketSky::depthFor(std::size_t k, double fraction, double limitMm, const
 
 void PocketSky::solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
                       std::vector<char> isDue, int maxSweeps) const {
-  std::vector<float> grid = onGrid(depthsMm);
-  for (int sweep = 0; sweep < maxSweeps; ++sweep) {
-    bool moved = false;
-    for (std::size_t i = 0; i < carved_.size(); ++i) {
-      const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back
-      if (!isDue[k]) continue;
-      isDue[k] = 0;
-      const double depth = depthFor(k, fractions[k], limitsMm[k], grid);
-      const double change = std::abs(depth - depthsMm[k]);
-      depthsMm[k] = depth;
-      grid[cell_[k]] = static_cast<float>(depth);
-      if (change < kSettledMm) continue;
-      moved = true;
-      forEachInSight(k, [&](std::uint32_t other) { isDue[other] = 1; });
+  const std::vector<float> start = onGrid(depthsMm);
+  parallelFor(groups_.size(), [&](std::size_t number) {
+    const std::vector<std::uint32_t>& group = groups_[number];
+    std::vector<float> grid = start;
+    for (int sweep = 0; sweep < maxSweeps; ++sweep) {
+      bool moved = false;
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        const std::uint32_t k = group[sweep % 2 == 0 ? i : group.size() - 1 - i];  // there and back
+        if (!isDue[k]) continue;
+        isDue[k] = 0;
+        const double depth = depthFor(k, fractions[k], limitsMm[k], grid);
+        const double change = std::abs(depth - depthsMm[k]);
+        depthsMm[k] = depth;
+        grid[cell_[k]] = static_cast<float>(depth);
+        if (change < kSettledMm) continue;
+        moved = true;
+        forEachInSight(k, [&](std::uint32_t other) { isDue[other] = 1; });
+      }
+      if (!moved) return;
     }
-    if (!moved) return;
-  }
+  });
 }
 
 }  // namespace qrelief

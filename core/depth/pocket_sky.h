@@ -71,7 +71,8 @@ class PocketSky {
   ///
   /// A floor gets darker as it gets deeper, and brighter as its neighbours get deeper; if all depths grow by one
   /// factor, all floors get darker. So there is exactly one solution, it has the least depth everywhere, and solving
-  /// for one floor after the other converges to it from any start.
+  /// for one floor after the other converges to it from any start. Groups of floors out of each other's sight are
+  /// solved on all cores.
   /// @param fractions  per floor, above 0 and below 1
   /// @param limitsMm   per floor, ≥ 0
   /// @param depthsMm   in: start; out: result
@@ -83,6 +84,7 @@ class PocketSky {
  private:
   static constexpr std::uint32_t kLight = 0xffffffff;
 
+  void findGroups();
   std::vector<float> onGrid(std::span<const double> depthsMm) const;
   double depthFor(std::size_t k, double fraction, double limitMm, const std::vector<float>& grid) const;
 
@@ -91,6 +93,7 @@ class PocketSky {
   std::vector<std::uint32_t> cell_;     // of each floor
   std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: not carved
   FloorSteps steps_;
+  std::vector<std::vector<std::uint32_t>> groups_;  // floors, ascending; none sees a floor of another group
 };
 
 }  // namespace qrelief
