@@ -37,9 +37,12 @@ export function name(kind, value) {
 export const models = ({ holds, of }) =>
   said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });
 
-/** @param {import('./compare.js').Tally} tally @returns {Said} */
-export const cases = ({ holds, of }) =>
-  said(holds === of ? 'inAllCases' : holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
+/** Says "in all 8 cases", "in both cases". @param {import('./compare.js').Tally} tally @returns {Said} */
+export function cases({ holds, of }) {
+  if (of === 1) return said(holds === 1 ? 'inOnlyCase' : 'notInOnlyCase', { holds, of });
+  if (holds === of) return said(of === 2 ? 'inBothCases' : 'inAllCases', { holds, of });
+  return said(holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
+}
 
 /**
  * True if the tables have every value of a sentence: every number is a number, and every count is over at least one
