@@ -60,20 +60,26 @@ export function asFarAside(rows, one, other) {
 }
 
 /**
+ * Returns the median tilts of smaller and of larger versions at every arc.
+ * @param {Row[]} rows  of one decoder and layout
+ */
+const fewAndMany = (rows) =>
+  [...groupBy(rows, 'arc_deg').values()].map((ofArc) =>
+    [false, true].map((many) => {
+      const tilts = ofArc.filter(({ version }) => version >= kManyMarks === many).map(tiltOf);
+      return tilts.length > 0 ? median(tilts) : undefined;
+    }),
+  );
+
+/**
  * True if one decoder decodes larger versions, with more alignment patterns, at larger tilts than smaller ones at every
  * arc.
  * @param {Row[]} rows  of one decoder and layout
  */
-export const manyMarksHelp = (rows) =>
-  [...groupBy(rows, 'arc_deg').values()].every(
-    (ofArc) =>
-      rises(
-        [false, true].map((many) => {
-          const tilts = ofArc.filter(({ version }) => version >= kManyMarks === many).map(tiltOf);
-          return tilts.length > 0 ? median(tilts) : undefined;
-        }),
-      ) === true,
-  );
+export const manyMarksHelp = (rows) => fewAndMany(rows).every((tilts) => rises(tilts) === true);
+
+/** True if larger versions decode at larger tilts at no arc. @param {Row[]} rows  of one decoder and layout */
+export const manyMarksNeverHelp = (rows) => fewAndMany(rows).every((tilts) => rises(tilts) === false);
 
 /** @type {import('../page/figure.js').Figure} */
 export const aside = {
@@ -107,14 +113,12 @@ export const aside = {
       return tilt === 0 ? said('asideOnlyFront') : said('asideUpTo', { tilt });
     };
     const inFront = (/** @type {string} */ layout) => tally(ofLayout.get(layout) ?? [], (row) => tiltOf(row) > kUnread);
-    const helped = [
-      ...groupBy(
-        projected.map((row) => ({ ...row, decoder: decoderOf(row) })),
-        'decoder',
-      ),
-    ]
-      .filter(([, ofDecoder]) => manyMarksHelp(ofDecoder))
-      .map(([decoder]) => name('decoder', decoder));
+    const ofDecoders = groupBy(
+      projected.map((row) => ({ ...row, decoder: decoderOf(row) })),
+      'decoder',
+    );
+    const decodersWith = (/** @type {(rows: Row[]) => boolean} */ holds) =>
+      [...ofDecoders].filter(([, rows]) => holds(rows)).map(([decoder]) => name('decoder', decoder));
     return [
       said('asideArcs', {
         narrow: arcs[0],
@@ -128,7 +132,8 @@ export const aside = {
         halfway: cases(inFront('halfway')),
         wrapped: cases(inFront('wrapped')),
       }),
-      said('asideMarks', { version: kManyMarks, list: helped }),
+      said('asideMarks', { version: kManyMarks, list: decodersWith(manyMarksHelp) }),
+      said('asideMarksNot', { list: decodersWith(manyMarksNeverHelp) }),
       said('asidePaper'),
     ];
   },

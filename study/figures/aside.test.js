@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { asFarAside, aside, decoderOf, manyMarksHelp, medianTilt } from './aside.js';
+import { asFarAside, aside, decoderOf, manyMarksHelp, manyMarksNeverHelp, medianTilt } from './aside.js';
 
 const row = (
   /** @type {string} */ layout,
@@ -46,6 +46,15 @@ test('more alignment patterns help where they do so at every arc', () => {
   assert.equal(manyMarksHelp([...arc(20, 10, 15), ...arc(100, null, 0)]), true);
   assert.equal(manyMarksHelp([...arc(20, 10, 15), ...arc(100, 0, 0)]), false);
   assert.equal(manyMarksHelp([...arc(20, 10, 15), row('projected', 6, 0, 40)]), false);
+});
+
+test('more alignment patterns never help where they do so at no arc', () => {
+  const arc = (/** @type {number} */ at, /** @type {number} */ few, /** @type {number} */ many) => [
+    row('projected', 6, few, at),
+    row('projected', 7, many, at),
+  ];
+  assert.equal(manyMarksNeverHelp([...arc(20, 15, 10), ...arc(100, 5, 5)]), true);
+  assert.equal(manyMarksNeverHelp([...arc(20, 15, 10), ...arc(100, 0, 5)]), false);
 });
 
 test('how far aside is said in words where it is not at all', () => {
