@@ -16,6 +16,9 @@ const kPanels = /** @type {const} */ ([
 /** Carved submodules of 25 in each pattern, in the paper's order of robustness. */
 const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
 
+/** The patterns of the paper's test; its other pattern did not read at 1.2 mm. */
+const kTestedByPaper = ['square', 'diamond', 'thick-plus'];
+
 /**
  * Returns the median of a measure by module pattern.
  * @param {Row[]} rows
@@ -92,10 +95,13 @@ export const robustness = {
     const blur = byPattern(rows, 'blur_modules');
     const patterns = kCarved.filter((pattern) => blur[pattern] !== undefined);
     const pairs = moreCarvedSurvivesMore(blur);
+    const ofPaper = moreCarvedSurvivesMore(
+      Object.fromEntries(kTestedByPaper.map((pattern) => [pattern, blur[pattern]])),
+    );
     const unread = rows.filter((row) => row.blur_modules === null).length;
     const ours = rows.filter((row) => row.search === 'ours' && row.blur_modules !== null);
     return [
-      said('robustPairs', { holds: pairs.holds, of: pairs.of }),
+      said('robustPairs', { holds: pairs.holds, of: pairs.of, paperHolds: ofPaper.holds, paperOf: ofPaper.of }),
       said('robustBlur', {
         list: patterns.map((pattern) =>
           said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) }),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { byPattern, moreCarvedSurvivesMore } from './robustness.js';
+import { byPattern, moreCarvedSurvivesMore, robustness } from './robustness.js';
 
 test('medians are of the published search, by pattern, without what does not read', () => {
   const row = (/** @type {string} */ search, /** @type {string} */ modules, /** @type {number | null} */ blur) => ({
@@ -23,4 +23,16 @@ test('medians are of the published search, by pattern, without what does not rea
 test('pairs of patterns are judged by how much they carve', () => {
   assert.deepEqual(moreCarvedSurvivesMore({ none: 0.5, 'thick-plus': 0.6, square: 0.5 }), { holds: 2, of: 3 });
   assert.deepEqual(moreCarvedSurvivesMore({ none: 0.5 }), { holds: 0, of: 0 });
+});
+
+test('the patterns that the paper could test are counted apart', () => {
+  const blurs = { 'thin-plus': 0.1, square: 0.5, diamond: 0.4, 'thick-plus': 0.3, none: 0.6 };
+  const rows = Object.entries(blurs).map(([modules, blur]) => ({
+    search: 'papp-2022',
+    modules,
+    blur_modules: blur,
+    tilt_deg: 10,
+  }));
+  const { with: values } = robustness.find(rows, {})[0];
+  assert.deepEqual(values, { holds: 7, of: 10, paperHolds: 0, paperOf: 3 });
 });
