@@ -75,6 +75,9 @@ export const methodDepths = {
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
     const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
     const order = onModels(rows, (ofModel) => isPaperOrder(ofModel));
+    const limited = Math.min(
+      ...rows.filter(({ method }) => method === `${kLiteral}-whole-modules`).map((row) => row.limited ?? 0),
+    );
     const lamps = ['one-light-2020', 'ours-one-light'].map((method) => readsAsDesigned(rows, method));
     return [
       said('methodsOrder', {
@@ -98,6 +101,7 @@ export const methodDepths = {
         ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })]
         : []),
       said('methodsLiteral', { square: depth(kLiteral), whole: depth(`${kLiteral}-whole-modules`) }),
+      ...(limited > 0 && Number.isFinite(limited) ? [said('methodsLiteralLimited', { least: limited })] : []),
       said('methodsReading'),
       unread.length > 0
         ? said('methodsUnread', { list: unread.map((method) => name('method', method)) })

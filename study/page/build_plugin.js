@@ -56,7 +56,7 @@ function countWords(tally, over, none) {
 }
 
 /**
- * Returns the paper's statements, and how often each holds; with its search by its words, where that was measured.
+ * Returns the paper's statements, and how often each holds; with its search taken literally, where that was measured.
  * @param {Record<string, Row[]>} rowsOf  by table
  */
 function statementsMarkup(rowsOf) {

@@ -79,7 +79,7 @@ test('the highest lamp is the last angle before the first that fails', () => {
         .join(''),
   });
   assert.equal(finding && sentence('en', finding.number), '15°');
-  assert.equal(finding?.bars.length, 4, 'without the search by its words');
+  assert.equal(finding?.bars.length, 4, 'without the literal search');
 });
 
 test('a bar is as long as its value in the whole, and the number links the figure', () => {
