@@ -80,6 +80,7 @@ Message oneLightNeeded(const DirectionalLight& lamp) {
 Message readingSummary(const ReadingEvidence& reading, const std::string& expected, Level level) {
   if (reading.text.empty()) return message<"reads-not">();
   if (reading.text != expected) return message<"reads-wrong">(with::quoted<"text">(reading.text));
+  if (level == Level::Bad) return message<"reads-not-reliably">();
   if (level == Level::Good) return message<"reads-as">(with::term<"text">(expected));
   return message<"barely-reads-as">(with::term<"text">(expected));
 }
@@ -90,7 +91,7 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected,
   Aspect aspect;
   aspect.failed = readingFailures(reading, expected, meanDepthMm, grades);
   const bool weak = grades && (meanDepthMm ? grades->iso29158 : grades->iso15415) < kLeastGrade;
-  aspect.level = reading.text != expected ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
+  aspect.level = !aspect.passed() ? Level::Bad : weak ? Level::Barely : Level::Good;
   aspect.summary = readingSummary(reading, expected, aspect.level);
   if (reading.text.empty()) {
     aspect.reasons.push_back(message<"no-reader-found-it">());
@@ -314,7 +315,12 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   if (result.inlay)
     for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)
       verdict.solid.failed.push_back(message<"inlay-not-solid">(with::cause<"problem">(failure)));
-  if (!verdict.solid.passed()) verdict.solid.remedies = {anotherSpot()};
+  if (!verdict.solid.passed()) {
+    verdict.solid.level = Level::Bad;
+    verdict.solid.summary = message<"solid-not">();
+    verdict.solid.reasons = verdict.solid.failed;
+    verdict.solid.remedies = {anotherSpot()};
+  }
   return verdict;
 }
 
@@ -344,7 +350,7 @@ Verdict judgeFoundCode(const VerifyRequest& request, const VerifyResult& result,
   const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
   if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
     failed.push_back(message<"misplaced">(with::number<"modules">(std::round(10 * *reading.cornerErrorModules) / 10)));
-  if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
+  if (!failed.empty()) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
   if (isInColour)
     verdict.prints = judgeInkPrinting(

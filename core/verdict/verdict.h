@@ -31,7 +31,7 @@ struct Remedy {
 
 /// One of the three questions about a carved code.
 struct Aspect {
-  Level level = Level::Good;
+  Level level = Level::Good;      ///< Bad exactly if a check did not pass
   Message summary;                ///< "Reads as …"
   std::vector<Message> warnings;  ///< shown at every level
   std::vector<Message> reasons;   ///< grounds for the summary
@@ -62,7 +62,8 @@ struct PrintedEvidence {
 /// A text alone is not decoded: it reads if its letters are large, and prints if the printer makes their strokes.
 ///
 /// - The code reads if at least ReadingCount::needed() tries succeed; in `verify`, also no try may give another text.
-///   It barely reads if fewer succeed, or if a verifier would grade it F (ISO/IEC 29158).
+///   It barely reads if it passes, but a verifier would grade it F (ISO/IEC 29158). One that does not pass is never
+///   said to read.
 /// - It prints if the simulated print still reads by the same rule. It barely prints if at least one in six tries
 ///   succeeds (fewer are luck), or if it faces down by more than kSteepestOverhangDeg; fewer tries do not pass. If the
 ///   print was not simulated, published prints give the answer (verification/printability.h). That is advice and always

@@ -120,8 +120,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
                result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
   if (const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules; atLimit > 0)
     fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
-  const ReadingEvidence& reading = context.reading;
-  if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
+  if (context.verdict.reads.passed() && !context.reading.text.empty())
+    fmt::print("reads as: {}\n", context.reading.text);
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})
     for (const Message& warning : aspect->warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {

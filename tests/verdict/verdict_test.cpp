@@ -88,19 +88,26 @@ class VerdictTest : public testing::Test {
   EngraveRequest request_;
 };
 
-TEST_F(VerdictTest, DecodesBarelyDecodesOrDoesNot) {
+TEST_F(VerdictTest, ACodeThatDoesNotPassIsNeverSaidToRead) {
   EXPECT_TRUE(judged(29).reads.passed());
-  EXPECT_EQ(judged(28).reads.level, Level::Barely);
-  EXPECT_FALSE(judged(28).reads.passed());
-  EXPECT_EQ(judged(0).reads.level, Level::Bad);
-  EXPECT_EQ(judged(0).reads.summary.code, "reads-not");
-  EXPECT_EQ(judged(28).reads.summary.code, "barely-reads-as");
+  for (const bool underLamp : {false, true}) {
+    if (underLamp) request_.depth.lights = {{}};
+    for (const int reads : {1, 28}) {
+      const Aspect aspect = judged(reads).reads;
+      EXPECT_FALSE(aspect.passed());
+      EXPECT_EQ(aspect.level, Level::Bad);
+      EXPECT_EQ(aspect.summary.code, "reads-not-reliably");
+    }
+    EXPECT_EQ(judged(0).reads.level, Level::Bad);
+    EXPECT_EQ(judged(0).reads.summary.code, "reads-not");
+  }
 }
 
 TEST_F(VerdictTest, ReportsAWeakGradeAndPasses) {
   const Verdict verdict = judged(72);  // its light and dark modules are equally bright
   EXPECT_EQ(verdict.reads.level, Level::Barely);
   EXPECT_TRUE(verdict.reads.passed());
+  EXPECT_EQ(verdict.reads.summary.code, "barely-reads-as");
   EXPECT_EQ(verdict.reads.reasons.back().code, "graded-weak");
 }
 
@@ -355,6 +362,16 @@ TEST_F(ColourVerdictTest, WarnsOfModulesNarrowerThanALineAndOffersAFinerNozzle) 
 TEST_F(ColourVerdictTest, WarnsOfAProcessWithOneMaterial) {
   request_.print.printer.technique = PrintTechnique::Resin;
   EXPECT_THAT(codesOf(judged(72).prints.reasons), ElementsAre("one-material-process"));
+}
+
+TEST_F(ColourVerdictTest, AnInlayThatIsNoSolidFails) {
+  result_.inlay = shapes::box({1, 1, 1});
+  result_.inlaySolidity.triangles = 12;
+  result_.inlaySolidity.openEdges = 3;
+  const Aspect solid = judged(72).solid;
+  EXPECT_EQ(solid.level, Level::Bad);
+  EXPECT_EQ(solid.summary.code, "solid-not");
+  EXPECT_EQ(solid.failed.front().code, "inlay-not-solid");
 }
 
 TEST_F(ColourVerdictTest, AThinInlayOffersPaint) {
