@@ -53,6 +53,15 @@ class Stopwatch {
 
 }  // namespace
 
+bool isForCrossings(const Message& failure) {
+  for (const char* code :
+       {"crossing-at-centre", "too-many-crossings", "choose-a-spot-off-crossings", "choose-smaller-or-off-crossings"})
+    if (failure.code == code) return true;
+  return std::any_of(failure.values.begin(), failure.values.end(), [](const MessageValue& value) {
+    return value.kind == MessageValue::Kind::Cause && isForCrossings(value.cause.front());
+  });
+}
+
 Message codeInWords(const PlacementRequest& request) {
   if (request.sizeMode != SizeMode::Fixed) return request.isText ? message<"any-text">() : message<"any-code">();
   if (request.isText) return message<"text-alone">(with::lengthMm<"size">(request.sizeMm));
@@ -205,9 +214,15 @@ Status PlacementSearch::measure(Vec3 normal) {
   fitMm_ = placement_.symbolMm;
   if (isFixed) placement_.symbolMm = request_.sizeMm;
   placement_.moduleMm = placement_.symbolMm / modules_;
-  if (fitMm_ < std::min(isFixed ? request_.sizeMm : request_.maxSizeMm, kMinModuleMm * modules_))
-    QRELIEF_TRY(checkCrossings());
-  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(doesNotFit());
+  const double wantedMm = isFixed ? request_.sizeMm : std::min(request_.maxSizeMm, kMinModuleMm * modules_);
+  std::optional<Vec3> crossing;
+  if (fitMm_ * (1 + kEqualSizes) < wantedMm) {
+    const auto found = crossingWithin(halfDiagonalMm(wantedMm));
+    QRELIEF_TRY(found);
+    QRELIEF_TRY(checkCentre(*found));
+    crossing = *found;
+  }
+  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(doesNotFit(crossing));
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
     if (request_.isText)
       return fail(ErrorKind::NoSolution,
@@ -220,7 +235,9 @@ Status PlacementSearch::measure(Vec3 normal) {
   }
   if (placement_.moduleMm < kMinModuleMm) {
     const Message advice =
-        roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm, message<"choose-a-wider-spot">());
+        roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
+                   crossing ? message<"choose-a-spot-off-crossings">(with::place<"at">(*crossing / model_->scaleToMm))
+                            : message<"choose-a-wider-spot">());
     if (request_.isText)
       return fail(ErrorKind::NoSolution,
                   message<"text-too-small-here">(with::lengthMm<"size">(sizeShown(placement_.symbolMm)),
@@ -237,24 +254,32 @@ Status PlacementSearch::measure(Vec3 normal) {
   return {};
 }
 
+/// Returns the place nearest to the centre, at most `radiusMm` away, where triangles cross; none if there is none.
+Result<std::optional<Vec3>> PlacementSearch::crossingWithin(double radiusMm) const {
+  if (!model_->hasCrossings) return std::nullopt;
+  const Vec3 centre = placement_.frame.centre;
+  auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre, knownCrossings());
+  if (crossing && *crossing && glm::distance(**crossing, centre) > radiusMm) return std::nullopt;
+  return crossing;
+}
+
 /// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
 /// at any rotation, so the message names the crossing, not a size.
-Status PlacementSearch::checkCrossings() const {
-  if (!model_->hasCrossings) return {};
+Status PlacementSearch::checkCentre(const std::optional<Vec3>& crossing) const {
   const Vec3 centre = placement_.frame.centre;
-  const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre, knownCrossings());
-  QRELIEF_TRY(crossing);
   const double leastMm = kMinModuleMm * modules_;
-  if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};
+  const bool leavesRoom = !crossing || glm::distance(*crossing, centre) > leastMm * outerFactor() / 2;
+  if (leavesRoom || fitMm_ >= leastMm) return {};
   return fail(ErrorKind::NoSolution,
-              message<"crossing-at-centre">(with::lengthMm<"distance">(glm::distance(**crossing, centre)),
-                                            with::place<"at">(**crossing / model_->scaleToMm),
+              message<"crossing-at-centre">(with::lengthMm<"distance">(glm::distance(*crossing, centre)),
+                                            with::place<"at">(*crossing / model_->scaleToMm),
                                             with::lengthMm<"least">(leastMm)));
 }
 
 /// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
 /// at the rounded rotation.
-Error PlacementSearch::doesNotFit() const {
+/// @param crossing  place where triangles cross within the code
+Error PlacementSearch::doesNotFit(const std::optional<Vec3>& crossing) const {
   const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square);
   const std::vector<Segment2>& silhouette = farthest ? farthest->silhouette : placement_.patch.silhouette;
   const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
@@ -262,17 +287,22 @@ Error PlacementSearch::doesNotFit() const {
   const double turn = toRadians(bestDeg - request_.rotateDeg);
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
+  const Message advice =
+      crossing ? message<"choose-smaller-or-off-crossings">(with::place<"at">(*crossing / model_->scaleToMm))
+               : message<"choose-smaller-or-wider">();
   if (!turningHelps)
     return {ErrorKind::NoSolution,
             message<"code-too-large">(with::cause<"code">(codeInWords(request_)),
                                       with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-                                      with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+                                      with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)),
+                                      with::cause<"advice">(advice))};
   if (bestMm < request_.sizeMm)
-    return {ErrorKind::NoSolution,
-            message<"code-too-large-here">(
-                with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-                with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-                with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+    return {
+        ErrorKind::NoSolution,
+        message<"code-too-large-here">(
+            with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
+            with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
+            with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)), with::cause<"advice">(advice))};
   return {ErrorKind::NoSolution,
           message<"code-fits-turned">(
               with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),

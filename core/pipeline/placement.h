@@ -32,6 +32,9 @@ struct Placement {
   std::vector<DirectionIteration> iterations;
 };
 
+/// Returns true if a placement search failed because triangles of the model cross where the code would be.
+bool isForCrossings(const Message& failure);
+
 /// Returns a phrase for the requested code, to be quoted within a message: "a code of 35 mm with its quiet zone".
 Message codeInWords(const PlacementRequest& request);
 
@@ -100,8 +103,9 @@ class PlacementSearch {
   static Fit& fitToTake(std::vector<Fit>& fits);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
-  Error doesNotFit() const;
-  Status checkCrossings() const;
+  Error doesNotFit(const std::optional<Vec3>& crossing) const;
+  Result<std::optional<Vec3>> crossingWithin(double radiusMm) const;
+  Status checkCentre(const std::optional<Vec3>& crossing) const;
   Result<bool> refine();
   bool grow();
   Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region) const;

@@ -88,6 +88,7 @@ struct SpotSearchJob::State {
   std::vector<Trial> trials;  // of the next candidates
   std::size_t tooThin = 0;
   double thickestMm = 0;        // the thickest of these walls
+  bool meetsCrossings = false;  // true once crossing triangles kept a code away
   std::optional<Spot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
 
@@ -252,6 +253,7 @@ void SpotSearchJob::State::take(const SpotTrial& trial) {
     ++tooThin;
     thickestMm = std::max(thickestMm, *wallMm);
   }
+  meetsCrossings = meetsCrossings || trial.meetsCrossings();
   if (!trial.spot()) return;
   if (!findsLargest)
     result.spots.push_back(*trial.spot());
@@ -318,12 +320,15 @@ Error SpotSearchJob::State::nothingFound() const {
     return {ErrorKind::NoSolution,
             message<"no-spot-so-large">(with::cause<"code">(codeInWords(place)),
                                         with::lengthMm<"largest">(downToThreeDigits(largest->symbolMm)),
-                                        with::place<"at">(largest->centreFileUnits))};
+                                        with::place<"at">(largest->centreFileUnits),
+                                        with::cause<"advice">(meetsCrossings ? message<"smaller-or-uncrossed">()
+                                                                             : message<"smaller-or-scaled-up">()))};
   return {ErrorKind::NoSolution,
           message<"no-spot">(with::cause<"code">(codeInWords(place)),
                              with::lengthMm<"model">(boundingBox(model->prepared.mesh).diagonal()),
-                             with::cause<"advice">(roomAdvice(model->prepared, {request.modules, outer},
-                                                              place.eyeDistanceMm, message<"larger-or-flatter">())))};
+                             with::cause<"advice">(roomAdvice(
+                                 model->prepared, {request.modules, outer}, place.eyeDistanceMm,
+                                 meetsCrossings ? message<"uncross-or-shorten">() : message<"larger-or-flatter">())))};
 }
 
 double SpotSearchJob::State::testedShare() const {

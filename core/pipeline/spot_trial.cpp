@@ -93,7 +93,10 @@ Result<bool> SpotTrial::step() {
   if (!search_) beginTry();
   const Result<bool> placed = search_->step();
   if (!placed && placed.error().kind != ErrorKind::NoSolution) return placed;
-  if (!placed) return endTry();
+  if (!placed) {
+    meetsCrossings_ = meetsCrossings_ || isForCrossings(placed.error().message);
+    return endTry();
+  }
   if (!*placed) return false;
   const Result<bool> isOffered = judge(search_->placement());
   if (!isOffered || *isOffered) return isOffered;

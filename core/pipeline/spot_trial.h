@@ -31,6 +31,8 @@ class SpotTrial {
   std::size_t tries() const { return tries_; }               ///< number of directions tried
   /// Returns the thickness of a wall too thin for the pockets, from the direction of the request's method.
   std::optional<double> thinWallMm() const { return thinWallMm_; }
+  /// Returns true if crossing triangles kept the code away.
+  bool meetsCrossings() const { return meetsCrossings_; }
 
  private:
   void beginTry();
@@ -49,6 +51,7 @@ class SpotTrial {
   std::optional<Vec3> direction_;  // none: found by the request's method
   std::optional<Spot> spot_;
   std::optional<double> thinWallMm_;
+  bool meetsCrossings_ = false;
 };
 
 }  // namespace qrelief

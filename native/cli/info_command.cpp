@@ -56,6 +56,13 @@ void printBodies(const Json& bodies) {
   if (bodies.size() > kMostPrinted) fmt::print("and {} more bodies\n", bodies.size() - kMostPrinted);
 }
 
+/// Says whether the model can be engraved, and where.
+const char* conclusionOn(const PreparedModel& model) {
+  if (!model.engravable()) return "not a closed solid: repair it before engraving";
+  if (model.crossesItself) return "closed, but crosses itself: ready to engrave away from the crossings";
+  return "closed solid: ready to engrave";
+}
+
 int describe(const InfoOptions& options) {
   const std::string name = fileNameOf(options.model.path);
   if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
@@ -91,7 +98,7 @@ int describe(const InfoOptions& options) {
     fmt::print("{}: {}\n", severityName(finding.severity), sentence(finding.message));
     if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  hint: {}\n", helps);
   }
-  fmt::print("{}\n", engravable ? "closed solid: ready to engrave" : "not a closed solid: repair it before engraving");
+  fmt::print("{}\n", conclusionOn(model));
   if (!options.json.empty())
     if (const Status written =
             writeFileAtomically(options.json, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

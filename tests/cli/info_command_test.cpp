@@ -45,6 +45,15 @@ TEST_F(InfoCommandTest, DistinguishesWarningsFromErrorsAndGivesFileAndHint) {
             std::string::npos);
 }
 
+TEST_F(InfoCommandTest, CallsAModelThatCrossesItselfClosedAndNoSolid) {
+  const std::string model = writeModel("tangled.stl", shapes::tangledSphere());
+  const std::string crossing = run({"info", model, "--no-repair", "crossings"}).out;
+  EXPECT_NE(crossing.find("cross each other"), std::string::npos) << crossing;
+  EXPECT_NE(crossing.find("closed, but crosses itself: ready to engrave"), std::string::npos) << crossing;
+  EXPECT_EQ(crossing.find("closed solid"), std::string::npos) << crossing;
+  EXPECT_NE(run({"info", model}).out.find("closed solid: ready to engrave"), std::string::npos) << "separated";
+}
+
 TEST_F(InfoCommandTest, OptionsSwitchRepairsOff) {
   Mesh open = shapes::icosphere(40, 3);
   open.triangles.pop_back();

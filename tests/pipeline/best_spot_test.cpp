@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
 #include "pipeline/engrave.h"
 #include "settings/preset.h"
 #include "support/shapes.h"
@@ -69,6 +70,21 @@ TEST(BestSpot, RefusesACodeThatFitsNowhere) {
   ASSERT_FALSE(spot.has_value());
   EXPECT_EQ(spot.error().kind, ErrorKind::NoSolution);
   EXPECT_EQ(spot.error().message.code, "no-spot-so-large");
+  EXPECT_EQ(hint(spot.error().message), "Choose a smaller size, or scale the model up");
+}
+
+TEST(BestSpot, NamesTheCrossingsThatLeaveNoRoom) {
+  Mesh mesh = shapes::box({24, 24, 24});
+  for (const Vec3 size : {Vec3(1, 1, 26), Vec3(1, 26, 1), Vec3(26, 1, 1)})
+    mesh = shapes::together(mesh, shapes::box(size));
+  EngraveRequest request = requestOf("HELLO");
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = 14;
+  const auto spot = bestSpot(modelOf(mesh), request);
+  ASSERT_FALSE(spot.has_value());
+  EXPECT_EQ(spot.error().message.code, "no-spot-so-large");
+  EXPECT_NE(hint(spot.error().message).find("triangles that cross each other"), std::string::npos)
+      << hint(spot.error().message);
 }
 
 TEST(BestSpot, PlacesWithTheSpotsDirectionOnlyIfItNeedsThat) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <numbers>
 
 #include "base/random.h"
@@ -382,6 +383,26 @@ TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfAnUnprintableSize) {
               "No code fits here: triangles of the model cross each other 0.01 mm from the centre, at (8, 1, 5), and "
               "the smallest code needs 5.8 mm");
   }
+}
+
+TEST_F(PlacementTest, AdviceOnRoomNamesTheCrossingsInTheCode) {
+  load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
+  PlacementRequest request;
+  request.direction = Vec3(0, 0, 1);
+  request.sizeMode = SizeMode::Fixed;
+  const auto adviceAt = [&](Vec3 centre, double sizeMm) {
+    request.centreMm = centre;
+    request.sizeMm = sizeMm;
+    const auto refused = place(request);
+    EXPECT_FALSE(refused.has_value());
+    return refused ? std::string() : hint(refused.error().message);
+  };
+  EXPECT_EQ(adviceAt({-2, 1, 5}, 30),
+            "Choose a smaller size, or a spot farther from crossing triangles (the nearest at (8, 1, 5)), edges and "
+            "overhangs; to remove the crossings, unite the model's parts in a CAD program");
+  EXPECT_EQ(adviceAt({-17, 1, 5}, 10), "Choose a smaller size, or a spot farther from edges and overhangs");
+  request.sizeMode = SizeMode::Free;
+  EXPECT_THAT(adviceAt({3.5, 1, 5}, 0), testing::HasSubstr("unite the model's parts"));
 }
 
 TEST_F(PlacementTest, ACentreWhereABodyBeginsIsRefused) {
