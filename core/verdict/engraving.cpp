@@ -2,6 +2,7 @@
 #include "verdict/engraving.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "base/clock.h"
@@ -9,13 +10,25 @@
 #include "pipeline/best_spot.h"
 
 namespace qrelief {
+namespace {
+
+/// Share of an attempt in what the attempts before it have left: nobody knows how many will follow, and most engravings
+/// need one.
+constexpr double kAttemptShare = 0.75;
+/// Shares of an attempt that are done once its spot is found, and once it is carved. The print is mostly simulated
+/// meanwhile.
+constexpr double kPlacedShare = 0.45, kCarvedShare = 0.9;
+
+}  // namespace
 
 void Engraved::judgeAnew() {
   verdict = withRemediesLeft(judge(request, result, reading, printed ? &*printed : nullptr), tried);
 }
 
 Engraving::Engraving(Engraver& engraver, EngraveRequest request, EngravePlan::Options options)
-    : engraver_(engraver), plan_(std::move(request), std::move(options)) {}
+    : engraver_(engraver),
+      attemptShare_(options.mayChange ? kAttemptShare : 1),
+      plan_(std::move(request), std::move(options)) {}
 
 Result<Engraving::Step> Engraving::advance() {
   if (isWorking()) {
@@ -36,11 +49,23 @@ Result<Engraving::Step> Engraving::next() const {
 }
 
 Progress Engraving::progress() const {
-  if (spots_) return spots_->progress();
-  if (awaitsPrint()) return {message<"printing">(), 1, true};
-  if (!isWorking()) return {message<"looking-at-result">(), 1, true};
-  if (work_ && worked_ == plan_.attempt()) return work_->job->progress();
-  return {message<"finding-direction-and-size">(), 0};
+  if (spots_) return withinAttempt(spots_->progress(), 0, kPlacedShare);
+  if (awaitsPrint()) return withinAttempt({message<"printing">(), 0, true}, kCarvedShare, 1);
+  const Message looking = message<"looking-at-result">();
+  if (awaitsReading_) return withinAttempt({looking, 0, true}, kCarvedShare, 1);
+  if (!isWorking()) return {looking, 1, true};
+  const bool wasPlaced = placed_ == plan_.attempt();
+  const bool isCarving = work_ && worked_ == plan_.attempt();
+  const Progress carving = isCarving ? work_->job->progress() : Progress{message<"finding-direction-and-size">()};
+  return withinAttempt(carving, wasPlaced ? kPlacedShare : 0, kCarvedShare);
+}
+
+/// Returns the progress of a part of the last attempt as progress of the engraving.
+/// @param from, to  the part's bounds, in shares of the attempt
+Progress Engraving::withinAttempt(Progress part, double from, double to) const {
+  const double left = std::pow(1 - attemptShare_, static_cast<double>(plan_.tried().size()) - 1);
+  part.fraction = 1 - left + left * attemptShare_ * (from + part.fraction * (to - from));
+  return part;
 }
 
 bool Engraving::isWorking() const {
@@ -73,6 +98,7 @@ void Engraving::searchSpot() {
   const std::unique_ptr<SpotSearchJob> search = std::exchange(spots_, nullptr);
   if (!progress) return fail(progress.error());
   const Spot spot = search->takeResult().spots.front();
+  placed_ = plan_.attempt();
   plan_.placed(placedAt(spot, plan_.request().placement));
   engraver_.remember(plan_.request(), {*spot.placement, 0, 0});  // its time counts as the search's
 }

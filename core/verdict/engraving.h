@@ -56,7 +56,8 @@ class Engraving {
   /// @returns the error of the carving as requested if nothing could be carved, with the offer that would do as its
   ///          hint. Do not call it again after an error or Done.
   Result<Step> advance();
-  /// Returns the progress of the attempt. `done`: nothing is left to do before the host answers.
+  /// Returns the progress of the engraving with all its attempts; its fraction never decreases. `done`: nothing is left
+  /// to do before the host answers.
   Progress progress() const;
 
   /// Returns true while advance() has work to do: the host has nothing to answer, and the end is not reached.
@@ -92,14 +93,17 @@ class Engraving {
   void fail(const Error& error);
   void keep();
   Result<Step> next() const;
+  Progress withinAttempt(Progress part, double from, double to) const;
 
   Engraver& engraver_;
+  double attemptShare_;
   EngravePlan plan_;
   std::optional<Error> failure_;  // of the carving as requested
   std::unique_ptr<SpotSearchJob> spots_;
   double spotMs_ = 0;
   std::optional<Engraver::Work> work_;
   int worked_ = -1;             // the attempt of work_
+  int placed_ = -1;             // the last attempt whose spot was found
   bool awaitsReading_ = false;  // current_ is to be decoded
   std::shared_ptr<Engraved> current_, best_;
 };

@@ -96,6 +96,27 @@ TEST_F(EngravingTest, CarvesDeeperWhileNothingDecodesAndReturnsToTheFirst) {
   EXPECT_EQ(first->tried.size(), static_cast<std::size_t>(others) + 1) << "it names all attempts";
 }
 
+TEST_F(EngravingTest, ProgressNeverGoesBackFromOneAttemptToTheNext) {
+  Engraver engraver(plate());
+  Engraving engraving(engraver, requestAt({0, 0, 0}), {.mayMove = true});
+  double last = 0;
+  int attempts = 0;
+  for (auto step = Step::Work; step != Step::Done; step = *engraving.advance()) {
+    const Progress progress = engraving.progress();
+    EXPECT_GE(progress.fraction, last) << progress.stage << " of attempt " << engraving.plan().attempt();
+    EXPECT_LT(progress.fraction, 1) << progress.stage;
+    last = progress.fraction;
+    if (step == Step::Decode) {
+      ++attempts;
+      engraving.decoded(read(72));
+    } else if (step == Step::Print) {
+      engraving.printed(print(20));  // barely: it is carved deeper
+    }
+  }
+  EXPECT_GE(attempts, 2);
+  EXPECT_EQ(engraving.progress().fraction, 1);
+}
+
 TEST_F(EngravingTest, ReturnsTheErrorOfTheCodeAsRequestedWithTheOfferThatWouldDo) {
   Engraver engraver(plate(0.8));  // too thin for pockets
   Engraving engraving(engraver, requestAt({0, 0, 0.4}), {.looksAtPrint = false, .offersMarks = true});

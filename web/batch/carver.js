@@ -16,6 +16,9 @@ import { kReaderName, readEach } from '../decoder/reader.js';
  * @property {typeof makePrint} [print]
  */
 
+/** Share of a print in what the engraving has left before it. */
+const kPrintShare = 0.2;
+
 /** Tells whether the module must not be used any more. @param {unknown} thrown */
 export const isLost = (thrown) =>
   isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
@@ -46,7 +49,15 @@ export class Carver {
    * @param {JobOptions} job
    * @returns {Promise<Settings>}  settings of the result
    */
-  async carve(settings, looksAtPrint, job) {
+  async carve(settings, looksAtPrint, { signal, onProgress }) {
+    let reached = 0;
+    const job = {
+      signal,
+      onProgress: (/** @type {import('../engine/types.js').EngraveProgress} */ progress) => {
+        reached = Math.max(reached, progress.fraction);
+        onProgress({ ...progress, fraction: reached });
+      },
+    };
     await this.client_.configure(settings);
     await this.client_.placement();
     let step = await this.client_.engrave({ ...job, options: { print: looksAtPrint } });
@@ -55,18 +66,24 @@ export class Carver {
       if (!step) throw new EngineFailure(internal(message('engine-replaced'))); // nothing else ends it
       if (step.needs === null) return { ...settings, ...changed(step.changes) };
       const texts = step.needs === 'texts' ? await this.read_(step.pictures) : undefined;
-      if (!texts) await this.lookAtPrint_(step.carving, job);
+      if (!texts) await this.lookAtPrint_(step.carving, job, reached);
       job.signal.throwIfAborted();
       step = await this.client_.continueEngrave({ ...job, ...(texts && { read: { texts, reader: kReaderName } }) });
     }
   }
 
-  /** Simulates and decodes the print of the current carving. @param {number} number @param {JobOptions} job */
-  async lookAtPrint_(number, { signal, onProgress }) {
+  /**
+   * Simulates and decodes the print of the current carving.
+   * @param {number} number
+   * @param {JobOptions} job
+   * @param {number} reached  progress of the engraving
+   */
+  async lookAtPrint_(number, { signal, onProgress }, reached) {
     const stage = message('printing');
+    const onPrinted = (/** @type {number} */ fraction) =>
+      onProgress({ stage, fraction: reached + kPrintShare * fraction * (1 - reached) });
     const order = await this.client_.printJob();
-    const print =
-      order && (await this.print_(order, { signal, onProgress: (fraction) => onProgress({ stage, fraction }) }));
+    const print = order && (await this.print_(order, { signal, onProgress: onPrinted }));
     signal.throwIfAborted();
     if (!print) throw new EngineFailure(internal(message('engine-replaced')));
     const texts = await this.read_(print.pictures);

@@ -127,6 +127,32 @@ test('The settings of the result are those as asked for with its changes', async
   assert.deepEqual(settings, { text: 'a', preset: 'robust', maxSizeMm: 80 });
 });
 
+test('Progress goes on through the print and never goes back', async () => {
+  const stage = message('finding-depth');
+  answers.engrave = (/** @type {any} */ { onProgress }) => {
+    onProgress({ stage, fraction: 0.5 });
+    return { needs: 'print', carving: 7 };
+  };
+  answers.continueEngrave = (/** @type {any} */ { onProgress }) => {
+    onProgress({ stage, fraction: 0.55 });
+    return kDone;
+  };
+  const carver = new Carver({
+    client: /** @type {any} */ (engine).client_,
+    read: async () => [],
+    print: async (_, { onProgress }) => {
+      for (const fraction of [0, 1]) onProgress(fraction);
+      return /** @type {any} */ ({ pictures: [], facingDeg: 0 });
+    },
+  });
+  /** @type {number[]} */ const told = [];
+  await carver.carve(/** @type {any} */ ({}), true, {
+    signal: new AbortController().signal,
+    onProgress: ({ fraction }) => told.push(fraction),
+  });
+  assert.deepEqual(told, [0.5, 0.5, 0.6, 0.6]);
+});
+
 test('A row fails with the engine if an engraving does not go on', async () => {
   steps = [{ needs: 'texts', carving: 7, pictures: [] }];
   answers.continueEngrave = new EngineFailure(internal(message('engine-hung')));

@@ -25,7 +25,7 @@ import {
  * @typedef {Partial<import('../engine/types.js').Settings> & Partial<Record<import('../generated/settings.js').SettingKey, unknown>>} Settings
  */
 /** @typedef {[number, number, number]} Point  mm, in the model's coordinates */
-/** @typedef {import('../engine/types.js').EngraveProgress} Progress  `fraction`: 0 … 1 of its stage or attempt */
+/** @typedef {import('../engine/types.js').EngraveProgress} Progress  `fraction`: 0 … 1 of the whole, never decreases */
 /**
  * Options of a job. Aborting rejects its promise with the signal's reason.
  * @typedef {{ signal?: AbortSignal, onProgress?: (progress: Progress) => void }} JobOptions
