@@ -3,6 +3,7 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { shareOf } from './support/pixels.js';
 import { poll } from './support/poll.js';
+import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 test('A suggested spot fits a code of the promised size and is engraved', async ({ page }) => {
   const app = new Engraver(page);
@@ -54,11 +55,13 @@ test('A suggested spot fits a code of the promised size and is engraved', async 
 });
 
 test('A spot search waits for the typed text; a change of settings discards the spots', async ({ page }) => {
+  await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();
   await expect(page.locator('#placement-aim')).toHaveText('Here a phone can read it from up to 45° to the side.');
-  await app.text.fill('Another text, for which a larger symbol is needed than for the one before');
+  const typed = 'Another text, for which a larger symbol is needed than for the one before';
+  await app.text.fill(typed);
   await app.suggest();
   await expect(app.spots).not.toHaveCount(0);
   await expect(page.locator('#symbol-facts')).toContainText('37 × 37 modules');
@@ -70,6 +73,21 @@ test('A spot search waits for the typed text; a change of settings discards the 
     await expect(legend).toBeHidden();
     await sizes.click();
     await expect(legend).toBeVisible();
+  });
+  await test.step('As carved leaves the status as it is', async () => {
+    await app.showLive();
+    await expect(app.status).toHaveText('Choose a spot, or click the model.');
+  });
+  await test.step('Ctrl+Z right after a choice undoes the choice alone', async () => {
+    const before = await app.centre();
+    await freeze(page);
+    await app.spots.nth(1).click();
+    await page.keyboard.press('Control+z');
+    await thaw(page);
+    await expect(page.getByRole('button', { name: 'Redo' })).toBeEnabled();
+    await poll(() => app.centre()).toEqual(before);
+    await expect(app.text).toHaveValue(typed);
+    await expect(app.spots.nth(1)).toHaveAttribute('aria-pressed', 'false');
   });
   await test.step('a change of settings discards them', async () => {
     await app.openSettings();

@@ -40,6 +40,8 @@ export class Placing {
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     this.again_ = false;
+    this.isSilent_ = false;
+    /** Resolves once the centre picked last is known. @type {Promise<void> | undefined} */ this.moving = undefined;
     panel.listen((centreMm) => void guard(() => this.move(() => client.setCentre({ mm: centreMm }))));
   }
 
@@ -85,15 +87,34 @@ export class Placing {
   /** Moves the code. @param {() => Promise<import('../engine/types.js').PickResult>} pick */
   async move(pick) {
     if (!this.mayMove_ || !this.model_.engravable) return;
+    const moving = this.take_(pick);
+    const known = moving.then(
+      () => {},
+      () => {}, // the caller reports it
+    );
+    this.moving = known;
+    const movedMm = await moving.finally(() => {
+      if (this.moving === known) this.moving = undefined;
+    });
+    if (movedMm === undefined) return;
+    await this.place();
+    if (movedMm > 0 && this.placement && !this.again_)
+      this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
+  }
+
+  /**
+   * Takes the picked centre.
+   * @param {() => Promise<import('../engine/types.js').PickResult>} pick
+   * @returns {Promise<number | undefined>}  how far it was moved off an edge; undefined: nothing was picked
+   */
+  async take_(pick) {
     const { hit, centre, movedMm = 0 } = await pick();
-    if (!hit || !centre) return;
+    if (!hit || !centre) return undefined;
     this.messages_.clearError();
     this.store_.update(centredAt(centre));
     this.store_.applied.emit('centre');
     this.moved.emit();
-    await this.place();
-    if (movedMm > 0 && this.placement && !this.again_)
-      this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
+    return movedMm;
   }
 
   /** Places the code where the program proposes. @param {import('../engine/types.js').CentreChoice} choice */
@@ -105,8 +126,12 @@ export class Placing {
     await this.place();
   }
 
-  /** Places the code again. A call while it runs makes it run once more, with the newest settings. */
-  place() {
+  /**
+   * Places the code again. A call while it runs makes it run once more, with the newest settings.
+   * @param {boolean} [isSilent]  the status keeps what it says unless there is no place
+   */
+  place(isSilent = false) {
+    this.isSilent_ = isSilent && (this.running_ === undefined || this.isSilent_);
     this.again_ = true;
     this.running_ ??= this.placeUntilNewest_().finally(() => {
       this.running_ = undefined;
@@ -120,16 +145,16 @@ export class Placing {
       if (!this.model_.engravable) return;
       try {
         // At once: “Ready” no longer holds.
-        if (this.mayMove_ && this.store_.work.centreMm) this.messages_.say(() => text('page.placing'));
+        if (this.mayMove_ && this.store_.work.centreMm) this.tell_(() => text('page.placing'));
         await this.client_.configure(await this.batching_.plannedSettings());
         if (this.store_.work.centreMm === undefined) {
-          this.messages_.say(() => text('page.askForCentre'));
+          this.tell_(() => text('page.askForCentre'));
           return;
         }
-        this.messages_.say(() => text('page.placing'));
+        this.tell_(() => text('page.placing'));
         this.show_(await this.client_.placement());
         // Otherwise a job asked for the placement and continues.
-        if (this.mayMove_ && !this.again_) this.messages_.say(() => text('page.ready'));
+        if (this.mayMove_ && !this.again_) this.tell_(() => text('page.ready'));
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);
@@ -140,6 +165,11 @@ export class Placing {
         }
       }
     }
+  }
+
+  /** Says how the placing goes, unless the status keeps what it says. @param {import('../i18n/live.js').Words} words */
+  tell_(words) {
+    if (!this.isSilent_) this.messages_.say(words);
   }
 
   /** Says why no spot is proposed, and what helps. @param {import('../engine/message.js').Message} problem */

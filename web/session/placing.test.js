@@ -105,6 +105,40 @@ test('Insisting on the proposal reports the error', async () => {
   assert.equal(problem().code, 'no-centre');
 });
 
+test('A picked centre is waited for until it has taken effect', async () => {
+  const picked = new Pending();
+  const move = placing.move(() => picked.promise);
+  const { moving } = placing;
+  picked.resolve({ hit: true, centre: [4, 0, 0] });
+  await moving;
+  assert.deepEqual(store.work.centreMm, [4, 0, 0]);
+  await move;
+  assert.equal(placing.moving, undefined);
+  await assert.rejects(placing.move(() => Promise.reject(new Error('lost'))));
+  assert.equal(placing.moving, undefined);
+});
+
+test('A silent placing keeps the status, unless there is no place or an edit comes meanwhile', async () => {
+  store.update(centredAt([0, 0, 0]));
+  messages.say(() => 'Choose a spot.');
+  await placing.place(true);
+  assert.equal(messages.said.at(-1), 'Choose a spot.');
+  const first = new Pending();
+  client.answers.placement = () => first.promise;
+  const all = [placing.place(true)];
+  await settled();
+  all.push(placing.place(), placing.place(true));
+  first.resolve({ symbolMm: 20 });
+  await Promise.all(all);
+  assert.equal(messages.said.at(-1), 'Ready.');
+  client.answers.placement = async () => {
+    throw noRoom();
+  };
+  await placing.place(true);
+  assert.equal(problem().code, 'no-centre');
+  assert.doesNotMatch(messages.said.at(-1) ?? '', /Ready/);
+});
+
 test('A request during a run causes one more run, with the newest settings', async () => {
   store.update(centredAt([0, 0, 0]));
   const first = new Pending();

@@ -3,7 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
-import { chosenCentre } from './work.js';
+import { chosenCentre, sameCentre } from './work.js';
 
 const kLooking = () => text('page.lookingForSpots');
 const kPicturePx = 84; // height of a spot's picture
@@ -196,7 +196,13 @@ export class SpotSearch {
 
   /** @param {number} index */
   async choose(index) {
-    await this.placing_.move(() => this.client_.setCentre({ spot: index }));
+    /** @type {import('./work.js').Point | undefined} */ let centre;
+    await this.placing_.move(async () => {
+      const picked = await this.client_.setCentre({ spot: index });
+      ({ centre } = picked);
+      return picked;
+    });
+    if (!centre || !sameCentre(centre, this.store_.work.centreMm)) return; // undone, or moved again
     this.panel_.mark(index);
     if (this.placing_.placement) await this.client_.act({ kind: 'face' });
   }

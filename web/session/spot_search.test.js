@@ -170,6 +170,19 @@ test('A model opened during the search gets its own proposal', async () => {
   assert.deepEqual(placing.calls, ['place', 'propose']);
 });
 
+test('A spot whose choice was undone meanwhile is not marked', async () => {
+  client.answers.setCentre = async () => ({ hit: true, centre: [1, 2, 3] });
+  placing.answers.move = async (/** @type {() => Promise<any>} */ pick) =>
+    store.update(centredAt((await pick()).centre));
+  const marked = () => panel.calls.filter((/** @type {string} */ call) => call === 'mark 0').length;
+  await spots.choose(0);
+  assert.equal(marked(), 1);
+  placing.answers.move = async (/** @type {() => Promise<any>} */ pick) => void (await pick());
+  store.update(centredAt([0, 0, 0]));
+  await spots.choose(0);
+  assert.equal(marked(), 1);
+});
+
 test('A model without a spot keeps the first proposal', async () => {
   placing.placement = { symbolMm: 20 };
   spots.begin();

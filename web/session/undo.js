@@ -38,8 +38,8 @@ export class Undo {
     this.editedMeanwhile_ = false; // while a state was being restored
     this.undo_ = byId('undo', HTMLButtonElement);
     this.redo_ = byId('redo', HTMLButtonElement);
-    this.undo_.addEventListener('click', () => this.undo());
-    this.redo_.addEventListener('click', () => this.redo());
+    this.undo_.addEventListener('click', () => void this.undo());
+    this.redo_.addEventListener('click', () => void this.redo());
     this.updateButtons();
     options.store.applied.on((field) => this.record(field));
     options.carving.finished.on(() => this.record());
@@ -84,11 +84,16 @@ export class Undo {
     setDisabled(this.redo_, !canRedo ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
   }
 
-  undo() {
+  /** Undoes the last change; a centre picked a moment ago, once it is known. */
+  async undo() {
+    const { moving } = this.options_.placing;
+    if (moving) await moving;
     if (!this.undo_.disabled) this.restore_(this.history_.undo());
   }
 
-  redo() {
+  async redo() {
+    const { moving } = this.options_.placing;
+    if (moving) await moving;
     if (!this.redo_.disabled) this.restore_(this.history_.redo());
   }
 

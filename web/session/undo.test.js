@@ -61,7 +61,7 @@ beforeEach(() => {
       restoreCentre: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) =>
         store.update(centredAt(mm, isGuess)),
     },
-    { proposed: new Signal() },
+    { proposed: new Signal(), moving: undefined },
   );
   carving = fake(
     Carving,
@@ -123,6 +123,20 @@ test('Undo restores a centre and whether it was proposed', async () => {
   assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
   assert.deepEqual(model.calls, []);
   assert.deepEqual(spots.calls, ['unmark'], 'the suggested spots stay');
+});
+
+test('An undo while a picked centre is not known yet undoes that pick alone', async () => {
+  store.update({ text: 'b' });
+  undo.record('text');
+  const picked = new Pending();
+  placing.moving = picked.promise;
+  elements.undo.dispatchEvent(new Event('click'));
+  store.update(centredAt([2, 0, 0]));
+  undo.record('centre');
+  placing.moving = undefined;
+  picked.resolve();
+  await settled();
+  assert.deepEqual([store.work.text, store.work.centreMm], ['b', [1, 0, 0]]);
 });
 
 test('A proposed spot is nothing to undo', async () => {

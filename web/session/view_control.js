@@ -94,7 +94,7 @@ export class ViewControl {
       onDepths: (areShown) => guard(() => this.showDepths_(areShown)),
       onLive: () => {
         live.reset();
-        return guard(() => placing.place());
+        return guard(() => placing.place(true));
       },
       onPlate: (isShown) => guard(() => client.show({ buildPlate: isShown })),
       onLampLight: (isShown) => guard(() => client.show({ lampLight: isShown })),
