@@ -125,6 +125,39 @@ test('On a phone, a Wi-Fi access is filled in by touch, with nothing wider than 
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
 });
 
+test('On the narrowest phone the legend leaves the code free; sideways the view lies beside the steps', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 320, height: 640 });
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&process=none');
+  await app.expectReady();
+  const boxOf = async (/** @type {import('@playwright/test').Locator} */ what) =>
+    /** @type {{ x: number, y: number, width: number, height: number }} */ (await what.boundingBox());
+
+  await test.step('the narrowest', async () => {
+    await app.suggest();
+    const legend = await boxOf(page.getByLabel('Colours of the model'));
+    const grip = await boxOf(app.moveHandle);
+    expect(grip.y + grip.height).toBeLessThanOrEqual(legend.y);
+    const [first, second] = await Promise.all([0, 1].map((at) => boxOf(app.spots.nth(at))));
+    expect(second.y).toBe(first.y);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  });
+
+  await test.step('sideways', async () => {
+    await page.setViewportSize({ width: 740, height: 360 });
+    await poll(async () => (await boxOf(app.canvas)).height).toBe(360);
+    expect((await boxOf(app.canvas)).width).toBeGreaterThanOrEqual(400);
+    await expect(app.engraveButton).toBeInViewport();
+    for (const name of ['Views', 'Sizes', 'Construction']) {
+      const box = await boxOf(page.getByRole('button', { name, exact: true }));
+      expect(box.x).toBeGreaterThanOrEqual(0);
+      expect(box.x + box.width).toBeLessThanOrEqual(420);
+    }
+  });
+});
+
 /**
  * Moves two fingers around (x, y) from one distance to another.
  * @param {import('@playwright/test').Page} page

@@ -24,7 +24,7 @@ export class ConstructionView {
     write(title, () => text('view.constructionLegend'));
     this.legend_ = make('details', { className: 'construction-legend' }, title, make('ul', {}, ...this.rows_.values()));
     this.legend_.hidden = true;
-    this.legend_.open = !matchMedia('(max-width: 760px)').matches; // it would cover the construction
+    this.legend_.open = !matchMedia('(max-width: 760px), (max-height: 500px)').matches; // it would cover the construction
     byId('view-overlays', HTMLElement).append(this.legend_);
     /** @type {Construction | null} */ this.construction_ = null;
   }

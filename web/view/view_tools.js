@@ -41,8 +41,8 @@ export class ViewTools {
     const chip = new CodeChip(surface);
     this.hover_ = new HoverPreview(client, chip, live);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
+    this.height_ = new HeightMark(surface); // below the suns of the lamps
     this.lamps_ = new LampMarks({ client, overlay: surface, listener: this.passOn_() });
-    this.height_ = new HeightMark(surface);
     this.stage_ = stage;
     this.search = new SearchPicture();
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
