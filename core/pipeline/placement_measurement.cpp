@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/parallel.h"
 #include "depth/wall_limit.h"
 #include "pipeline/engrave.h"
 
@@ -108,11 +109,16 @@ void PlacementMeasurement::measureByProcessor() {
   };
   const MapWindow map = window(kDrawnTexelsPerCell), around = surroundingsOf(map, frame, model_->box);
   const int texelsPerCell = map.texels / request_.layout.cells();
-  const std::vector<float> surface = raster.draw(frame, map);
-  measureThickness(rayDistances(surface, frame, map), raster.drawBack(frame, map), texelsPerCell);
+  std::vector<float> surface, back, surroundings;
+  parallelFor(request_.withLight ? 3 : 2, [&](int k) {
+    if (k == 0) surface = raster.draw(frame, map);
+    if (k == 1) back = raster.drawBack(frame, map);
+    if (k == 2) surroundings = raster.draw(frame, around);
+  });
+  measureThickness(rayDistances(surface, frame, map), back, texelsPerCell);
   if (!request_.withLight) return;
-  light_ = lightByProcessor(coarser(heights(surface, map), texelsPerCell), heights(raster.draw(frame, around), around),
-                            lightOptions());
+  light_ =
+      lightByProcessor(coarser(heights(surface, map), texelsPerCell), heights(surroundings, around), lightOptions());
 }
 
 void PlacementMeasurement::measureThickness(std::span<const float> front, std::span<const float> back,

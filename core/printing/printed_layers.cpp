@@ -127,31 +127,6 @@ struct PrintedLayers::Ray {
   Vec2 at(double t) const { return Vec2(eye) + Vec2(direction) * t; }
 };
 
-double PrintedLayers::firstHit(Vec2 at, double fromMm) const {
-  if (layers_.empty()) return 0;
-  const Ray ray(frame_.eye(), frame_.rayDirection(at), process_.grooveMm);
-  const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
-  const double eyeZ = ray.eye.z, climb = ray.direction.z, perClimb = 1 / climb;
-  double begin = std::max(nearestMm_, fromMm), end = farthestMm_;
-  if (climb != 0) {
-    const double a = (top - eyeZ) * perClimb, b = (bottom - eyeZ) * perClimb;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-  } else if (eyeZ >= top || eyeZ < bottom) {
-    return 0;
-  }
-  int layer = layerAt(eyeZ + climb * (begin + 1e-9));
-  while (begin < end && layer >= 0 && layer < static_cast<int>(layers_.size())) {
-    double leaves = end;
-    if (climb != 0) leaves = std::min(end, (topOf(climb > 0 ? layer : layer - 1) - eyeZ) * perClimb);
-    if (const double met = hitInLayer(layer, ray, begin, leaves); met > 0) return met;
-    begin = std::max(begin, leaves);
-    if (climb == 0) break;
-    layer += climb > 0 ? 1 : -1;
-  }
-  return 0;
-}
-
 int PrintedLayers::layerAt(double z) const {
   return std::clamp(static_cast<int>(std::floor((z - bedMm_) / process_.layerMm)) - firstLayer_, 0,
                     static_cast<int>(layers_.size()) - 1);
@@ -166,9 +141,11 @@ void PrintedLayers::findTiles(const Solid& solid, double extentMm) {
   farthestMm_ = 0;
   const double h = process_.layerMm, margin = 2 * process_.cornerRadiusMm + h;
   const std::vector<std::uint8_t> beyond = sidesBeyond(solid.positions, frame_, extentMm);
+  const auto isBeyond = [&](const Triangle& t) { return (beyond[t[0]] & beyond[t[1]] & beyond[t[2]]) != 0; };
+  parts.reserve(static_cast<std::size_t>(
+      std::count_if(solid.triangles.begin(), solid.triangles.end(), [&](const Triangle& t) { return !isBeyond(t); })));
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const auto& [a, b, c] = solid.triangles[t];
-    if ((beyond[a] & beyond[b] & beyond[c]) != 0) continue;
+    if (isBeyond(solid.triangles[t])) continue;
     Polygon part = seenPart(solid.corners(t), frame_, extentMm);
     if (part.empty()) continue;
     for (const Vec3& corner : part) {
@@ -282,6 +259,7 @@ void PrintedLayers::extrude(const Solid& solid, double roughness) {
   const double finest = std::max(roughness * process_.finestMm / kNodesPerFinest,
                                  std::sqrt(static_cast<double>(tiles) * tileMm_ * tileMm_ / kMaxNodes));
   const int steps = std::max(1, static_cast<int>(std::floor(tileMm_ / finest)));
+  stepsPerMm_ = 1 / (tileMm_ / steps);
   const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
                              static_cast<int>(layers_.size())};
   const Vec2 corner = origin_ - (haloMm() + 2 * tileMm_) * Vec2(1.00381966011, 1.00414213562);
@@ -334,48 +312,37 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
   return near;
 }
 
-/// Returns null where nothing is visible.
-const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
-  const Vec2 place = (at - origin_) / tileMm_;
-  if (!(place.x >= 0 && place.y >= 0 && place.x < tileColumns_ && place.y < tileRows_)) return nullptr;
-  const Layer& of = layers_[layer];
-  const int number = of.numbers[static_cast<int>(place.y) * tileColumns_ + static_cast<int>(place.x)];
-  return number == kNoTile ? nullptr : &of.tiles[number];
-}
-
-/// Returns the distance along a ray to the end of the tile that contains a point.
-double PrintedLayers::exitOfTile(const Ray& ray, Vec2 at) const {
-  double way = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 2; ++axis) {
-    const double place = (at[axis] - origin_[axis]) / tileMm_, before = std::floor(place);
-    const double rest = ray.direction[axis] > 0 ? before + 1 - place : place - before;
-    way = std::min(way, rest * tileMm_ * ray.perDirection[axis]);
-  }
-  return way;
-}
-
-/// A ray within a tile of a layer: gives the plastic's distance along the ray.
+/// A ray over a tile: gives the plastic's distance along the ray, layer by layer.
 class PrintedLayers::RayInTile {
  public:
-  RayInTile(const LayerGrid& tile, const Ray& ray, double middleZ, const PrintProcess& process)
-      : tile_(&tile), grooveMm_(process.grooveMm) {
-    const double perStep = 1 / tile.stepMm, perHalfLayer = 2 / process.layerMm;
-    u_ = (ray.eye.x - tile.origin.x) * perStep;
-    v_ = (ray.eye.y - tile.origin.y) * perStep;
+  static constexpr int kOutside = -1;
+
+  int tile = kOutside;  ///< row-major among the tiles of a layer
+  double leaves = 0;    ///< distance along the ray to the tile's border, mm, at least kNearestStepMm beyond the point
+
+  /// @param low      the tile's lower left corner
+  /// @param perStep  steps of its grid in a mm
+  void start(const Ray& ray, Vec2 low, double perStep, const PrintProcess& process) {
+    u_ = (ray.eye.x - low.x) * perStep;
+    v_ = (ray.eye.y - low.y) * perStep;
     uPerMm_ = ray.direction.x * perStep;
     vPerMm_ = ray.direction.y * perStep;
-    w_ = (ray.eye.z - middleZ) * perHalfLayer;
-    wPerMm_ = ray.direction.z * perHalfLayer;
+    wPerMm_ = ray.direction.z * (2 / process.layerMm);
+    grooveMm_ = process.grooveMm;
+  }
+  void enter(const LayerGrid& grid, double eyeOverMiddleMm, const PrintProcess& process) {
+    grid_ = &grid;
+    w_ = eyeOverMiddleMm * (2 / process.layerMm);
   }
 
   /// Returns the distance from the outline, in the layer's plane. @param t  along the ray, mm, within the tile
   double distanceInPlane(double t) const {
     const double u = u_ + uPerMm_ * t, v = v_ + vPerMm_ * t;
-    const int column = std::clamp(static_cast<int>(u), 0, tile_->columns - 2);
-    const int row = std::clamp(static_cast<int>(v), 0, tile_->rows - 2);
+    const int column = std::clamp(static_cast<int>(u), 0, grid_->columns - 2);
+    const int row = std::clamp(static_cast<int>(v), 0, grid_->rows - 2);
     const auto right = static_cast<float>(u - column), up = static_cast<float>(v - row);
-    const float* const corner = &tile_->distanceMm[tile_->index(column, row)];
-    const float* const above = corner + tile_->columns;
+    const float* const corner = &grid_->distanceMm[grid_->index(column, row)];
+    const float* const above = corner + grid_->columns;
     const float low = corner[0] + right * (corner[1] - corner[0]), high = above[0] + right * (above[1] - above[0]);
     return static_cast<double>(low + up * (high - low));
   }
@@ -389,22 +356,71 @@ class PrintedLayers::RayInTile {
   double distance(double t) const { return distanceInPlane(t) + groove(t); }
 
  private:
-  const LayerGrid* tile_;
+  const LayerGrid* grid_ = nullptr;
   double grooveMm_ = 0;
   double u_ = 0, v_ = 0, w_ = 0, uPerMm_ = 0, vPerMm_ = 0, wPerMm_ = 0;  // in steps, and in half layers
 };
 
-double PrintedLayers::hitInLayer(int layer, const Ray& ray, double begin, double end) const {
+double PrintedLayers::firstHit(Vec2 at, double fromMm) const {
+  if (layers_.empty()) return 0;
+  const Ray ray(frame_.eye(), frame_.rayDirection(at), process_.grooveMm);
+  const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
+  const double eyeZ = ray.eye.z, climb = ray.direction.z, perClimb = 1 / climb;
+  double begin = std::max(nearestMm_, fromMm), end = farthestMm_;
+  if (climb != 0) {
+    const double a = (top - eyeZ) * perClimb, b = (bottom - eyeZ) * perClimb;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  } else if (eyeZ >= top || eyeZ < bottom) {
+    return 0;
+  }
+  int layer = layerAt(eyeZ + climb * (begin + 1e-9));
+  RayInTile inTile = tileAt(ray, begin);
+  while (begin < end && layer >= 0 && layer < static_cast<int>(layers_.size())) {
+    double leaves = end;
+    if (climb != 0) leaves = std::min(end, (topOf(climb > 0 ? layer : layer - 1) - eyeZ) * perClimb);
+    if (const double met = hitInLayer(layer, ray, inTile, begin, leaves); met > 0) return met;
+    begin = std::max(begin, leaves);
+    if (climb == 0) break;
+    layer += climb > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
+/// Returns the ray over the tile that contains its point at `t`.
+PrintedLayers::RayInTile PrintedLayers::tileAt(const Ray& ray, double t) const {
+  const Vec2 place = (ray.at(t) - origin_) / tileMm_, before = glm::floor(place);
+  double way = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    const double rest = ray.direction[axis] > 0 ? before[axis] + 1 - place[axis] : place[axis] - before[axis];
+    way = std::min(way, rest * tileMm_ * ray.perDirection[axis]);
+  }
+  RayInTile inTile;
+  inTile.leaves = t + std::max(way, kNearestStepMm);
+  if (!(place.x >= 0 && place.y >= 0 && place.x < tileColumns_ && place.y < tileRows_)) return inTile;
+  inTile.tile = static_cast<int>(place.y) * tileColumns_ + static_cast<int>(place.x);
+  inTile.start(ray, origin_ + tileMm_ * before, stepsPerMm_, process_);
+  return inTile;
+}
+
+/// Returns null where nothing is visible.
+const LayerGrid* PrintedLayers::gridOf(int layer, const RayInTile& inTile) const {
+  const Layer& of = layers_[layer];
+  if (of.tiles.empty() || inTile.tile == RayInTile::kOutside) return nullptr;
+  const int number = of.numbers[inTile.tile];
+  return number == kNoTile ? nullptr : &of.tiles[number];
+}
+
+double PrintedLayers::hitInLayer(int layer, const Ray& ray, RayInTile& inTile, double begin, double end) const {
   if (layers_[layer].tiles.empty() || begin >= end) return 0;
   // The ray cannot hit plastic before it passes the outline. Between outline and flank, perFall bounds how fast the
   // distance falls along the ray; flanks are steeper only where the ray almost hits them.
-  const double middleZ = topOf(layer) - process_.layerMm / 2;
+  const double eyeOverMiddleMm = ray.eye.z - (topOf(layer) - process_.layerMm / 2);
   double before = begin;
   for (double t = begin;;) {
-    const Vec2 at = ray.at(t);
-    const double leaves = t + std::max(exitOfTile(ray, at), kNearestStepMm);
-    if (const LayerGrid* tile = tileAt(layer, at)) {
-      const RayInTile inTile(*tile, ray, middleZ, process_);
+    if (t >= inTile.leaves) inTile = tileAt(ray, t);
+    if (const LayerGrid* grid = gridOf(layer, inTile)) {
+      inTile.enter(*grid, eyeOverMiddleMm, process_);
       for (;;) {
         const double inPlane = inTile.distanceInPlane(t);
         double step = inPlane * ray.perAcross;
@@ -416,22 +432,25 @@ double PrintedLayers::hitInLayer(int layer, const Ray& ray, double begin, double
         if (t >= end) return 0;
         before = t;
         t = std::min(end, t + std::max(step, kNearestStepMm));
-        if (t >= leaves) break;
+        if (t >= inTile.leaves) break;
       }
     } else {
       if (t >= end) return 0;
       before = t;
-      t = std::min(end, leaves);
+      t = std::min(end, inTile.leaves);
     }
   }
 }
 
 /// Returns where the distance falls to kHitMm between two points of a ray [regula falsi, Illinois variant].
 double PrintedLayers::refined(int layer, const Ray& ray, double outside, double inside) const {
-  const double middleZ = topOf(layer) - process_.layerMm / 2;
+  const double eyeOverMiddleMm = ray.eye.z - (topOf(layer) - process_.layerMm / 2);
   const auto over = [&](double t) -> double {  // outside the tiles, any value above 0
-    const LayerGrid* tile = tileAt(layer, ray.at(t));
-    return tile ? RayInTile(*tile, ray, middleZ, process_).distance(t) - kHitMm : kNearestStepMm;
+    RayInTile inTile = tileAt(ray, t);
+    const LayerGrid* const grid = gridOf(layer, inTile);
+    if (!grid) return kNearestStepMm;
+    inTile.enter(*grid, eyeOverMiddleMm, process_);
+    return inTile.distance(t) - kHitMm;
   };
   double overOutside = over(outside), overInside = over(inside);
   for (int k = 0; k < kRefinements && inside - outside > kNearEnoughMm; ++k) {

@@ -95,17 +95,17 @@ class PrintedLayers {
   void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
                                                double beyond) const;
-  const LayerGrid* tileAt(int layer, Vec2 at) const;
-  double exitOfTile(const Ray& ray, Vec2 at) const;
-  double hitInLayer(int layer, const Ray& ray, double begin, double end) const;
+  RayInTile tileAt(const Ray& ray, double t) const;
+  const LayerGrid* gridOf(int layer, const RayInTile& tile) const;
+  double hitInLayer(int layer, const Ray& ray, RayInTile& inTile, double begin, double end) const;
   double refined(int layer, const Ray& ray, double outside, double inside) const;
 
   PrintProcess process_;
   ProjectionFrame frame_;
   double bedMm_ = 0, nearestMm_ = 0, farthestMm_ = 0;
   int firstLayer_ = 0;
-  Vec2 origin_{0};  ///< lower left corner of the tiles, which are the same in all layers
-  double tileMm_ = 0;
+  Vec2 origin_{0};                      ///< lower left corner of the tiles, which are the same in all layers
+  double tileMm_ = 0, stepsPerMm_ = 0;  ///< edge of a tile; steps of its grid in a mm
   int tileColumns_ = 0, tileRows_ = 0;
   std::vector<Layer> layers_;
 };
