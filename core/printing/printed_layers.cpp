@@ -54,18 +54,23 @@ std::vector<std::uint8_t> sidesBeyond(std::span<const Vec3> positions, const Pro
   return codes;
 }
 
-/// Returns the part of a triangle that the eye sees through the square, if it faces the eye; ignores other triangles
-/// that may hide it.
-Polygon seenPart(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
-  if (glm::dot(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), frame.eye() - triangle[0]) <= 0)
-    return {};
-  Polygon part(triangle);
-  const auto isInside = [&](Vec3 corner) {
+/// Returns true if the eye is on the triangle's front side.
+bool faces(const Corners& triangle, Vec3 eye) {
+  return glm::dot(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), eye - triangle[0]) > 0;
+}
+
+/// Returns true if the eye sees the triangle through the square, unless other triangles hide it.
+bool isWithin(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
+  return std::all_of(triangle.begin(), triangle.end(), [&](Vec3 corner) {
     const double depth = frame.distanceAlongAxis(corner), edge = extentMm / 2 * depth / frame.eyeDistance;
     const Vec3 from = corner - frame.eye();
     return depth > 0 && std::abs(glm::dot(from, frame.right)) <= edge && std::abs(glm::dot(from, frame.up)) <= edge;
-  };
-  if (std::all_of(triangle.begin(), triangle.end(), isInside)) return part;
+  });
+}
+
+/// Returns the part of a triangle that the eye sees through the square, unless other triangles hide it.
+Polygon partWithin(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
+  Polygon part(triangle);
   for (const Vec3 side : {frame.right, -frame.right, frame.up, -frame.up}) {
     // The plane through the eye and the square's edge on that side.
     part = clipped(part, frame.eye(), frame.normal * -(extentMm / 2) - side * frame.eyeDistance);
@@ -134,30 +139,37 @@ int PrintedLayers::layerAt(double z) const {
 
 /// Finds the tiles of each layer to compute.
 void PrintedLayers::findTiles(const Solid& solid, double extentMm) {
-  std::vector<Polygon> parts;
+  std::vector<std::uint32_t> whole;  // triangles within the square
+  std::vector<Polygon> parts;        // of triangles that leave it
   Rectangle all;
   double least = std::numeric_limits<double>::infinity(), most = -least;
   nearestMm_ = least;
   farthestMm_ = 0;
   const double h = process_.layerMm, margin = 2 * process_.cornerRadiusMm + h;
-  const std::vector<std::uint8_t> beyond = sidesBeyond(solid.positions, frame_, extentMm);
-  const auto isBeyond = [&](const Triangle& t) { return (beyond[t[0]] & beyond[t[1]] & beyond[t[2]]) != 0; };
-  parts.reserve(static_cast<std::size_t>(
-      std::count_if(solid.triangles.begin(), solid.triangles.end(), [&](const Triangle& t) { return !isBeyond(t); })));
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    if (isBeyond(solid.triangles[t])) continue;
-    Polygon part = seenPart(solid.corners(t), frame_, extentMm);
-    if (part.empty()) continue;
-    for (const Vec3& corner : part) {
+  const auto add = [&](const auto& corners) {
+    for (const Vec3& corner : corners) {
       least = std::min(least, corner.z);
       most = std::max(most, corner.z);
       all.add(corner);
       nearestMm_ = std::min(nearestMm_, frame_.distanceAlongAxis(corner));  // a corner need not be the nearest point
       farthestMm_ = std::max(farthestMm_, glm::distance(corner, frame_.eye()));
     }
-    parts.push_back(part);
+  };
+  const std::vector<std::uint8_t> beyond = sidesBeyond(solid.positions, frame_, extentMm);
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const auto& [a, b, c] = solid.triangles[t];
+    if ((beyond[a] & beyond[b] & beyond[c]) != 0) continue;
+    const Corners corners = solid.corners(t);
+    if (!faces(corners, frame_.eye())) continue;
+    if (isWithin(corners, frame_, extentMm)) {
+      whole.push_back(static_cast<std::uint32_t>(t));
+      add(corners);
+    } else if (const Polygon part = partWithin(corners, frame_, extentMm); !part.empty()) {
+      parts.push_back(part);
+      add(part);
+    }
   }
-  if (parts.empty()) return;
+  if (whole.empty() && parts.empty()) return;
   nearestMm_ -= 2 * margin;
   farthestMm_ += 2 * margin;
   firstLayer_ = std::max(0, static_cast<int>(std::floor((least - bedMm_) / h)) - 2);
@@ -171,6 +183,7 @@ void PrintedLayers::findTiles(const Solid& solid, double extentMm) {
   origin_ = all.low - margin - tileMm_ * Vec2(0.00381966011, 0.00414213562);
   tileColumns_ = static_cast<int>(std::floor((extent.x + margin) / tileMm_)) + 1;
   tileRows_ = static_cast<int>(std::floor((extent.y + margin) / tileMm_)) + 1;
+  for (const std::uint32_t t : whole) addToLayers(Polygon(solid.corners(t)), margin);
   for (const Polygon& part : parts) addToLayers(part, margin);
 }
 
