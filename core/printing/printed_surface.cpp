@@ -130,6 +130,18 @@ class NearestMaterial {
   std::vector<float> distance_;
 };
 
+PrintedLayers layersOf(const Mesh& mesh, const PrintRequest& request) {
+  const BuildSpace space(request.buildUp);
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3f p : mesh.positions) positions.push_back(space.to(Vec3(p)));
+  return {{positions, mesh.triangles},
+          inBuildSpace(request.frame, space),
+          request.extentMm,
+          request.process,
+          request.roughness};
+}
+
 /// Moves every point slightly along its ray, the same on every run.
 void roughen(PrintedSurface& surface, double deviationMm) {
   Random random(1);
@@ -211,13 +223,7 @@ Mesh PrintedSurface::mesh() const {
 Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& request) {
   const double length = glm::length(request.buildUp);
   if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message<"no-build-direction">());
-  const BuildSpace space(request.buildUp);
-  std::vector<Vec3> positions;
-  positions.reserve(mesh.positions.size());
-  for (const Vec3f p : mesh.positions) positions.push_back(space.to(Vec3(p)));
-  const PrintedLayers layers({positions, mesh.triangles}, inBuildSpace(request.frame, space), request.extentMm,
-                             request.process, request.roughness);
-
+  const PrintedLayers layers = layersOf(mesh, request);
   PrintedSurface surface;
   surface.frame = request.frame;
   const PrintProcess& process = request.process;
