@@ -177,6 +177,11 @@ void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning&
   dropMarked(mesh, drop, report);
 }
 
+/// Returns the corner of a half-edge's triangle that is not on it.
+std::uint32_t opposite(std::span<const Triangle> triangles, std::uint32_t halfEdge) {
+  return triangles[halfEdge / 3][(halfEdge + 2) % 3];
+}
+
 }  // namespace
 
 bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
@@ -184,7 +189,7 @@ bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edg
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto users = edges.at(e);
     if (users.size() > 2) return true;
-    if (users.size() == 2 && sorted(triangles[users[0] / 3]) == sorted(triangles[users[1] / 3])) return true;
+    if (users.size() == 2 && opposite(triangles, users[0]) == opposite(triangles, users[1])) return true;
   }
   return false;
 }
@@ -207,12 +212,14 @@ Cleaning cleanTriangles(Mesh& mesh) {
   }
   removeSlivers(mesh, std::move(sliver), report);
 
-  EdgeTable edges = buildEdgeTable(mesh.triangles);
-  if (!mayHaveDuplicates(mesh.triangles, edges)) return report;
-  if (separateTouchingShells(mesh, edges) > 0) edges = buildEdgeTable(mesh.triangles);
-  removeDuplicates(mesh, edges, report);
-  edges = buildEdgeTable(mesh.triangles);
-  removeFlaps(mesh, edges, kFlapHeight * boundingBox(mesh).diagonal(), report);
+  report.edges = buildEdgeTable(mesh.triangles);
+  if (!mayHaveDuplicates(mesh.triangles, report.edges)) return report;
+  if (separateTouchingShells(mesh, report.edges) > 0) report.edges = buildEdgeTable(mesh.triangles);
+  removeDuplicates(mesh, report.edges, report);
+  report.edges = buildEdgeTable(mesh.triangles);
+  const std::size_t before = mesh.triangles.size();
+  removeFlaps(mesh, report.edges, kFlapHeight * boundingBox(mesh).diagonal(), report);
+  if (mesh.triangles.size() < before) report.edges = buildEdgeTable(mesh.triangles);
   return report;
 }
 

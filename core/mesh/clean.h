@@ -18,6 +18,7 @@ struct Cleaning {
   std::size_t duplicates = 0;  ///< dropped triangles with the same three vertices as another triangle
   std::optional<Vec3f> degenerateAt, duplicateAt;
   std::vector<std::uint32_t> origin;  ///< for each remaining triangle, its index before; empty: all remain
+  EdgeTable edges;                    ///< of the remaining triangles
 };
 
 /// Drops triangles without area and duplicate triangles. The rest keep their order.
@@ -36,7 +37,7 @@ struct Cleaning {
 /// Of several triangles with the same corners one stays, or none if they form a wall without thickness (see source).
 /// Thin flaps attached to an edge of a complete surface count as triangles without area (kFlapHeight).
 ///
-/// Cost: O(T); plus a few edge tables if there are collinear triangles.
+/// Cost: O(T); plus a few edge tables if there are collinear or repeated triangles.
 /// @param mesh  welded
 Cleaning cleanTriangles(Mesh& mesh);
 

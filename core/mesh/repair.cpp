@@ -59,11 +59,10 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> bodyOfTriangle, cons
     Mesh welded = r.mesh;
     const NearWelding welding = weldNear(welded, r.toleranceMm, bodiesNow(r, bodyOfTriangle));
     r.seamsCutShort |= welding.cutShort;
-    const Cleaning cleaning = welding.moved > 0 ? cleanTriangles(welded) : Cleaning{};
-    EdgeTable after = buildEdgeTable(welded.triangles);
-    if (welding.moved > 0 && countEdges(after, false) <= nonManifold) {
+    Cleaning cleaning = welding.moved > 0 ? cleanTriangles(welded) : Cleaning{};
+    if (welding.moved > 0 && countEdges(cleaning.edges, false) <= nonManifold) {
       r.mesh = std::move(welded);
-      edges = std::move(after);
+      edges = std::move(cleaning.edges);
       r.welding = welding;
       addTo(r.cleaning, cleaning);
       follow(r.origin, cleaning.origin);
@@ -141,7 +140,7 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> bodyOfTria
   r.maxHoleMm = options.maxHoleMm.value_or(kHoleFraction * boundingBox(r.mesh).diagonal());
   r.cleaning = cleanTriangles(r.mesh);
   follow(r.origin, r.cleaning.origin);
-  EdgeTable edges = buildEdgeTable(r.mesh.triangles);
+  EdgeTable edges = std::move(r.cleaning.edges);
   if (countEdges(edges, true) > 0) closeSeams(r, bodyOfTriangle, options, edges);
   r.adjacency = buildAdjacency(r.mesh.triangles, edges);
   r.consistency = makeConsistent(r.mesh.triangles, r.adjacency);
