@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas: in the worker, or in the page where there is no OffscreenCanvas.
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
-import { Frames, contextOf, nextFrame } from './frames.js';
+import { Frames, contextOf } from './frames.js';
 import { InspectorLink } from './inspector_link.js';
 import { JobRunner } from './job_runner.js';
 import { message } from './message.js';
@@ -133,7 +133,7 @@ export class EngineHost {
   async hover(at) {
     const hover = (this.hovers_ += 1);
     if (!at) return this.drawn_(this.engine_.hover(null));
-    while (this.frames_.lastIsUnderWay()) await nextFrame(); // at most one estimate per frame
+    await this.frames_.lastDrawn(); // at most one estimate per frame
     if (this.inspector_.takesPointer || this.hovers_ !== hover) return { hit: false };
     const result = this.engine_.hover(at);
     this.frames_.draw();

@@ -21,7 +21,7 @@ export function contextOf(canvas) {
 }
 
 /** @returns {Promise<void>} */
-export const nextFrame = () => new Promise((resolve) => onNextFrame(() => resolve()));
+const nextFrame = () => new Promise((resolve) => onNextFrame(() => resolve()));
 
 /** @param {() => void} run */
 function onNextFrame(run) {
@@ -45,6 +45,7 @@ export class Frames {
     this.isVisible_ = isVisible;
     this.isRequested_ = false;
     this.isLost = false; // no context any more
+    this.waiting_ = 0; // callers of lastDrawn() that wait
     /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
   }
 
@@ -59,7 +60,7 @@ export class Frames {
     this.isRequested_ = true;
     onNextFrame(() => {
       this.isRequested_ = false;
-      if (this.lastIsUnderWay()) this.request();
+      if (this.waiting_ > 0 || this.lastIsUnderWay()) this.request();
       else this.draw();
     });
   }
@@ -86,6 +87,16 @@ export class Frames {
     this.gl_.deleteSync(this.fence_);
     this.fence_ = null;
     return false;
+  }
+
+  /** Waits until the last frame is drawn. Requested frames wait meanwhile: each would make the caller wait again. */
+  async lastDrawn() {
+    this.waiting_ += 1;
+    try {
+      while (this.lastIsUnderWay()) await nextFrame();
+    } finally {
+      this.waiting_ -= 1;
+    }
   }
 
   /** Blocks until the last frame is drawn, by reading a pixel of it: drawing only queues commands. */
