@@ -13,10 +13,7 @@ precision highp sampler2D;
 #include "packed_colour.glsl"
 #include "srgb.glsl"
 
-uniform highp sampler2D u_visibility;  // sky visibility, z / u_blurUnit
-uniform int u_blur;                    // 1: mean over a 4×4 block of similar depth, 0: this pixel alone
-uniform float u_blurUnit;              // mm
-uniform float u_blurReach;             // neighbours within this difference of z count, mm
+uniform highp sampler2D u_visibility;  // sky visibility
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
 uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0; 3: heat
@@ -47,23 +44,6 @@ float overhang(vec3 position, vec3 normal) {
   bool isOnPlate = dot(position, u_plate.xyz) - u_plate.w < kOnPlateMm;
   float cosine = dot(normal, u_plate.xyz);
   return isOnPlate ? 0.0 : 1.0 - smoothstep(u_overhangCosine - 0.03, u_overhangCosine + 0.03, cosine);
-}
-
-float skyVisibility(float z) {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (u_blur == 0) return texelFetch(u_visibility, pixel, 0).r;
-  ivec2 last = ivec2(u_size) - 1;
-  float sum = 0.0;
-  float weights = 1e-6;
-  for (int y = -2; y < 2; ++y) {
-    for (int x = -2; x < 2; ++x) {
-      vec2 found = texelFetch(u_visibility, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rg;
-      float weight = max(0.0, 1.0 - abs(found.g * u_blurUnit - z) / u_blurReach);
-      sum += weight * found.r;
-      weights += weight;
-    }
-  }
-  return sum / weights;
 }
 
 vec3 hatched(vec3 position) {
@@ -116,7 +96,7 @@ void main() {
   bool showsBody = isFront && (u_heatShown == 0 || u_heatShown >= 3);
   if (showsBody) albedo = mix(albedo, kOverhang, kOverhangStrength * overhang(position, normal));
 
-  float open = skyVisibility(surface.w);
+  float open = texelFetch(u_visibility, ivec2(gl_FragCoord.xy), 0).r;
   vec3 received = u_lamps < 0 ? ownLight(normal, open) : vec3(underLamps(position, normal, open));
   o_colour = vec4(albedo * received, dot(received, vec3(0.2126, 0.7152, 0.0722)));
 }

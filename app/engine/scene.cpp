@@ -196,7 +196,7 @@ ColourImage Scene::picture(const std::shared_ptr<const GpuMesh>& model, const De
   if (!viewer_) return {};
   if (!pictureViewer_) {
     ViewQuality quality;
-    quality.movingScale = 1;
+    quality.movingScale = quality.movingCanvas = 1;
     quality.settleMs = 0;
     quality.stillSamples = kPictureFrames;
     auto viewer = Viewer::create(quality);

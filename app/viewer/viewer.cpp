@@ -41,7 +41,7 @@ bool isSoftware(std::string_view renderer) {
 ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   ViewQuality quality;
   if (isSoftware(capabilities.renderer)) return quality;
-  quality.movingScale = 1;
+  quality.movingScale = quality.movingCanvas = 1;
   quality.movingSteps = 4;
   quality.stillSteps = 8;
   quality.stillSlices = 1;
@@ -58,9 +58,10 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
     const char* vertex;
     const char* fragment;
   };
-  const std::array<Source, 7> sources = {{
+  const std::array<Source, 8> sources = {{
       {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
       {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_hbao_frag},
+      {&Viewer::blur_, "view blur", shaders::fullscreen_vert, shaders::view_blur_frag},
       {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
       {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
       {&Viewer::decalProgram_, "view decal", shaders::fullscreen_vert, shaders::view_decal_frag},
@@ -160,7 +161,7 @@ void Viewer::setTheme(bool dark) {
   changed_ = true;
 }
 
-Result<Viewer::Stage> Viewer::makeStage(int width, int height, bool colourOnly) {
+Result<Viewer::Stage> Viewer::makeStage(int width, int height, StageUse use) {
   Stage stage;
   stage.width = width;
   stage.height = height;
@@ -168,34 +169,36 @@ Result<Viewer::Stage> Viewer::makeStage(int width, int height, bool colourOnly) 
     gl::Texture Stage::*texture;
     gl::Framebuffer Stage::*framebuffer;
     gl::Format format;
-    bool withDepth;
+    StageUse neededFor;  // and for the uses before it
+    bool withDepth = false;
   };
-  const std::array<Target, 3> targets = {{
-      {&Stage::colour, &Stage::colourTarget, gl::Format::RGBA16F, false},
-      {&Stage::visibility, &Stage::visibilityTarget, gl::Format::RGBA16F, false},
-      {&Stage::surface, &Stage::surfaceTarget, gl::Format::RGBA32F, true},
+  const std::array<Target, 4> targets = {{
+      {&Stage::colour, &Stage::colourTarget, gl::Format::RGBA16F, StageUse::Sum},
+      {&Stage::visibility, &Stage::visibilityTarget, gl::Format::RGBA16F, StageUse::Still},
+      {&Stage::surface, &Stage::surfaceTarget, gl::Format::RGBA32F, StageUse::Still, true},
+      {&Stage::smoothVisibility, &Stage::smoothVisibilityTarget, gl::Format::RGBA16F, StageUse::Moving},
   }};
   for (const Target& target : targets) {
+    if (use > target.neededFor) continue;
     gl::Texture& texture = stage.*target.texture;
     texture = gl::Texture(width, height, target.format);
     const gl::Texture* const colours[] = {&texture};
     auto framebuffer = gl::Framebuffer::create(colours, target.withDepth);
     QRELIEF_TRY(framebuffer);
     stage.*target.framebuffer = std::move(*framebuffer);
-    if (colourOnly) break;
   }
   stage.colour.useLinearFilter();
   return stage;
 }
 
-Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly) {
+Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, StageUse use) {
   const double pixels = static_cast<double>(width_) * height_;
   const double bounded = scale * std::min(1.0, std::sqrt(quality_.mostPixels / pixels));
   const int width = std::max(1, static_cast<int>(std::lround(width_ * bounded)));
   const int height = std::max(1, static_cast<int>(std::lround(height_ * bounded)));
   if (stage && stage->width == width && stage->height == height) return {};
   stage.reset();  // before making the new one: two sets of full size may not fit
-  auto created = makeStage(width, height, colourOnly);
+  auto created = makeStage(width, height, use);
   QRELIEF_TRY(created);
   stage = std::move(*created);
   return {};
@@ -256,18 +259,25 @@ void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 ji
   gl::drawFullscreen();
 }
 
+void Viewer::blurOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter) const {
+  stage.smoothVisibilityTarget.bind();
+  const double pixelMm = 2 * camera.tanHalf.y * camera.distance / stage.height;
+  setGBuffer(blur_, stage, camera, jitter);
+  blur_.setTexture("u_surface", 0, stage.surface);
+  blur_.setTexture("u_visibility", 1, stage.visibility);
+  blur_.set("u_unit", static_cast<float>(radiusMm()));
+  blur_.set("u_reach", static_cast<float>(8 * pixelMm));
+  gl::drawFullscreen();
+}
+
 void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
                           const Sample& sample) const {
   into.colourTarget.bind();
-  const double pixelMm = 2 * camera.tanHalf.y * camera.distance / stage.height;
   const CuttingPlane cut = cut_.value_or(CuttingPlane{});
   const Vec3 across = glm::normalize(makeFrame({}, cut.normal, camera.skyward, 1).onPlane({1, 1}));
   setGBuffer(lighting_, stage, camera, jitter);
   lighting_.setTexture("u_surface", 0, stage.surface);
-  lighting_.setTexture("u_visibility", 1, stage.visibility);
-  lighting_.set("u_blur", sample.blur ? 1 : 0);
-  lighting_.set("u_blurUnit", static_cast<float>(radiusMm()));
-  lighting_.set("u_blurReach", static_cast<float>(8 * pixelMm));
+  lighting_.setTexture("u_visibility", 1, sample.blur ? stage.smoothVisibility : stage.visibility);
   lighting_.set("u_skyward", camera.inView(camera.skyward));
   lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
@@ -302,6 +312,7 @@ Status Viewer::drawSample(const Stage& stage, const Stage& into, const CameraVie
   if (!sample.isLightOnly) {
     drawSurface(stage, camera, jitter);
     drawOcclusion(stage, camera, jitter, sample);
+    if (sample.blur) blurOcclusion(stage, camera, jitter);
   }
   drawLighting(stage, into, camera, jitter, sample);
   return {};
@@ -324,7 +335,7 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
                                 bool isLightOnly) {
   adaptToInterval(nowMs);
   const int width = moving_ ? moving_->width : 0, height = moving_ ? moving_->height : 0;
-  QRELIEF_TRY(prepareStage(moving_, quality_.movingScale, false));
+  QRELIEF_TRY(prepareStage(moving_, quality_.movingScale, StageUse::Moving));
   Sample sample;
   sample.isLightOnly = isLightOnly && moving_->width == width && moving_->height == height;
   sample.steps = quality_.movingSteps;
@@ -333,15 +344,15 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
   QRELIEF_TRY(drawSample(*moving_, *moving_, camera, sample));
   picture_ = {&*moving_, &*moving_, {}};
   plainIsCurrent_ = false;
-  present(camera, target);
+  QRELIEF_TRY(presentMoving(camera, target));
   statistics_ = {statistics_.coarseFrameMs, 0, moving_->width, moving_->height};
   lastMovingMs_ = nowMs;
   return true;
 }
 
 Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always) {
-  QRELIEF_TRY(prepareStage(still_, 1, false));
-  QRELIEF_TRY(prepareStage(sum_, 1, true));
+  QRELIEF_TRY(prepareStage(still_, 1, StageUse::Still));
+  QRELIEF_TRY(prepareStage(sum_, 1, StageUse::Sum));
   const auto index = static_cast<std::uint32_t>(++statistics_.samples);
   const auto [x, y] = halton23(index);
   Sample sample;
@@ -375,6 +386,10 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
   if (printsChanged_) lastChangeMs_ = nowMs;  // so that refinement does not slow down moving a code
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
+  if (settled && isCoarse_) {  // the first refined picture takes a while
+    present(camera, target);
+    return true;
+  }
   if (settled && !finished) return drawStill(camera, target, always);
   if (printsChanged_) {
     QRELIEF_TRY(presentPrints(camera, target));

@@ -45,11 +45,12 @@ enum class HeatShown { None, All, AboveZero, Colours };
 /// Limits on the cost of a frame. The defaults suit a software renderer; `suitedTo` chooses better ones for a faster
 /// renderer.
 struct ViewQuality {
-  double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
-  int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
-  int stillSteps = 5;        ///< the same at rest
-  int stillSlices = 2;       ///< of occlusion in a picture at rest
-  int stillSamples = 8;      ///< pictures averaged at rest; with 16 slices in all or a multiple they leave no pattern
+  double movingScale = 0.5;   ///< resolution while something changes, 0 … 1
+  double movingCanvas = 0.6;  ///< the same of codes and of the plate over the model, as a part of the canvas's
+  int movingSteps = 3;        ///< occlusion samples on each side of a slice while something changes
+  int stillSteps = 5;         ///< the same at rest
+  int stillSlices = 2;        ///< of occlusion in a picture at rest
+  int stillSamples = 8;       ///< pictures averaged at rest; with 16 slices in all or a multiple they leave no pattern
   int movingShadowTexels = 512;  ///< along an edge of a lamp's shadow map while something changes
   int stillShadowTexels = 1024;  ///< the same at rest
   double mostPixels = 8e5;       ///< larger canvases are drawn at a lower resolution and scaled up
@@ -108,8 +109,8 @@ class Viewer {
   // The textures of one resolution.
   struct Stage {
     int width = 0, height = 0;
-    gl::Texture surface, visibility, colour;
-    gl::Framebuffer surfaceTarget, visibilityTarget, colourTarget;
+    gl::Texture surface, visibility, smoothVisibility, colour;
+    gl::Framebuffer surfaceTarget, visibilityTarget, smoothVisibilityTarget, colourTarget;
   };
   // A finished picture: its colours, and the last G-buffer drawn for it.
   struct Picture {
@@ -124,6 +125,16 @@ class Viewer {
     std::vector<std::uint8_t> inkUploaded, inkUnderLampsUploaded;
     bool isUploaded = false;
   };
+  // Where pictures are presented: a framebuffer (null: the page's) and its size in pixels.
+  struct Canvas {
+    const gl::Framebuffer* target = nullptr;
+    int width = 0, height = 0;
+  };
+  // A picture that has been presented.
+  struct Presented {
+    gl::Texture colours;
+    gl::Framebuffer target;
+  };
   struct Sample {
     Vec2 jitterPx{0};
     double turn = 0, shift = 0.35;
@@ -133,42 +144,49 @@ class Viewer {
     bool isLightOnly = false;  // the stage has surface and occlusion of the last such sample
     double weight = 1;         // of this picture in the average
   };
-  static Result<Stage> makeStage(int width, int height, bool colourOnly);
-  Status prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly);
+  enum class StageUse { Moving, Still, Sum };
+  static Result<Stage> makeStage(int width, int height, StageUse use);
+  Status prepareStage(std::optional<Stage>& stage, double scale, StageUse use);
   void setCamera(const gl::Program& program, const CameraView& camera, Vec2 jitter) const;
   void setGBuffer(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const;
   void drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitter) const;
   void drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const;
+  void blurOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter) const;
   void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
                     const Sample& sample) const;
   static Vec2 jitterOf(const Sample& sample, const Stage& stage);
   Status drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample);
-  void drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target);
-  void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
-  void drawLines(const CameraView& camera) const;
+  void drawDecal(const Shown& layer, double strength, const CameraView& camera, const Canvas& canvas);
+  void drawPrints(const CameraView& camera, const Canvas& canvas);
+  void drawLines(const CameraView& camera, const Canvas& canvas) const;
   void uploadDecal(Shown& layer);
   void uploadPrints();
-  void setSight(const gl::Program& program, const CameraView& camera) const;
-  void setPicture(const gl::Program& program, const CameraView& camera) const;
-  void presentPicture(const CameraView& camera, const gl::Framebuffer* target);
+  void setSight(const gl::Program& program, const CameraView& camera, const Canvas& canvas) const;
+  void setPicture(const gl::Program& program, const CameraView& camera, const Canvas& canvas) const;
+  void presentPicture(const CameraView& camera, const Canvas& canvas);
   void present(const CameraView& camera, const gl::Framebuffer* target);
+  Status presentMoving(const CameraView& camera, const gl::Framebuffer* target);
   Status presentPrints(const CameraView& camera, const gl::Framebuffer* target);
   Status makePlain(const CameraView& camera);
-  void bindCanvas(const gl::Framebuffer* target) const;
+  Canvas canvasOf(const gl::Framebuffer* target) const { return {target, width_, height_}; }
+  static void bindCanvas(const Canvas& canvas);
+  static Status makePresented(Presented& presented, int width, int height);
+  void copy(const gl::Texture& picture, const Canvas& canvas) const;
   Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target, bool isLightOnly);
   Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target, bool always);
   double radiusMm() const;
   void adaptToInterval(double nowMs);
 
   ViewQuality quality_;
-  gl::Program surface_, occlusion_, lighting_, present_, decalProgram_, plateProgram_, copy_;
+  gl::Program surface_, occlusion_, blur_, lighting_, present_, decalProgram_, plateProgram_, copy_;
   std::optional<Stage> moving_, still_, sum_;
   Picture picture_;
   // The presented picture without the moving decal (the ghost, if there is one). Valid while the picture stays the
   // same.
-  gl::Texture plain_;
-  gl::Framebuffer plainTarget_;
+  Presented plain_;
   bool plainIsCurrent_ = false, plainHasPrint_ = false;
+  Presented coarse_;       // while something changes
+  bool isCoarse_ = false;  // the canvas shows `coarse_`
   std::shared_ptr<const GpuMesh> mesh_;
   Shown decal_, ghost_;
   gl::Texture nothing_;

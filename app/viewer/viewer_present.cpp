@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implements how Viewer presents a drawn picture, with plate, marker, codes and lines over it.
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "viewer/decal_bounds.h"
@@ -39,52 +41,52 @@ void Viewer::uploadDecal(Shown& layer) {
     layer.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
 }
 
-void Viewer::bindCanvas(const gl::Framebuffer* target) const {
-  if (target) {
-    target->bind();
+void Viewer::bindCanvas(const Canvas& canvas) {
+  if (canvas.target) {
+    canvas.target->bind();
   } else {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
   }
-  glViewport(0, 0, width_, height_);
+  glViewport(0, 0, canvas.width, canvas.height);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Viewer::setSight(const gl::Program& program, const CameraView& camera) const {
+void Viewer::setSight(const gl::Program& program, const CameraView& camera, const Canvas& canvas) const {
   setGBuffer(program, *picture_.surface, camera, picture_.jitter);
   program.setTexture("u_surface", 1, picture_.surface->surface);
-  program.set("u_canvas", glm::vec2(width_, height_));
-  program.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+  program.set("u_canvas", glm::vec2(canvas.width, canvas.height));
+  program.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / canvas.height));
 }
 
-void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
-  setSight(program, camera);
+void Viewer::setPicture(const gl::Program& program, const CameraView& camera, const Canvas& canvas) const {
+  setSight(program, camera, canvas);
   program.setTexture("u_colour", 0, picture_.colours->colour);
   program.set("u_accent", kAccent);
 }
 
 /// Presents everything except the decals.
-void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* target) {
-  bindCanvas(target);
-  setPicture(present_, camera);
+void Viewer::presentPicture(const CameraView& camera, const Canvas& canvas) {
+  bindCanvas(canvas);
+  setPicture(present_, camera, canvas);
   present_.set("u_markerShown", marker_ ? 1 : 0);
   if (marker_) present_.set("u_marker", camera.pointInView(*marker_));
   gl::drawFullscreen();
   if (!plate_) return;
-  setSight(plateProgram_, camera);
+  setSight(plateProgram_, camera, canvas);
   drawPlate(plateProgram_, *plate_, camera, dark_);
 }
 
-void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& camera, const gl::Framebuffer* target) {
+void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& camera, const Canvas& canvas) {
   if (!layer.decal) return;
   const Decal& decal = *layer.decal;
-  bindCanvas(target);
-  const PixelBox box = decalBounds(decal, camera, width_, height_);
+  bindCanvas(canvas);
+  const PixelBox box = decalBounds(decal, camera, canvas.width, canvas.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(box.x, box.y, box.width, box.height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  setPicture(decalProgram_, camera);
+  setPicture(decalProgram_, camera, canvas);
   decalProgram_.set("u_warn", kWarn);
   decalProgram_.set("u_paperColour", decal.colours.body);
   decalProgram_.set("u_inkColour", decal.colours.ink);
@@ -107,20 +109,19 @@ void Viewer::drawDecal(const Shown& layer, double strength, const CameraView& ca
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Viewer::drawPrints(const CameraView& camera, const gl::Framebuffer* target) {
-  drawDecal(decal_, ghost_.decal ? kBesideGhost : 1, camera, target);
-  drawDecal(ghost_, kGhostStrength, camera, target);
-  drawLines(camera);
+void Viewer::drawPrints(const CameraView& camera, const Canvas& canvas) {
+  drawDecal(decal_, ghost_.decal ? kBesideGhost : 1, camera, canvas);
+  drawDecal(ghost_, kGhostStrength, camera, canvas);
   printsChanged_ = false;
 }
 
-void Viewer::drawLines(const CameraView& camera) const {
+void Viewer::drawLines(const CameraView& camera, const Canvas& canvas) const {
   if (lines_.plane) {
-    setSight(plateProgram_, camera);
+    setSight(plateProgram_, camera, canvas);
     drawGridPlane(plateProgram_, *lines_.plane, camera);
   }
   if (linePass_.isEmpty()) return;
-  setSight(linePass_.program(), camera);
+  setSight(linePass_.program(), camera, canvas);
   linePass_.draw(camera, dark_);
 }
 
@@ -132,22 +133,59 @@ void Viewer::uploadPrints() {
 
 void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
   uploadPrints();
-  presentPicture(camera, target);
-  drawPrints(camera, target);
+  const Canvas canvas = canvasOf(target);
+  presentPicture(camera, canvas);
+  drawPrints(camera, canvas);
+  drawLines(camera, canvas);
+  isCoarse_ = false;
+}
+
+/// Does the same as `present`, more cheaply: codes and the plate are as coarse as quality_.movingCanvas says.
+Status Viewer::presentMoving(const CameraView& camera, const gl::Framebuffer* target) {
+  if (quality_.movingCanvas >= 1 || marker_) {  // the size of the marker is in pixels of the canvas
+    present(camera, target);
+    return {};
+  }
+  const auto coarser = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels * quality_.movingCanvas)));
+  };
+  uploadPrints();
+  QRELIEF_TRY(makePresented(coarse_, coarser(width_), coarser(height_)));
+  coarse_.colours.useLinearFilter();
+  const Canvas coarse{&coarse_.target, coarse_.colours.width(), coarse_.colours.height()}, canvas = canvasOf(target);
+  presentPicture(camera, coarse);
+  drawPrints(camera, coarse);
+  copy(coarse_.colours, canvas);
+  drawLines(camera, canvas);
+  isCoarse_ = true;
+  return {};
+}
+
+Status Viewer::makePresented(Presented& presented, int width, int height) {
+  if (presented.colours.width() == width && presented.colours.height() == height) return {};
+  presented.colours = gl::Texture(width, height, gl::Format::RGBA8);
+  const gl::Texture* const colours[] = {&presented.colours};
+  auto target = gl::Framebuffer::create(colours, false);
+  QRELIEF_TRY(target);
+  presented.target = std::move(*target);
+  return {};
+}
+
+void Viewer::copy(const gl::Texture& picture, const Canvas& canvas) const {
+  bindCanvas(canvas);
+  copy_.use();
+  copy_.setTexture("u_picture", 0, picture);
+  copy_.set("u_canvas", glm::vec2(canvas.width, canvas.height));
+  gl::drawFullscreen();
 }
 
 Status Viewer::makePlain(const CameraView& camera) {
   const bool withDecal = ghost_.decal.has_value();
   if (plainIsCurrent_ && plainHasPrint_ == withDecal) return {};
-  if (plain_.width() != width_ || plain_.height() != height_) {
-    plain_ = gl::Texture(width_, height_, gl::Format::RGBA8);
-    const gl::Texture* const colours[] = {&plain_};
-    auto framebuffer = gl::Framebuffer::create(colours, false);
-    QRELIEF_TRY(framebuffer);
-    plainTarget_ = std::move(*framebuffer);
-  }
-  presentPicture(camera, &plainTarget_);
-  if (withDecal) drawDecal(decal_, kBesideGhost, camera, &plainTarget_);
+  QRELIEF_TRY(makePresented(plain_, width_, height_));
+  const Canvas plain = canvasOf(&plain_.target);
+  presentPicture(camera, plain);
+  if (withDecal) drawDecal(decal_, kBesideGhost, camera, plain);
   plainIsCurrent_ = true;
   plainHasPrint_ = withDecal;
   return {};
@@ -157,17 +195,16 @@ Status Viewer::makePlain(const CameraView& camera) {
 Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
   uploadPrints();
   QRELIEF_TRY(makePlain(camera));
-  bindCanvas(target);
-  copy_.use();
-  copy_.setTexture("u_picture", 0, plain_);
-  gl::drawFullscreen();
+  const Canvas canvas = canvasOf(target);
+  copy(plain_.colours, canvas);
   if (ghost_.decal) {
-    drawDecal(ghost_, kGhostStrength, camera, target);
+    drawDecal(ghost_, kGhostStrength, camera, canvas);
   } else {
-    drawDecal(decal_, 1, camera, target);
+    drawDecal(decal_, 1, camera, canvas);
   }
-  drawLines(camera);
+  drawLines(camera, canvas);
   printsChanged_ = false;
+  isCoarse_ = false;
   return {};
 }
 

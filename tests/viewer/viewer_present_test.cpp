@@ -74,6 +74,35 @@ TEST_F(ViewerPresentTest, InkHasOtherShadesUnderLamps) {
   expectInkAt(upperLeft, lowerRight);
 }
 
+/// A part of the canvas's pixels is drawn while something changes, and all of them once it rests.
+TEST_F(ViewerPresentTest, CodesAreCoarseInMotionAndSharpAtRest) {
+  show(shapes::box({40, 40, 20}));
+  camera_.lookFrom(StandardView::Top);
+  camera_.finishGlide();
+  Decal decal = decalOnTop();
+  decal.ink = {255, 0, 0, 255};
+  viewer_->setDecal(decal);
+  const Vec2 middle = camera_.toScreen({0, 0, 10});
+  const auto pixelsOfTheEdge = [&](const Picture& picture) {  // between ink on the left and paper on the right
+    const Vec2 row = middle + Vec2(0, -10);
+    const double dark = picture.brightness(row - Vec2(8, 0)), light = picture.brightness(row + Vec2(8, 0));
+    EXPECT_LT(dark, 0.5 * light);
+    int between = 0;
+    for (int x = -8; x <= 8; ++x) {
+      const double shade = (picture.brightness(row + Vec2(x, 0)) - dark) / (light - dark);
+      between += shade > 0.1 && shade < 0.9 ? 1 : 0;
+    }
+    return between;
+  };
+  EXPECT_TRUE(draw(0));
+  const int inMotion = pixelsOfTheEdge(Picture{target_.readRgba()});
+  EXPECT_TRUE(draw(200));
+  EXPECT_EQ(viewer_->statistics().samples, 0) << "nothing is refined yet";
+  const int atRest = pixelsOfTheEdge(Picture{target_.readRgba()});
+  EXPECT_GT(inMotion, atRest);
+  EXPECT_LE(atRest, 1);
+}
+
 /// A decal that moves over a finished picture is redrawn in its own box only.
 TEST_F(ViewerPresentTest, MovingDecalsLookLikeAFullRedraw) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);

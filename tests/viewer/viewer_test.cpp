@@ -141,6 +141,8 @@ TEST_F(ViewerTest, RefinementWaitsUntilTheCameraRestsAndThenEnds) {
   EXPECT_TRUE(draw(200));
   EXPECT_EQ(viewer_->statistics().samples, 0);
   EXPECT_TRUE(draw(260));
+  EXPECT_EQ(viewer_->statistics().samples, 0) << "shows codes and the plate sharply at first";
+  EXPECT_TRUE(draw(270));
   EXPECT_EQ(viewer_->statistics().samples, 1);
   EXPECT_EQ(viewer_->statistics().width, kWidth);
   int frames = 1;
@@ -204,6 +206,7 @@ TEST_F(ViewerTest, RefinementIsPresentedAtEveryFourthPictureUnlessMoreIsDrawnOnT
     return colour.y > 0.1;  // no longer magenta
   };
   EXPECT_TRUE(presents(0, false));
+  EXPECT_TRUE(presents(150, false)) << "codes and the plate sharply";
   double now = 200;
   for (int sample = 1; sample <= ViewQuality{}.stillSamples; ++sample, now += 10) {
     EXPECT_EQ(presents(now, false), sample % 4 == 0) << sample;
