@@ -7,6 +7,7 @@
 
 const kMovingMs = 3000;
 const kPatienceMs = 5000;
+const kDirections = 16;
 
 /** In the engine's worker: notes when frames are drawn; each ends with a fence (web/engine/frames.js). */
 function noteFrames() {
@@ -43,20 +44,52 @@ async function frameMsAlong(page, at) {
 }
 
 /**
- * Moves the pointer in circles over the model, then lets it rest.
+ * Finds a place on the model beside the placed code, which shows no code under the pointer.
+ * @param {Page} page
+ * @returns {Promise<[number, number]>}  on the page
+ */
+async function besideCode(page) {
+  const [x, y] = await middleOf(page, 'move'),
+    [cornerX, cornerY] = await middleOf(page, 'size');
+  const halfDiagonal = Math.hypot(cornerX - x, cornerY - y);
+  for (let turn = 0; turn < kDirections; ++turn) {
+    const angle = (2 * Math.PI * turn) / kDirections,
+      away = (turn % 2 === 0 ? 0.9 : 1.2) * halfDiagonal;
+    const place = /** @type {[number, number]} */ ([x + away * Math.cos(angle), y + away * Math.sin(angle)]);
+    await page.mouse.move(...place);
+    const isCodeShown = await page
+      .locator('.code-chip')
+      .waitFor({ timeout: kPatienceMs / 5 })
+      .then(
+        () => true,
+        () => false,
+      );
+    if (isCodeShown) return place;
+  }
+  throw new Error('There is no room beside the code');
+}
+
+/** @param {Page} page @param {string} handle  of the placed code @returns {Promise<[number, number]>} */
+async function middleOf(page, handle) {
+  const shown = page.locator(`.code-handles .${handle}`);
+  await shown.waitFor();
+  const box = await shown.boundingBox();
+  if (!box) throw new Error('No code is placed');
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/**
+ * Moves the pointer in small circles over the model beside the code, then lets it rest.
  * @param {Page} page
  * @returns {Promise<{ frameMs: number, previewMs: number }>}  of a frame while it moves; from its last move until the code
  *   is shown as it will be carved, NaN if it is not within five seconds (web/view/live_view.js gives up)
  */
 export async function hover(page) {
-  const box = await page.locator('#view').boundingBox();
-  if (!box) throw new Error('The view has no size');
-  const at = /** @type {Path} */ (
-    (part) => [box.x + (0.45 + 0.06 * Math.sin(part)) * box.width, box.y + (0.5 + 0.06 * Math.cos(part)) * box.height]
-  );
+  const [x, y] = await besideCode(page);
+  const at = /** @type {Path} */ ((part) => [x + 8 * Math.sin(part), y + 8 * Math.cos(part)]);
   const frameMs = await frameMsAlong(page, at);
   const start = Date.now();
-  await page.mouse.move(...at(0));
+  await page.mouse.move(x, y);
   const depths = page.locator('.code-chip').getByText('mm at most');
   const isShown = await depths.waitFor({ timeout: kPatienceMs }).then(
     () => true,
