@@ -7,7 +7,7 @@ import { NewestOnly } from './newest_only.js';
 /** @typedef {import('../engine/client.js').EngineClient} EngineClient */
 /** @typedef {import('./code_chip.js').CodeChip} CodeChip */
 
-const kRestMs = 250;
+const kRestMs = 120;
 
 export class HoverPreview {
   /** @param {EngineClient} client @param {CodeChip} chip @param {import('./live_view.js').LiveView} live */
