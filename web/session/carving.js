@@ -328,6 +328,7 @@ export class Carving {
   /** @param {Work} work @param {Work} asked @param {string} [overrides] */
   wordsFor_(work, asked, overrides) {
     if (overrides) return text('inspector.engraved', { overrides });
+    if (this.carved?.report.verification.verdict.reads.level === 'bad') return text('page.engravedUnread');
     return work === asked ? text('page.engraved') : engravedWords(work, asked);
   }
 

@@ -45,8 +45,12 @@ const setSettings = (now) => store.update({ settings: now });
 const latest = () => carving.carved;
 const { Worker: realWorker } = globalThis;
 
+/** @param {string} [prints] @param {string} [reads]  levels of these questions */
+const verificationOf = (prints = 'good', reads = 'good') => ({
+  verdict: { reads: { level: reads }, prints: { level: prints } },
+});
 /** @param {number} number */
-const reportOf = (number) => /** @type {any} */ ({ text: kText, number, size: {}, verification: {} });
+const reportOf = (number) => /** @type {any} */ ({ text: kText, number, size: {}, verification: verificationOf() });
 /** @param {number} number  of the carving */
 const delivery = (number) => ({ number, report: reportOf(number), seen: undefined });
 /** @param {number} carving @param {string[]} change  its setting and value */
@@ -128,6 +132,14 @@ test('A carving is decoded, reported and shown', async () => {
   assert.equal(carving.carved?.number, 1);
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('continueEngrave')).length, 1);
   assert.deepEqual(shows.at(-1), [true, true]);
+});
+
+test('A code that does not read is not said to be ready', async () => {
+  const unread = delivery(1);
+  unread.report.verification = verificationOf('good', 'bad');
+  steps = [kFirst, { ...read(kFirst), delivery: unread }];
+  await carving.engrave();
+  assert.match(messages.said.at(-1) ?? '', /does not read reliably/);
 });
 
 test('Nothing is carved if the code has no place', async () => {
@@ -341,7 +353,7 @@ test('The print starts with the result and is added to it', async () => {
   tell({ state: 'under-way', fraction: 0.5 });
   assert.deepEqual(latest()?.printed, { state: 'under-way', fraction: 0.5 });
   assert.equal(printsSeen, 0);
-  const report = /** @type {any} */ ({ text: kText, verification: {} });
+  const report = /** @type {any} */ ({ text: kText, verification: verificationOf() });
   tell({ state: 'made', print: {} }, { passed: true, report });
   assert.equal(latest()?.report, report);
   assert.equal(printsSeen, 1);
@@ -351,7 +363,7 @@ test('The print starts with the result and is added to it', async () => {
 const printsAre = (...results) => {
   printing.answers.begin = async (/** @type {number} */ number, /** @type {any} */ tell) => {
     const result = { ...results.shift(), more: results.length > 0 };
-    const verification = { verdict: { prints: { level: result?.passed ? 'good' : 'barely' } } };
+    const verification = verificationOf(result?.passed ? 'good' : 'barely');
     tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number, size: {}, verification } });
   };
 };
@@ -473,7 +485,7 @@ test('A code is not carved again for its print after a change by the user', asyn
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ listener) => void (tell = listener);
   await carving.engrave();
   setSettings({ preset: 'shallow' });
-  tell({ state: 'made', print: {} }, { passed: false, more: true, report: { text: kText } });
+  tell({ state: 'made', print: {} }, { passed: false, more: true, report: reportOf(1) });
   await settled();
   assert.equal(client.calls.filter((/** @type {string} */ call) => /^continueEngrave/.test(call)).length, 1);
 });
