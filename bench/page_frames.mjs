@@ -66,7 +66,7 @@ async function besideCode(page) {
       );
     if (isCodeShown) return place;
   }
-  throw new Error('There is no room beside the code');
+  throw new Error('Found no place on the model where a code follows the pointer');
 }
 
 /** @param {Page} page @param {string} handle  of the placed code @returns {Promise<[number, number]>} */

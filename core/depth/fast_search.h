@@ -13,7 +13,7 @@
 
 namespace qrelief {
 
-// Constants of the search, here and, but for those of lamps, on the GPU (shader_search.h).
+// Constants of the search. Those without lamps hold on the GPU, too (shader_search.h).
 inline constexpr double kFirstDepthModules = 0.25;
 inline constexpr double kChangeFraction = 0.4;  ///< of a floor's last change of difference: extra darkness to aim at
 inline constexpr double kMaxChange = 0.3;       ///< limit on the change that counts

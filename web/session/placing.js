@@ -128,7 +128,7 @@ export class Placing {
 
   /**
    * Places the code again. A call while it runs makes it run once more, with the newest settings.
-   * @param {boolean} [isSilent]  the status keeps what it says unless there is no place
+   * @param {boolean} [isSilent]  true: changes the status only to report an error
    */
   place(isSilent = false) {
     this.isSilent_ = isSilent && (this.running_ === undefined || this.isSilent_);

@@ -118,7 +118,7 @@ test('A picked centre is waited for until it has taken effect', async () => {
   assert.equal(placing.moving, undefined);
 });
 
-test('A silent placing keeps the status, unless there is no place or an edit comes meanwhile', async () => {
+test('A silent placing changes the status only for an error, or if a placing that is not silent follows', async () => {
   store.update(centredAt([0, 0, 0]));
   messages.say(() => 'Choose a spot.');
   await placing.place(true);
