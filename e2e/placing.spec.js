@@ -9,13 +9,21 @@ import { readPng } from './support/read_png.js';
 /** @typedef {[number, number]} Point */
 
 /**
- * Returns the middle of a handle, in page pixels.
+ * Returns the middle of a handle at rest, in page pixels: handles follow the code with the next frame.
  * @param {import('@playwright/test').Locator} handle
  * @returns {Promise<Point>}
  */
 async function middleOf(handle) {
   await expect(handle).toBeVisible();
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await handle.boundingBox());
+  const boxNow = async () =>
+    /** @type {{ x: number, y: number, width: number, height: number }} */ (await handle.boundingBox());
+  let box = await boxNow();
+  await poll(async () => {
+    const before = box;
+    await handle.page().waitForTimeout(200);
+    box = await boxNow();
+    return [box.x - before.x, box.y - before.y];
+  }).toEqual([0, 0]);
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
@@ -172,6 +180,8 @@ test('The corner handle resizes the code, stops where it no longer fits, and Esc
   await app.expectReady();
   expect(await app.width()).toBe(before);
 
+  const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
+  await poll(fromCorner).toBeLessThan(2); // the handles follow with the next frame
   await drag(page, corner, [at(1.7), at(2.2)]);
   await expect(app.chip).toContainText('mm wide');
   await page.mouse.up();
@@ -181,8 +191,7 @@ test('The corner handle resizes the code, stops where it no longer fits, and Esc
   await app.expectReady();
   await poll(() => app.width()).toBe(before);
 
-  const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
-  await poll(fromCorner).toBeLessThan(2); // the handles follow with the next frame
+  await poll(fromCorner).toBeLessThan(2);
   await drag(page, corner, [at(0.6)]);
   await page.mouse.up();
   await expect(app.setting('Size of the code')).toHaveValue('fixed');
