@@ -21,17 +21,18 @@ double squaredDistanceToSegment(Vec3 p, Vec3 a, Vec3 b) {
   return glm::dot(away, away);
 }
 
-/// Returns the squared distance to the plane if the foot of the perpendicular lies in the facet, else to the nearest
-/// side.
+/// Returns the squared distance to the plane if the foot of the perpendicular lies in the facet, else to the nearest of
+/// the sides that it lies beyond. A facet without area has three such sides.
 double squaredDistance(Vec3 p, const FacetTree::Facet& facet) {
   const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
   const double area = glm::dot(normal, normal);
-  bool above = area > 0;
+  bool above = true;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 a = facet[k];
     const Vec3 b = facet[(k + 1) % 3];
-    above = above && glm::dot(glm::cross(normal, b - a), p - a) >= 0;
+    if (area > 0 && glm::dot(glm::cross(normal, b - a), p - a) >= 0) continue;
+    above = false;
     least = std::min(least, squaredDistanceToSegment(p, a, b));
   }
   if (!above) return least;
@@ -81,10 +82,19 @@ FacetTree::FacetTree(std::span<const Facet> facets) : tree_(boxesOf(facets)), no
 }
 
 template <class NodeCounts, class FacetCounts>
-double FacetTree::nearest(Vec3 point, double reach, const NodeCounts& nodeCounts,
+double FacetTree::nearest(Vec3 point, double reach, Hint& hint, const NodeCounts& nodeCounts,
                           const FacetCounts& facetCounts) const {
+  if (facets_.empty()) return reach;
   const std::span nodes = tree_.nodes();
   double least = reach * reach;
+  const auto measureFacet = [&](std::uint32_t k) {
+    if (!facetCounts(facets_[k])) return;
+    const double squared = squaredDistance(point, facets_[k]);
+    if (squared >= least) return;
+    least = squared;
+    hint.facet = k;
+  };
+  measureFacet(hint.facet);
   const auto isNear = [&](std::uint32_t node) {
     return nodeCounts(node) && squaredDistance(point, nodes[node].box) < least;
   };
@@ -92,25 +102,24 @@ double FacetTree::nearest(Vec3 point, double reach, const NodeCounts& nodeCounts
     return squaredDistance(point, nodes[first].box) <= squaredDistance(point, nodes[second].box);
   };
   const auto measure = [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t k = begin; k < end; ++k)
-      if (facetCounts(facets_[k])) least = std::min(least, squaredDistance(point, facets_[k]));
+    for (std::uint32_t k = begin; k < end; ++k) measureFacet(k);
   };
   tree_.visit(isNear, firstIsNearer, measure);
-  return facets_.empty() ? reach : std::sqrt(least);
+  return std::sqrt(least);
 }
 
-double FacetTree::distance(Vec3 point, double reach) const {
+double FacetTree::distance(Vec3 point, double reach, Hint& hint) const {
   const auto any = [](const auto&) { return true; };
-  return nearest(point, reach, any, any);
+  return nearest(point, reach, hint, any, any);
 }
 
-double FacetTree::distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const {
+double FacetTree::distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component, Hint& hint) const {
   const auto mayTurn = [&](std::uint32_t node) {
     const Vec3 least = glm::min(normal * normals_[node].min, normal * normals_[node].max);
     return least.x + least.y + least.z < component;
   };
   const auto turns = [&](const Facet& facet) { return glm::dot(normalOf(facet), normal) < component; };
-  return nearest(point, reach, mayTurn, turns);
+  return nearest(point, reach, hint, mayTurn, turns);
 }
 
 }  // namespace qrelief

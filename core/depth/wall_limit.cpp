@@ -5,6 +5,7 @@
 #include <cassert>
 #include <optional>
 
+#include "base/parallel.h"
 #include "depth/facet_tree.h"
 #include "math/orientation.h"
 #include "math/tolerance.h"
@@ -124,17 +125,22 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
   return {FacetTree(walls), FacetTree(surface)};
 }
 
+struct Hints {
+  FacetTree::Hint walls, surface;
+};
+
 /// Returns the least distance from any other side of the material, at most `reach`.
-double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach) {
+double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach, Hints& hints) {
   const Vec3 point = sample.surface + sample.down * depth;
-  return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach), sample.normal, kOppositeCosine);
+  return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach, hints.walls), sample.normal,
+                                        kOppositeCosine, hints.surface);
 }
 
-double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions& options) {
+double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions& options, Hints& hints) {
   double depth = 0;
   for (;;) {
     const double reach = options.minWallMm + options.maxDepthMm - depth;
-    const double spare = distanceThrough(sides, sample, depth, reach) - options.minWallMm;
+    const double spare = distanceThrough(sides, sample, depth, reach, hints) - options.minWallMm;
     if (spare < 0) return std::max(0.0, depth - kDepthQuantumMm / 2);
     depth += std::max(spare, kDepthQuantumMm / 2);
     if (depth >= options.maxDepthMm) return options.maxDepthMm;
@@ -161,6 +167,7 @@ class SampleGrid {
                                          kStepsPerEdge * column + k % (kStepsPerEdge + 1)));
   }
 
+  int side() const { return side_; }
   std::size_t size() const { return used_.size(); }
   bool isUsed(std::size_t point) const { return used_[point] != 0; }
   Vec2 at(std::size_t point) const {
@@ -200,8 +207,12 @@ std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, cons
 
   const Sides sides = sidesNear(mesh, patch, frame, region);
   std::vector<double> sampleLimits(samples.size(), 0);
-  for (std::size_t k = 0; k < samples.size(); ++k)
-    if (samples[k].normal != Vec3(0)) sampleLimits[k] = limitOf(sides, samples[k], options);
+  const auto side = static_cast<std::size_t>(grid.side());
+  parallelFor(side, [&](std::size_t row) {
+    Hints hints;
+    for (std::size_t k = row * side; k < (row + 1) * side; ++k)
+      if (samples[k].normal != Vec3(0)) sampleLimits[k] = limitOf(sides, samples[k], options, hints);
+  });
   grid.forEachCarved([&](std::size_t submodule, std::size_t) { limits[submodule] = options.maxDepthMm; });
   grid.forEachCarved([&](std::size_t submodule, std::size_t point) {
     limits[submodule] = std::min(limits[submodule], sampleLimits[point]);
