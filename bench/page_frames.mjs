@@ -7,6 +7,7 @@
 
 const kMovingMs = 3000;
 const kPatienceMs = 5000;
+const kRestMs = 1000; // until a place beside the code is known to have room
 const kDirections = 16;
 
 /** In the engine's worker: notes when frames are drawn; each ends with a fence (web/engine/frames.js). */
@@ -44,9 +45,9 @@ async function frameMsAlong(page, at) {
 }
 
 /**
- * Finds a place on the model beside the placed code, which shows no code under the pointer.
+ * Finds a place on the model that has room for a code, beside the placed code, which shows none under the pointer.
  * @param {Page} page
- * @returns {Promise<[number, number]>}  on the page
+ * @returns {Promise<[number, number] | undefined>}  on the page; undefined: none is found
  */
 async function besideCode(page) {
   const [x, y] = await middleOf(page, 'move'),
@@ -57,16 +58,10 @@ async function besideCode(page) {
       away = (turn % 2 === 0 ? 0.9 : 1.2) * halfDiagonal;
     const place = /** @type {[number, number]} */ ([x + away * Math.cos(angle), y + away * Math.sin(angle)]);
     await page.mouse.move(...place);
-    const isCodeShown = await page
-      .locator('.code-chip')
-      .waitFor({ timeout: kPatienceMs / 5 })
-      .then(
-        () => true,
-        () => false,
-      );
-    if (isCodeShown) return place;
+    await page.waitForTimeout(kRestMs);
+    if (await page.locator('.code-chip strong:not(:empty)').isVisible()) return place;
   }
-  throw new Error('Found no place on the model where a code follows the pointer');
+  return undefined;
 }
 
 /** @param {Page} page @param {string} handle  of the placed code @returns {Promise<[number, number]>} */
@@ -81,21 +76,29 @@ async function middleOf(page, handle) {
 /**
  * Moves the pointer in small circles over the model beside the code, then lets it rest.
  * @param {Page} page
- * @returns {Promise<{ frameMs: number, previewMs: number }>}  of a frame while it moves; from its last move until the code
- *   is shown as it will be carved, NaN if it is not within five seconds (web/view/live_view.js gives up)
+ * @returns {Promise<{ frameMs: number, previewMs: number, exactMs: number } | undefined>}  of a frame while it moves; from its
+ *   last move until the code is shown as it will be carved, with the depths of the search's first pass and of its last,
+ *   NaN: not within five seconds; undefined: there is no place for it
  */
 export async function hover(page) {
-  const [x, y] = await besideCode(page);
+  const beside = await besideCode(page);
+  if (!beside) return undefined;
+  const [x, y] = beside;
   const at = /** @type {Path} */ ((part) => [x + 8 * Math.sin(part), y + 8 * Math.cos(part)]);
   const frameMs = await frameMsAlong(page, at);
   const start = Date.now();
-  await page.mouse.move(x, y);
-  const depths = page.locator('.code-chip').getByText('mm at most');
-  const isShown = await depths.waitFor({ timeout: kPatienceMs }).then(
-    () => true,
-    () => false,
-  );
-  return { frameMs, previewMs: isShown ? Date.now() - start : NaN };
+  await page.mouse.move(x + 4, y); // nothing is known of this place yet
+  const msUntil = (/** @type {RegExp} */ depths) =>
+    page
+      .locator('.code-chip')
+      .getByText(depths)
+      .waitFor({ timeout: kPatienceMs })
+      .then(
+        () => Date.now() - start,
+        () => NaN,
+      );
+  const [previewMs, exactMs] = await Promise.all([msUntil(/mm deep/), msUntil(/mm at most/)]);
+  return { frameMs, previewMs, exactMs };
 }
 
 /**

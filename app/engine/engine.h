@@ -101,14 +101,14 @@ class Engine {
   ///             "settling": returns {done} or {done: true, code}; an error where no code fits
   ///             "preparation": the work that the next engraving begins with, so that the engraving has less to do. It
   ///                 is never started. Returns {done, depths}. There is nothing to do (done) while other work is
-  ///                 running or no code is placed. With the whole search, then also shows the code as it will be
-  ///                 carved, and `depths` are {meanMm, maxMm}; else null. Of the hovered code: the same for an
-  ///                 engraving where it has settled, as a click would place it
+  ///                 running or no code is placed. With the search, also shows the code as it will be carved, after
+  ///                 the first pass and at the end; then `depths` are {meanMm, maxMm}, else null. Of the hovered
+  ///                 code: the same for an engraving where it has settled, as a click would place it
   ///             "view-trials": notes whether one of the trial's pictures decoded. Returns {done, tried, all, views:
   ///                 {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
-  /// @param answers  of "view-trials": {"read"}; of "preparation": {"search": the whole first search, too, "hovered":
-  ///                 of the hovered code}; all other
-  ///                 jobs ignore it
+  /// @param answers  of "view-trials": {"read"}; of "preparation": {"search": the first search for depths, too,
+  /// "hovered":
+  ///                 of the hovered code}; all other jobs ignore it
   std::string advanceJob(const std::string& job, const std::string& answers = "{}");
   /// Ends "engrave" or "spots". The best carving of an engraving so far becomes the current one.
   void cancelJob(const std::string& job);

@@ -82,19 +82,18 @@ std::string Engine::advancePreparation(const std::string& options) {
   const EngraveRequest request = ofHovered ? *hovered : wanted_.request(scene_.camera().modelUp());
   const FoundPlacement* const placed = ofHovered ? preview_.hoveredPlace() : preview_.found(request, wanted_.symbol());
   const bool isDone = carvings_.prepare(ground(), request, placed, withSearch);
-  Json depths;
-  if (const CarveJob* const job = carvings_.prepared(request); job && isDone && withSearch && job->hasSearched()) {
-    const SearchRecord& search = *job->inspectorMaps().search;
-    if (ofHovered) {
-      preview_.showHovered(search, *wanted_.symbol());
-      scene_.setGhost(preview_.hovered());
-    } else {
-      preview_.show(search, *wanted_.symbol());
-      updateView();
-    }
-    depths = depthsOf(search);
+  const CarveJob* const job = withSearch ? carvings_.prepared(request) : nullptr;
+  const SearchRecord* const search = job ? job->inspectorMaps().search : nullptr;
+  const bool isNews = search && (search->passes.size() == 1 || (isDone && job->hasSearched()));
+  if (!isNews) return textOf({{"ok", true}, {"done", isDone}, {"depths", nullptr}});
+  if (ofHovered) {
+    preview_.showHovered(*search, *wanted_.symbol());
+    scene_.setGhost(preview_.hovered());
+  } else {
+    preview_.show(*search, *wanted_.symbol());
+    updateView();
   }
-  return textOf({{"ok", true}, {"done", isDone}, {"depths", std::move(depths)}});
+  return textOf({{"ok", true}, {"done", isDone}, {"depths", depthsOf(*search)}});
 }
 
 std::string Engine::advanceEngrave() {

@@ -66,13 +66,14 @@ TEST_F(EnginePlacingTest, TheCodeFollowsThePointerAndIsPlacedExactlyAfterwards) 
 
 TEST_F(EnginePlacingTest, AClickGoesOnFromTheSearchOfTheCodeUnderThePointer) {
   const auto prepare = [&](const char* options) {
-    Json answer;
-    int steps = 0;
+    Json answer, rough;
+    int steps = 0, shown = 0;
     do {
       answer = Json::parse(engine_->advanceJob("preparation", options));
       ++steps;
+      if (!answer["depths"].is_null() && ++shown == 1) rough = answer["depths"];
     } while (!answer["done"].get<bool>());
-    answer["steps"] = steps;
+    answer.update({{"steps", steps}, {"shown", shown}, {"rough", rough}});
     return answer;
   };
   constexpr const char* kHovered = R"({"search": true, "hovered": true})";
@@ -88,6 +89,9 @@ TEST_F(EnginePlacingTest, AClickGoesOnFromTheSearchOfTheCodeUnderThePointer) {
   ASSERT_FALSE(hovered["depths"].is_null());
   EXPECT_GT(hovered["depths"]["meanMm"], 0.05);
   EXPECT_GE(hovered["depths"]["maxMm"], hovered["depths"]["meanMm"]);
+  EXPECT_EQ(hovered["shown"], 2) << "after the first pass and at the end";
+  EXPECT_NE(hovered["rough"], hovered["depths"]);
+  EXPECT_NEAR(hovered["rough"]["meanMm"], hovered["depths"]["meanMm"], 0.2 * hovered["depths"]["meanMm"].get<double>());
 
   engine_->configure(R"({"text": "another text, which needs a larger symbol", "size": "free"})");
   EXPECT_TRUE(prepare(kHovered)["depths"].is_null()) << "it is for another text";

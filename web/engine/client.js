@@ -202,20 +202,21 @@ export class EngineClient extends Verbs {
 
   /**
    * Starts work that the next carving needs, unless a job runs.
-   * @param {boolean} search  see EngineHost.prepareEngrave
+   * @param {import('./job_runner.js').Preparation} extent  see EngineHost.prepareEngrave
    * @returns {Promise<import('./types.js').FoundDepths | null>}
    */
-  async prepareEngrave(search) {
+  async prepareEngrave(extent) {
     // Without a worker, it would block the page.
-    return this.backend_ instanceof WorkerBackend ? this.call_('prepareEngrave', search) : null;
+    return this.backend_ instanceof WorkerBackend ? this.call_('prepareEngrave', extent) : null;
   }
 
   /**
    * Searches the depths of the preview; see EngineHost.carvePreview.
+   * @param {boolean} untilShown
    * @returns {Promise<import('./types.js').FoundDepths | null>}
    */
-  async carvePreview() {
-    return this.backend_ instanceof WorkerBackend ? this.call_('carvePreview') : null;
+  async carvePreview(untilShown) {
+    return this.backend_ instanceof WorkerBackend ? this.call_('carvePreview', untilShown) : null;
   }
 
   /**

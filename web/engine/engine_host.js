@@ -160,21 +160,24 @@ export class EngineHost {
 
   /**
    * Does work that the next carving needs, unless a job runs.
-   * @param {boolean} search  also the whole first search for depths, which then shows the code as it will be carved
+   * @param {import('./job_runner.js').Preparation} extent  `search`: also the first search for depths, which shows the
+   *   code as it will be carved
    * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
    */
-  async prepareEngrave(search) {
-    const depths = await this.jobs_.prepare({ search });
+  async prepareEngrave(extent) {
+    const depths = await this.jobs_.prepare(extent);
     return depths && this.drawn_(depths);
   }
 
   /**
    * Searches the depths of the preview, once its exact placement is found, and shows it as it will be carved.
+   * @param {boolean} untilShown  see Preparation
    * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown, or the pointer moved meanwhile
    */
-  async carvePreview() {
+  async carvePreview(untilShown) {
     const { hovers_: hover } = this;
-    const depths = await this.jobs_.prepare({ search: true, hovered: true }, () => this.hovers_ !== hover);
+    const extent = { search: true, hovered: true, untilShown };
+    const depths = await this.jobs_.prepare(extent, () => this.hovers_ !== hover);
     return depths && this.drawn_(depths);
   }
 

@@ -13,6 +13,10 @@ import { message } from './message.js';
  * @typedef {{ name: Name, isBegun?: boolean, options?: import('./verbs.js').JobOptions,
  *   onStep?: (progress: JobAnswers[Name]) => void, onSlice?: (progress: JobAnswers[Name]) => void }} Job
  */
+/**
+ * `untilShown`: only until the code is shown as it will be carved: after the search's first pass, or at its end.
+ * @typedef {import('./verbs.js').PreparationOptions & { untilShown?: boolean }} Preparation
+ */
 
 const kSliceMs = 40; // work between message checks: a cancel takes effect within one slice plus one step
 const kSettleSliceMs = 8; // the same while the pointer may move
@@ -94,14 +98,14 @@ export class JobRunner {
 
   /**
    * Does work that the next carving needs, unless a job runs.
-   * @param {import('./verbs.js').PreparationOptions} options
+   * @param {Preparation} extent
    * @param {() => boolean} [isOutdated]  is called between slices
    * @returns {Promise<import('./types.js').FoundDepths | null>}  null: nothing is shown
    */
-  async prepare(options, isOutdated = () => false) {
+  async prepare({ untilShown = false, ...options }, isOutdated = () => false) {
     while (!this.job_ && !isOutdated()) {
       const { done, depths } = this.engine_.advanceJob('preparation', options);
-      if (done) return depths;
+      if (done || (untilShown && depths)) return depths;
       await yieldToMessages();
     }
     return null;

@@ -49,10 +49,10 @@ export class IdlePreparation {
   async prepare_() {
     if (this.isBusy_()) return;
     this.isDue_ = false;
-    const { isOn: withSearch } = this.live_;
-    const prepare = () => this.client_.prepareEngrave(withSearch);
     try {
-      const depths = await (withSearch ? this.live_.time(prepare) : prepare());
+      const depths = await (this.live_.isOn
+        ? this.live_.carve((untilShown) => this.client_.prepareEngrave({ search: true, untilShown }))
+        : this.client_.prepareEngrave({ search: false }));
       if (depths && !this.isDue_) this.onDepths_(depths); // else the code has moved on
     } catch {
       // carving meets the error again, or the client reports it

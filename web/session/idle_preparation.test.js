@@ -16,10 +16,10 @@ const shown = new LiveView(() => live);
 const make = () =>
   new IdlePreparation({
     client: {
-      prepareEngrave: async (search) => {
-        done.push(search ? 'search' : 'carving');
+      prepareEngrave: async ({ search, untilShown }) => {
+        done.push(!search ? 'carving' : untilShown ? 'first pass' : 'search');
         now += searchMs;
-        return search ? { meanMm: 0.5, maxMm: 1 } : null;
+        return search ? { meanMm: untilShown ? 0.4 : 0.5, maxMm: 1 } : null;
       },
     },
     prepareReader: () => void done.push('reader'),
@@ -121,12 +121,13 @@ test('The depths are searched ahead if codes are shown as carved, but not where 
     await wait(400);
     return done;
   };
-  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader']);
+  const searched = ['first pass', 'search', '0.5 mm', 'reader'];
+  assert.deepEqual(await prepareNext(), searched);
   searchMs = 1500;
-  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader']);
+  assert.deepEqual(await prepareNext(), searched);
   assert.deepEqual(await prepareNext(), ['carving', 'reader'], 'it took too long');
   shown.reset();
-  assert.deepEqual(await prepareNext(), ['search', '0.5 mm', 'reader'], 'the user has switched it off and on');
+  assert.deepEqual(await prepareNext(), searched, 'the user has switched it off and on');
 });
 
 test('Depths are not shown for a code that has moved on', async () => {
@@ -137,7 +138,7 @@ test('Depths are not shown for a code that has moved on', async () => {
   const searched = wait(400);
   preparation.setPlaced(true);
   await searched;
-  assert.ok(done.includes('search'));
+  assert.ok(done.includes('first pass'));
   assert.ok(!done.includes('0.5 mm'));
 });
 

@@ -50,6 +50,11 @@ export class CodeChip {
     this.place_(x, y);
   }
 
+  /** Adds about how deep the code will be on average. @param {import('../engine/types.js').FoundDepths} depths */
+  showDepthAbout({ meanMm }) {
+    this.depths_.textContent = text('view.chipDepthAbout', { mean: millimetres(meanMm) });
+  }
+
   /** Adds how deep the code will be. @param {import('../engine/types.js').FoundDepths} depths */
   showDepths({ meanMm, maxMm }) {
     const depths = { mean: millimetres(meanMm, 2), deepest: millimetres(maxMm, 2) };

@@ -73,7 +73,10 @@ export class HoverPreview {
       if (!result?.code || !isCurrent()) return;
       this.chip_.show(result.code, x, y);
       if (!this.live_.isOn) return;
-      const depths = await this.live_.time(() => this.client_.carvePreview());
+      const depths = await this.live_.carve(
+        (untilShown) => this.client_.carvePreview(untilShown),
+        (rough) => isCurrent() && this.chip_.showDepthAbout(rough),
+      );
       if (depths && isCurrent()) this.chip_.showDepths(depths);
     } catch (thrown) {
       if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);

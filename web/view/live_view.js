@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decides whether a code is shown as it will be carved, before it is: the user must want it, and the search be quick.
-const kPatienceMs = 1000; // where a search takes longer, the next codes are shown without
+// Shows a code as it will be carved, before it is, if the user wants it and the search is quick.
+/** @typedef {import('../engine/types.js').FoundDepths} FoundDepths */
+
+const kPatienceMs = 1000; // where the first pass of a search takes longer, the next codes are shown without
 
 export class LiveView {
   /** @param {() => boolean} isWanted */
   constructor(isWanted) {
     this.isWanted_ = isWanted;
-    this.isSlow_ = false; // the last search took too long
+    this.isSlow_ = false; // the last one took too long
     this.resetAt_ = 0;
   }
 
@@ -14,21 +16,24 @@ export class LiveView {
     return this.isWanted_() && !this.isSlow_;
   }
 
-  /** Notes that the user has switched it on or off: the next code is shown so however long the last search took. */
+  /** Notes that the user has switched it on or off: the next code is shown so however long the last one took. */
   reset() {
     this.isSlow_ = false;
     this.resetAt_ = performance.now();
   }
 
   /**
-   * Does a search, and notes if it takes too long.
-   * @template Found
-   * @param {() => Promise<Found>} search
+   * Searches the depths of a code. It is shown with them twice: roughly after the search's first pass, and at its end.
+   * @param {(untilShown: boolean) => Promise<FoundDepths | null>} search  true: only until the code is shown with them
+   * @param {(depths: FoundDepths) => void} [onRough]  gets those of the first pass
+   * @returns {Promise<FoundDepths | null>}  those at the end; null: nothing is shown
    */
-  async time(search) {
+  async carve(search, onRough = () => {}) {
     const begun = performance.now();
-    const found = await search();
+    const rough = await search(true);
     if (begun >= this.resetAt_) this.isSlow_ = performance.now() - begun > kPatienceMs;
-    return found;
+    if (!rough) return null;
+    onRough(rough);
+    return search(false);
   }
 }
