@@ -225,7 +225,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.adjacency = std::move(repaired->adjacency);
   model.shells = repaired->consistency.shells.count;
   model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
-  model.hasCrossings = model.crossesItself || repaired->overlaps;
+  model.hasCrossings = model.crossesItself || repaired->overlaps.any();
   model.crossings = std::move(repaired->crossings);
   model.normals = vertexNormals(model.mesh);
   model.clusters = std::make_shared<const ClusteredTriangles>(clusterTriangles(model.mesh));

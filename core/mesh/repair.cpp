@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/tolerance.h"
+#include "mesh/crossing_segments.h"
 #include "mesh/self_intersection.h"
 #include "mesh/touching_shells.h"
 #include "mesh/weld.h"
@@ -110,7 +111,7 @@ Result<Untangling> countCrossings(const Mesh& mesh) {
   QRELIEF_TRY(pairs);
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCrossingsListed;
-  if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);
+  if (!pairs->empty()) result.at = crossingPoint(mesh, pairs->front());
   result.left = *pairs;
   return result;
 }
@@ -124,8 +125,13 @@ Status listCrossings(Repaired& r) {
   }
   auto crossings = findCrossings(r.mesh, {}, kMaxCrossingsListed);
   if (!crossings && crossings.error().kind != ErrorKind::NoSolution) return tl::unexpected(crossings.error());
-  r.overlaps = !crossings || !crossings->empty();
-  if (crossings && crossings->size() < kMaxCrossingsListed) r.crossings = std::move(*crossings);
+  r.overlaps.tooCrowded = !crossings;
+  if (!crossings) return {};
+  const std::vector<std::uint32_t>& shells = r.consistency.shells.of;
+  for (const TrianglePair& pair : *crossings)
+    if (shells[pair[0]] != shells[pair[1]] && r.overlaps.pairs++ == 0) r.overlaps.at = crossingPoint(r.mesh, pair);
+  r.overlaps.atLeast = crossings->size() == kMaxCrossingsListed;
+  if (!r.overlaps.atLeast) r.crossings = std::move(*crossings);
   return {};
 }
 

@@ -36,6 +36,16 @@ struct RepairOptions {
   }
 };
 
+/// Pairs of triangles of different shells that cross or touch, as findCrossings() lists them up to its limit.
+struct Overlaps {
+  std::size_t pairs = 0;
+  bool atLeast = false;     ///< the list stopped at its limit
+  bool tooCrowded = false;  ///< too many pairs to examine, so nothing was counted
+  Vec3 at{0};               ///< where the first pair meets
+
+  bool any() const { return pairs > 0 || tooCrowded; }
+};
+
 /// A mesh after all repairs, the report of each repair, and the remaining defects.
 struct Repaired {
   Mesh mesh;
@@ -50,7 +60,7 @@ struct Repaired {
   Consistency consistency;
   Outwardness outwardness;
   Untangling untangling;
-  bool overlaps = false;  ///< triangles of different shells touch or cross
+  Overlaps overlaps;
   /// Pairs of findCrossings(), ascending; absent: open, too crowded, or at least kMaxCrossingsListed.
   std::optional<std::vector<TrianglePair>> crossings;
   Defects defects;  ///< defects that remain

@@ -126,6 +126,20 @@ void reportUntangling(const Untangling& untangling, FindingList& findings) {
                                                 with::place<"at">(findings.inFile(untangling.at))));
 }
 
+Message overlappingPairs(const Overlaps& overlaps) {
+  if (overlaps.atLeast) return message<"overlapping-pairs-at-least">(with::count<"count">(overlaps.pairs));
+  return message<"overlapping-pairs">(with::count<"count">(overlaps.pairs));
+}
+
+/// Reports shells that overlap or touch. Slicers take them for one solid, but a code keeps away from their crossings.
+void reportOverlaps(const Repaired& repaired, FindingList& findings) {
+  const Overlaps& overlaps = repaired.overlaps;
+  if (overlaps.tooCrowded && !repaired.untangling.tooCrowded) findings.warn(message<"crossings-too-crowded">());
+  if (overlaps.pairs > 0)
+    findings.note(message<"overlapping-shells">(with::cause<"pairs">(overlappingPairs(overlaps)),
+                                                with::place<"at">(findings.inFile(overlaps.at))));
+}
+
 }  // namespace
 
 std::vector<Finding> FindingList::take() {
@@ -141,6 +155,7 @@ void reportRepairs(const Repaired& repaired, const RepairOptions& options, Findi
   reportSeams(repaired, findings);
   reportCleaning(repaired.cleaning, options.dropStray, findings);
   reportUntangling(repaired.untangling, findings);
+  reportOverlaps(repaired, findings);
 }
 
 }  // namespace qrelief

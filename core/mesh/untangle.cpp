@@ -9,6 +9,7 @@
 #include "math/tolerance.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
+#include "mesh/crossing_segments.h"
 #include "mesh/self_intersection.h"
 #include "mesh/topology.h"
 #include "message_codes/model.h"
@@ -197,7 +198,7 @@ Result<Untangling> untangle(Mesh& mesh) {
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCrossingsListed;
   if (pairs->empty()) return result;
-  result.at = mesh.corner(pairs->front()[0], 0);
+  result.at = crossingPoint(mesh, pairs->front());
   result.left = *pairs;
   if (pairs->size() > kMaxMended) return result;
 

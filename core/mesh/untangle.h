@@ -13,7 +13,7 @@ namespace qrelief {
 struct Untangling {
   std::size_t pairs = 0;    ///< pairs that crossed or touched, counted by findSelfIntersections() up to its limit
   bool atLeast = false;     ///< the count stopped at the limit
-  Vec3 at{0};               ///< a corner of the first pair, before any move
+  Vec3 at{0};               ///< where the first pair crosses, before any move
   bool tooCrowded = false;  ///< too many pairs to examine, so nothing was counted or moved
   bool mended = false;      ///< no pair is left; if false, the mesh is unchanged
   std::vector<TrianglePair> left;  ///< the pairs counted, ascending; none if mended

@@ -5,6 +5,7 @@
 
 #include "mesh/clean.h"
 #include "mesh/collinear.h"
+#include "mesh/crossing_segments.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
 #include "mesh/topology.h"
@@ -133,8 +134,7 @@ Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint
   const auto crossings = findSelfIntersections(mesh, suspects);
   QRELIEF_TRY(crossings);
   report.selfIntersections = crossings->size();
-  if (!crossings->empty())
-    report.selfIntersectionAt = (middleOf(mesh, crossings->front()[0]) + middleOf(mesh, crossings->front()[1])) / 2.0;
+  if (!crossings->empty()) report.selfIntersectionAt = crossingPoint(mesh, crossings->front());
   return report;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `qrelief info`: the facts it prints about a model, and its warnings.
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_fixture.h"
@@ -52,6 +54,26 @@ TEST_F(InfoCommandTest, CallsAModelThatCrossesItselfClosedAndNoSolid) {
   EXPECT_NE(crossing.find("closed, but crosses itself: ready to engrave"), std::string::npos) << crossing;
   EXPECT_EQ(crossing.find("closed solid"), std::string::npos) << crossing;
   EXPECT_NE(run({"info", model}).out.find("closed solid: ready to engrave"), std::string::npos) << "separated";
+}
+
+TEST_F(InfoCommandTest, NamesTheCrossingsOfOverlappingShells) {
+  const Mesh post = shapes::translated(shapes::box({10, 10, 60}), {2, 0, 0});
+  const std::string model = writeModel("post.stl", shapes::together(shapes::box({60, 60, 40}), post));
+  const Outcome outcome = run({"info", model, "--json", path("info.json")});
+  EXPECT_NE(outcome.out.find("pairs of triangles of separate shells cross or touch, the first near ("),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("closed solid: ready to engrave"), std::string::npos) << "slicers unite them";
+  const auto info = nlohmann::json::parse(contentOf(path("info.json")));
+  const auto& findings = info["findings"];
+  const auto finding = std::find_if(findings.begin(), findings.end(),
+                                    [](const auto& one) { return one["code"] == "overlapping-shells"; });
+  ASSERT_NE(finding, findings.end());
+  EXPECT_EQ((*finding)["severity"], "note");
+  EXPECT_GE((*finding)["count"], 16) << "each of 8 triangles of walls crosses two faces";
+  EXPECT_EQ(std::abs((*finding)["values"]["at"]["place"][2].get<double>()), 20) << "on the faces that the post crosses";
+  EXPECT_EQ(run({"info", writeModel("box.stl", shapes::box({60, 60, 40}))}).out.find("separate shells"),
+            std::string::npos);
 }
 
 TEST_F(InfoCommandTest, OptionsSwitchRepairsOff) {

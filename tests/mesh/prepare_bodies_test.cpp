@@ -121,7 +121,9 @@ TEST(PrepareModel, KeepsBodiesThatTouchOrOverlapAsTheyAre) {
     for (std::size_t t = 0; t < both.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) EXPECT_EQ(model->mesh.corner(t, k), both.corner(t, k));
     EXPECT_TRUE(shapes::isClosed(model->mesh));
-    EXPECT_EQ(model->findings.size(), 1u);  // several shells
+    expectFinding(*model, "several-shells", Severity::Note, 2);
+    EXPECT_TRUE(find(*model, "overlapping-shells"));
+    EXPECT_EQ(model->findings.size(), 2u);
     EXPECT_FALSE(model->crossesItself);
     EXPECT_TRUE(model->hasCrossings);
     EXPECT_EQ(model->crossings, *findCrossings(model->mesh));

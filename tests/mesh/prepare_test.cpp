@@ -276,7 +276,8 @@ TEST(PrepareModel, KeepsShellsThatTouchAtAPointApart) {
   const Mesh box = shapes::box({10, 10, 10});
   const PreparedModel model = prepared(shapes::together(box, shapes::translated(box, {10, 10, 10})));
   expectFinding(model, "several-shells", Severity::Note, 2);
-  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_THAT(wordsOf(model, "overlapping-shells"), HasSubstr("cross or touch, the first near (5, 5, 5)"));
+  EXPECT_EQ(model.findings.size(), 2u);
   EXPECT_EQ(model.mesh.positions.size(), 16u);
 }
 
@@ -307,7 +308,13 @@ TEST(PrepareModel, KeepsShellsThatOverlap) {
   const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {7, 1, 2}));
   const PreparedModel model = prepared(mesh);
   expectFinding(model, "several-shells", Severity::Note, 2);
-  EXPECT_EQ(model.findings.size(), 1u);
+  const Finding* overlap = find(model, "overlapping-shells");
+  ASSERT_TRUE(overlap);
+  EXPECT_EQ(overlap->severity, Severity::Note);
+  const std::vector<double>& at = overlap->message.values.at(1).numbers;
+  for (const Vec3 centre : {Vec3(0, 0, 0), Vec3(7, 1, 2)})
+    EXPECT_NEAR(glm::distance(Vec3(at[0], at[1], at[2]), centre), 10, 0.05) << "on both spheres";
+  EXPECT_EQ(model.findings.size(), 2u);
   EXPECT_FALSE(model.crossesItself);
   EXPECT_EQ(model.mesh.positions, mesh.positions);
 }
@@ -317,7 +324,8 @@ TEST(PrepareModel, KeepsShellsThatShareAFaceClosed) {
   const Mesh mesh = shapes::together(box, shapes::translated(box, {0, 0, 10}));
   const PreparedModel model = prepared(mesh);
   expectFinding(model, "several-shells", Severity::Note, 2);
-  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_TRUE(find(model, "overlapping-shells"));
+  EXPECT_EQ(model.findings.size(), 2u);
   EXPECT_TRUE(shapes::isClosed(model.mesh));
   EXPECT_EQ(model.mesh.triangles.size(), mesh.triangles.size());
 }

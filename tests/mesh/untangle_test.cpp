@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "math/tolerance.h"
+#include "mesh/crossing_segments.h"
 #include "mesh/self_intersection.h"
 #include "support/shapes.h"
 
@@ -38,7 +39,7 @@ TEST(Untangle, SeparatesATangleByMovingOneVertexOnly) {
   EXPECT_EQ(result->pairs, 5u);
   EXPECT_FALSE(result->atLeast);
   EXPECT_TRUE(result->mended);
-  EXPECT_EQ(result->at, before.corner((*findSelfIntersections(before))[0][0], 0));
+  EXPECT_EQ(result->at, crossingPoint(before, findSelfIntersections(before)->front()));
   EXPECT_EQ(crossingsOf(mesh), 0u);
   EXPECT_EQ(mesh.triangles, before.triangles);
   ASSERT_EQ(result->moved, 1u);

@@ -385,6 +385,19 @@ TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfAnUnprintableSize) {
   }
 }
 
+TEST_F(PlacementTest, ACodeBesideAPostKeepsAwayFromThePostAlone) {
+  // The centre lies on the diagonal of the large face through which the post comes.
+  load(shapes::together(shapes::box({60, 60, 40}), shapes::box({10, 10, 60})));
+  PlacementRequest request;
+  request.centreMm = {18, 18, 20};
+  request.direction = Vec3(0, 0, 1);
+  request.upHint = {0, 1, 0};
+  request.sizeMode = SizeMode::Oriented;
+  const auto placed = place(request);
+  ASSERT_TRUE(placed.has_value()) << sentence(placed.error().message);
+  EXPECT_NEAR(placed->symbolMm * kOuter, 2 * 12, 1e-6) << "to the face's border; the post is 13 mm away along x and y";
+}
+
 TEST_F(PlacementTest, AdviceOnRoomNamesTheCrossingsInTheCode) {
   load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
   PlacementRequest request;

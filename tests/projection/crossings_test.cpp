@@ -92,6 +92,20 @@ TEST(Crossings, AreFoundNearestFirst) {
   EXPECT_NEAR(glm::distance(**crossing, Vec3(8, 1, 5)), 0, 1e-9);
 }
 
+TEST(Crossings, AreFoundWhereTheyAreIfTheyOnlyTouchAFacet) {
+  // A corner of the post lies on the face's diagonal, so that its walls meet the other half of the face in a point
+  // only.
+  const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), shapes::box({6, 6, 30}));
+  const ProjectionFrame frame = makeFrame({10, 10, 5}, {0, 0, 1}, {0, 1, 0}, 250);
+  const auto patch = findSilhouette(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {10, 10}), 100);
+  ASSERT_TRUE(patch.has_value());
+  for (const Vec3 at : {Vec3(10, 10, 5), Vec3(-10, 10, 5), Vec3(10, -10, 5), Vec3(-10, -10, 5)}) {
+    const auto crossing = nearestCrossing(mesh, patch->triangles, at);
+    ASSERT_TRUE(crossing.has_value() && crossing->has_value());
+    EXPECT_NEAR(glm::distance(**crossing, Vec3(at.x * 0.3, at.y * 0.3, 5)), 0, 1e-9);
+  }
+}
+
 TEST(Crossings, AreNotFoundInAnIntactSurface) {
   const Mesh box = shapes::box({40, 40, 10});
   const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};

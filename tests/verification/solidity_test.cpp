@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/crossing_segments.h"
 #include "message_codes/model.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
@@ -117,6 +118,7 @@ TEST(Solidity, FindsCrossingPartsOfAShellAmongTheSuspectsOnly) {
   const Mesh mesh = shapes::tangledSphere();
   const SolidityReport all = check(mesh);
   EXPECT_EQ(all.selfIntersections, 5u);
+  EXPECT_EQ(all.selfIntersectionAt, crossingPoint(mesh, findSelfIntersections(mesh)->front()));
   EXPECT_FALSE(all.solid());
   std::vector<std::uint32_t> apart;  // the lower half; the tangle is in the upper one
   const double tangleZ = mesh.positions[100].z;
