@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "base/clock.h"
 #include "math/angle.h"
-#include "math/round_down.h"
 #include "mesh/ray.h"
 #include "message_codes/pipeline.h"
-#include "message_codes/place.h"
+#include "pipeline/placement_errors.h"
 #include "projection/best_size.h"
 #include "projection/crossings.h"
 #include "projection/flatness.h"
@@ -36,11 +34,6 @@ constexpr int kSides = 6, kMaxLooks = 36;
 /// looks larger, twice as large halfway to the eye.
 constexpr double kNearnessFactor = 2;
 
-double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
-
-/// Rounds a size down as messages show it: of a code that hardly fits at all, to 0.
-double sizeShown(double mm) { return mm < 0.01 ? 0 : downToThreeDigits(mm); }
-
 class Stopwatch {
  public:
   explicit Stopwatch(double& sumMs) : sumMs_(sumMs) {}
@@ -52,22 +45,6 @@ class Stopwatch {
 };
 
 }  // namespace
-
-bool isForCrossings(const Message& failure) {
-  for (const char* code :
-       {"crossing-at-centre", "too-many-crossings", "choose-a-spot-off-crossings", "choose-smaller-or-off-crossings"})
-    if (failure.code == code) return true;
-  return std::any_of(failure.values.begin(), failure.values.end(), [](const MessageValue& value) {
-    return value.kind == MessageValue::Kind::Cause && isForCrossings(value.cause.front());
-  });
-}
-
-Message codeInWords(const PlacementRequest& request) {
-  if (request.sizeMode != SizeMode::Fixed) return request.isText ? message<"any-text">() : message<"any-code">();
-  if (request.isText) return message<"text-alone">(with::lengthMm<"size">(request.sizeMm));
-  if (request.quietZone) return message<"code-with-quiet-zone">(with::lengthMm<"size">(request.sizeMm));
-  return message<"code-alone">(with::lengthMm<"size">(request.sizeMm));
-}
 
 PlacementSearch::PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
                                  const PlacementRequest& request)
@@ -107,17 +84,20 @@ double PlacementSearch::halfDiagonalMm(double symbolMm) const {
   return symbolMm * outerFactor() * std::numbers::sqrt2 / 2;
 }
 
-Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, double radiusMm,
-                                                  GrowingRegion region) const {
+Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region) {
   auto patch =
       findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radiusMm, region, model_->clusters.get());
-  if (patch && model_->hasCrossings) QRELIEF_TRY(addCrossings(model_->mesh, frame, *patch, knownCrossings()));
+  if (!patch || !model_->hasCrossings) return patch;
+  if (const Status added = addCrossings(model_->mesh, frame, *patch, knownCrossings()); !added) {
+    meetsCrossings_ = true;
+    return tl::unexpected(added.error());
+  }
   return patch;
 }
 
 /// Returns the part of the patch that decides the size. Searches as far as the code is expected to reach, then farther
 /// and farther, until a silhouette bounds the size or the size is the largest allowed.
-Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const {
+Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) {
   const double farthest = halfDiagonalMm(largestMm());
   double radius = std::min(farthest, kFirstReach * halfDiagonalMm(sampledMm()));
   for (;;) {
@@ -153,7 +133,7 @@ PlacementSearch::Fit PlacementSearch::fitIn(VisiblePatch patch, const Projection
 }
 
 /// Turns the code so that it is largest within the patch for a disc.
-Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) const {
+Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) {
   const double rotation = bestSize(disc.silhouette, largestMm() * outerFactor()).rotation;
   const ProjectionFrame turnedFrame = turned(frame, rotation);
   auto square = disc.partlyHidden ? decisivePatch(turnedFrame, GrowingRegion::Square) : Result<VisiblePatch>(disc);
@@ -165,7 +145,7 @@ Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc
 }
 
 /// Returns the ways in which the code fits from a direction, walls ignored. The first is for every rotation.
-Result<std::vector<PlacementSearch::Fit>> PlacementSearch::fitsFrom(const ProjectionFrame& frame) const {
+Result<std::vector<PlacementSearch::Fit>> PlacementSearch::fitsFrom(const ProjectionFrame& frame) {
   const bool isFree = request_.sizeMode == SizeMode::Free;
   const bool needsDisc = isFree || request_.mayTurn();
   auto disc = decisivePatch(frame, needsDisc ? GrowingRegion::Disc : GrowingRegion::Square);
@@ -214,40 +194,21 @@ Status PlacementSearch::measure(Vec3 normal) {
   fitMm_ = placement_.symbolMm;
   if (isFixed) placement_.symbolMm = request_.sizeMm;
   placement_.moduleMm = placement_.symbolMm / modules_;
-  const double wantedMm = isFixed ? request_.sizeMm : std::min(request_.maxSizeMm, kMinModuleMm * modules_);
-  std::optional<Vec3> crossing;
+  const double leastMm = kMinModuleMm * modules_;
+  const double wantedMm = isFixed ? request_.sizeMm : std::min(request_.maxSizeMm, leastMm);
+  NoRoom room{*model_, request_, modules_, {}};
   if (fitMm_ * (1 + kEqualSizes) < wantedMm) {
-    const auto found = crossingWithin(halfDiagonalMm(wantedMm));
-    QRELIEF_TRY(found);
-    QRELIEF_TRY(checkCentre(*found));
-    crossing = *found;
+    const auto crossing = crossingWithin(halfDiagonalMm(wantedMm));
+    QRELIEF_TRY(crossing);
+    room.crossing = *crossing;
+    meetsCrossings_ = meetsCrossings_ || room.crossing;
+    if (room.crossing && fitMm_ < leastMm && isAtCentre(*room.crossing))
+      return tl::unexpected(crossingAtCentre(room, placement_.frame.centre));
   }
-  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(doesNotFit(crossing));
-  if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
-    if (request_.isText)
-      return fail(ErrorKind::NoSolution,
-                  message<"text-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
-                                                     with::lengthMm<"least">(kMinModuleMm * modules_)));
-    return fail(ErrorKind::NoSolution,
-                message<"modules-too-small-as-asked">(with::lengthMm<"size">(placement_.symbolMm),
-                                                      with::lengthMm<"module">(placement_.moduleMm),
-                                                      with::lengthMm<"least">(kMinModuleMm * modules_)));
-  }
-  if (placement_.moduleMm < kMinModuleMm) {
-    const Message advice =
-        roomAdvice(*model_, {modules_, outerFactor()}, request_.eyeDistanceMm,
-                   crossing ? message<"choose-a-spot-off-crossings">(with::place<"at">(*crossing / model_->scaleToMm))
-                            : message<"choose-a-wider-spot">());
-    if (request_.isText)
-      return fail(ErrorKind::NoSolution,
-                  message<"text-too-small-here">(with::lengthMm<"size">(sizeShown(placement_.symbolMm)),
-                                                 with::lengthMm<"least">(kMinModuleMm * modules_),
-                                                 with::cause<"advice">(advice)));
-    return fail(ErrorKind::NoSolution,
-                message<"modules-too-small-here">(with::lengthMm<"size">(sizeShown(placement_.symbolMm)),
-                                                  with::lengthMm<"module">(sizeShown(placement_.moduleMm)),
-                                                  with::cause<"advice">(advice)));
-  }
+  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(tooLarge(room, fittingSizes()));
+  if (placement_.moduleMm < kMinModuleMm)
+    return tl::unexpected(isFixed || fitMm_ >= request_.maxSizeMm ? tooSmallAsAsked(room, placement_.symbolMm)
+                                                                  : tooSmallHere(room, placement_.symbolMm));
   if (request_.sizeMode != SizeMode::Best) fits_.clear();
   if (isFixed) *fits = {Fit{Fit::Turn::Upright, placement_}};
   fits_.insert(fits_.end(), std::move_iterator(fits->begin()), std::move_iterator(fits->end()));
@@ -263,51 +224,23 @@ Result<std::optional<Vec3>> PlacementSearch::crossingWithin(double radiusMm) con
   return crossing;
 }
 
-/// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
-/// at any rotation, so the message names the crossing, not a size.
-Status PlacementSearch::checkCentre(const std::optional<Vec3>& crossing) const {
-  const Vec3 centre = placement_.frame.centre;
-  const double leastMm = kMinModuleMm * modules_;
-  const bool leavesRoom = !crossing || glm::distance(*crossing, centre) > leastMm * outerFactor() / 2;
-  if (leavesRoom || fitMm_ >= leastMm) return {};
-  return fail(ErrorKind::NoSolution,
-              message<"crossing-at-centre">(with::lengthMm<"distance">(glm::distance(*crossing, centre)),
-                                            with::place<"at">(*crossing / model_->scaleToMm),
-                                            with::lengthMm<"least">(leastMm)));
+/// Returns true if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits at
+/// any rotation.
+bool PlacementSearch::isAtCentre(Vec3 crossing) const {
+  return glm::distance(crossing, placement_.frame.centre) <= kMinModuleMm * modules_ * outerFactor() / 2;
 }
 
-/// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
-/// at the rounded rotation.
-/// @param crossing  place where triangles cross within the code
-Error PlacementSearch::doesNotFit(const std::optional<Vec3>& crossing) const {
+/// Finds the largest sizes that fit, for a size that does not. They must still fit as written, so that of a turned code
+/// is measured at a rounded rotation.
+FittingSizes PlacementSearch::fittingSizes() {
   const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square);
   const std::vector<Segment2>& silhouette = farthest ? farthest->silhouette : placement_.patch.silhouette;
   const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
-  const double bestDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
-  const double turn = toRadians(bestDeg - request_.rotateDeg);
-  const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
-  const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
-  const Message advice =
-      crossing ? message<"choose-smaller-or-off-crossings">(with::place<"at">(*crossing / model_->scaleToMm))
-               : message<"choose-smaller-or-wider">();
-  if (!turningHelps)
-    return {ErrorKind::NoSolution,
-            message<"code-too-large">(with::cause<"code">(codeInWords(request_)),
-                                      with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-                                      with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)),
-                                      with::cause<"advice">(advice))};
-  if (bestMm < request_.sizeMm)
-    return {
-        ErrorKind::NoSolution,
-        message<"code-too-large-here">(
-            with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-            with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-            with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)), with::cause<"advice">(advice))};
-  return {ErrorKind::NoSolution,
-          message<"code-fits-turned">(
-              with::cause<"code">(codeInWords(request_)), with::lengthMm<"here">(downToThreeDigits(fitMm_)),
-              with::number<"bestTurn">(bestDeg), with::lengthMm<"turned">(downToThreeDigits(bestMm)),
-              with::lengthMm<"everywhere">(downToThreeDigits(placement_.guaranteedMm)))};
+  FittingSizes fitting{.hereMm = fitMm_, .everywhereMm = placement_.guaranteedMm};
+  fitting.turnedDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
+  const double turn = toRadians(fitting.turnedDeg - request_.rotateDeg);
+  fitting.turnedMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
+  return fitting;
 }
 
 double PlacementSearch::sampledMm() const {
@@ -401,7 +334,7 @@ bool PlacementSearch::grow() {
 }
 
 /// Extends the patch of a fit by the margin for walls.
-Status PlacementSearch::extend(Fit& fit) const {
+Status PlacementSearch::extend(Fit& fit) {
   Placement& placed = fit.placement;
   const double radius = halfDiagonalMm(placed.symbolMm) + kNearnessFactor * request_.beyondMm;
   if (radius <= placed.patch.radiusMm) return {};
@@ -414,7 +347,7 @@ Status PlacementSearch::extend(Fit& fit) const {
 
 /// Reduces a found size if walls are too thin for its pockets. If they take no code at all, keeps the size; the depth
 /// search then decides whether anything can be carved.
-Status PlacementSearch::leaveWalls(Fit& fit) const {
+Status PlacementSearch::leaveWalls(Fit& fit) {
   fit.leavesWalls = true;
   QRELIEF_TRY(extend(fit));
   const PocketDemand& pockets = request_.pockets;

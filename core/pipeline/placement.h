@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "mesh/prepare.h"
 #include "pipeline/module_walls.h"
+#include "pipeline/placement_errors.h"
 #include "projection/direction.h"
 #include "projection/optimal_direction.h"
 #include "projection/placement_request.h"
@@ -31,12 +32,6 @@ struct Placement {
   VisiblePatch patch;      ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
 };
-
-/// Returns true if a placement search failed because triangles of the model cross where the code would be.
-bool isForCrossings(const Message& failure);
-
-/// Returns a phrase for the requested code, to be quoted within a message: "a code of 35 mm with its quiet zone".
-Message codeInWords(const PlacementRequest& request);
 
 /// The result of a PlacementSearch.
 struct FoundPlacement {
@@ -67,6 +62,8 @@ class PlacementSearch {
   Result<bool> step();
 
   int modules() const { return modules_; }
+  /// Returns true if crossing triangles lay within the code from a direction from which it does not fit.
+  bool meetsCrossings() const { return meetsCrossings_; }
   const Placement& placement() const { return placement_; }
   /// Returns the result. Call it after step() has returned true.
   FoundPlacement found() const { return {placement_, directionMs_, sizeMs_}; }
@@ -91,25 +88,25 @@ class PlacementSearch {
   Result<bool> find();
   Result<bool> searchOnce();
   Status start();
-  Status extend(Fit& fit) const;
-  Status leaveWalls(Fit& fit) const;
+  Status extend(Fit& fit);
+  Status leaveWalls(Fit& fit);
   bool lookFromFree();
   Result<double> sizeAnyWayUp(Vec3 normal);
   Status takeBestFit();
   Status measure(Vec3 normal);
-  Result<std::vector<Fit>> fitsFrom(const ProjectionFrame& frame) const;
+  Result<std::vector<Fit>> fitsFrom(const ProjectionFrame& frame);
   Fit fitIn(VisiblePatch patch, const ProjectionFrame& frame, Fit::Turn turn) const;
-  Result<Fit> turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) const;
+  Result<Fit> turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame);
   static Fit& fitToTake(std::vector<Fit>& fits);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
-  Error doesNotFit(const std::optional<Vec3>& crossing) const;
+  FittingSizes fittingSizes();
   Result<std::optional<Vec3>> crossingWithin(double radiusMm) const;
-  Status checkCentre(const std::optional<Vec3>& crossing) const;
+  bool isAtCentre(Vec3 crossing) const;
   Result<bool> refine();
   bool grow();
-  Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region) const;
-  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
+  Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region);
+  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region);
   double sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const;
   double halfDiagonalMm(double symbolMm) const;
   double largestMm() const;
@@ -134,7 +131,8 @@ class PlacementSearch {
   int round_ = 0;
   bool started_ = false;
   bool isFound_ = false;  // but for a larger code
-  double fitMm_ = 0;      // symbol size that the last silhouette allows; at first an estimate
+  bool meetsCrossings_ = false;
+  double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate
   double directionMs_ = 0, sizeMs_ = 0;
 };
 

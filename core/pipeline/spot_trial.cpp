@@ -94,7 +94,7 @@ Result<bool> SpotTrial::step() {
   const Result<bool> placed = search_->step();
   if (!placed && placed.error().kind != ErrorKind::NoSolution) return placed;
   if (!placed) {
-    meetsCrossings_ = meetsCrossings_ || isForCrossings(placed.error().message);
+    meetsCrossings_ = meetsCrossings_ || search_->meetsCrossings();
     return endTry();
   }
   if (!*placed) return false;

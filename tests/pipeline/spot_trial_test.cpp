@@ -62,6 +62,24 @@ TEST(SpotTrial, TriesBothDirectionsBeforeItReportsAThinWall) {
   EXPECT_NEAR(*trial.thinWallMm(), 1, 0.05);
 }
 
+TEST(SpotTrial, TellsWhetherCrossingsKeepTheCodeAway) {
+  // A column comes through the face along x = 8; the face ends at x = -20.
+  const auto model =
+      modelOf(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
+  SpotSearchRequest request;
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = 12;
+  request.placement.direction = Vec3(0, 0, 1);
+  const SizeMap map = makeSizeMap(model->prepared.mesh, model->prepared.normals, {.minMm = 4});
+  const auto isMet = [&](Vec3 centre) {
+    const SpotTrial trial = finished(*model, request, map, {centre, {0, 0, 1}, 40, {}});
+    EXPECT_FALSE(trial.spot().has_value());
+    return trial.meetsCrossings();
+  };
+  EXPECT_TRUE(isMet({6, 1, 5}));
+  EXPECT_FALSE(isMet({-18, 1, 5}));
+}
+
 TEST(SpotTrial, OffersNoSpotBesideASurfaceThatIsTooSmall) {
   const auto model = modelOf(shapes::box({60, 60, 10}));
   SpotSearchRequest request;
