@@ -19,6 +19,7 @@
 #include "pipeline/placement_light.h"
 #include "pipeline/printed_view.h"
 #include "pipeline/requested_symbol.h"
+#include "pipeline/shell_below.h"
 #include "pipeline/spot_concerns.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
@@ -192,10 +193,15 @@ struct CarveJob::State {
     result.unfinishedSubmodules = found.unfinishedCount();
     result.luminance = search->luminance();
     result.received = search->received();
-    if (summarise(result.depths).maxMm == 0)
-      return fail(ErrorKind::NoSolution,
-                  message<"nothing-can-be-carved">(with::lengthMm<"wall">(asked.depth.minWallMm)));
-    return kStageDone;
+    const PreparedModel& prepared = model->prepared;
+    const DepthRequest& depth = result.request.depth;
+    if (prepared.shells > 1 && result.limitedSubmodules > result.unfinishedSubmodules)
+      result.shellBelowMm = shellBelowMm(prepared.mesh, result.placement, *depth.maxDepthMm + depth.minWallMm);
+    if (summarise(result.depths).maxMm > 0) return kStageDone;
+    const auto wall = with::lengthMm<"wall">(depth.minWallMm);
+    if (!result.shellBelowMm) return fail(ErrorKind::NoSolution, message<"nothing-can-be-carved">(wall));
+    return fail(ErrorKind::NoSolution,
+                message<"nothing-can-be-carved-over-shell">(wall, with::lengthMm<"below">(*result.shellBelowMm)));
   }
 
   Result<StageStep> embed() {

@@ -64,9 +64,12 @@ struct EngraveResult {
   int searchIterations = 0;              ///< of both searches, if the print required a second one
   std::size_t limitedSubmodules = 0;     ///< submodules too light because of a depth limit or the end of the search
   std::size_t unfinishedSubmodules = 0;  ///< those of them that the end of the search left too light
-  Grid<double> luminance;                ///< of every submodule of symbol and quiet zone, at the depths found
-  Grid<Received> received;               ///< the light that makes this luminance
-  SolidityReport solidity;               ///< report on the whole file, after the round trip
+  /// Distance to another shell within the material under the code (shell_below.h), mm; none: no depth limit left
+  /// submodules too light, or there is no such shell.
+  std::optional<double> shellBelowMm;
+  Grid<double> luminance;   ///< of every submodule of symbol and quiet zone, at the depths found
+  Grid<Received> received;  ///< the light that makes this luminance
+  SolidityReport solidity;  ///< report on the whole file, after the round trip
   /// Pairs of crossing triangles inherited from the model; any others would have been refused.
   std::size_t inheritedSelfIntersections = 0;
   /// Mark::Inlay: depth along the rays, the same in all modules, and the depth that would be opaque, mm; else 0.

@@ -82,8 +82,8 @@ Json describeLights(const std::vector<DirectionalLight>& lights) {
 Json describePrinted(const std::optional<PrintedEvidence>& printed) {
   if (!printed) return nullptr;
   const ReadingCount& count = printed->reading.count;
-  return {{"process", printed->process}, {"facingDeg", printed->facingDeg}, {"tries", count.tries},
-          {"reads", count.reads},        {"readsNeeded", count.needed()},   {"read", count.enough()}};
+  return {{"process", printed->process}, {"facingDeg", printed->facingDeg},  {"tries", count.tries},
+          {"reads", count.reads},        {"readsNeeded", printed->needed()}, {"read", printed->enough()}};
 }
 
 void addMark(Json& report, Mark mark, double markDepthMm, const Ink& ink) {

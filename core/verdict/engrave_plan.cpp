@@ -245,7 +245,7 @@ void EngravePlan::notCarved(const Error& error) {
     step_ = Step::Deliver;
     return;
   }
-  for (const char* needsWall : {"nothing-can-be-carved", "no-spot-wall-too-thin"})
+  for (const char* needsWall : {"nothing-can-be-carved", "nothing-can-be-carved-over-shell", "no-spot-wall-too-thin"})
     if (error.message.code == needsWall) nextRemedy_ = Remedy::None;  // a larger code needs deeper pockets
   settle();
 }

@@ -75,6 +75,15 @@ void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& r
   remedies.push_back(std::move(remedy));
 }
 
+/// Adds the exchange of the two colours of an inverted code.
+void addOtherColours(const MarkRequest& marking, std::vector<Remedy>& remedies) {
+  const Ink ink = marking.ink();
+  if (!marking.isInColour() || !ink.isInverted()) return;
+  const double mostLight = findSetting("albedo")->max;
+  remedies.push_back({message<"remedy-swap-colours">(),
+                      {{"albedo", plain(std::min(ink.dark, mostLight))}, {"darkReflectance", plain(ink.light)}}});
+}
+
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
   request.depth.carveFor = CarveFor::Print;
@@ -111,9 +120,10 @@ void addFinerNozzle(double mostMm, const EngraveRequest& request, std::vector<Re
     remedies.push_back({message<"remedy-nozzle">(with::lengthMm<"nozzle">(*finer)), {nozzle}});
 }
 
-std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result) {
+std::vector<Remedy> inkPrintingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
   const double lineMm = lineWidthMm(request.print.printer), moduleMm = result.placement.moduleMm;
   std::vector<Remedy> remedies;
+  if (wasPrinted) addOtherColours(request.marking, remedies);
   addLargerCode(request, result, lineMm, remedies);
   if (moduleMm < lineMm) addFinerNozzle(nozzleForInk(moduleMm, request.print.printer), request, remedies);
   addPaint(request, result, remedies);
@@ -127,6 +137,7 @@ Remedy anotherSpot() { return {message<"remedy-another-spot">(), {}}; }
 
 std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result) {
   std::vector<Remedy> remedies;
+  addOtherColours(request.marking, remedies);
   addCarvingForAnyLight(request, remedies);
   addDarkerModules(request, remedies);
   addPaint(request, result, remedies);
@@ -149,7 +160,7 @@ std::vector<Remedy> textRemedies(const EngraveRequest& request, const EngraveRes
 }
 
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
-  if (request.marking.isInColour()) return inkPrintingRemedies(request, result);
+  if (request.marking.isInColour()) return inkPrintingRemedies(request, result, wasPrinted);
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
   const double leastModuleMm = printableModuleMm(features, request.print.printer.nozzleMm);

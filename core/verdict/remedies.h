@@ -7,8 +7,8 @@
 
 namespace qrelief {
 
-/// Returns remedies for a code that does not read, or barely does: more depth, a larger code, more error correction,
-/// another place.
+/// Returns remedies for a code that does not read, or barely does: the other colours, more depth, a larger code, more
+/// error correction, another place.
 std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result);
 
 /// Returns remedies for a code that may not print: a larger code, another pattern, a finer nozzle, more depth, thinner

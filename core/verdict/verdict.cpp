@@ -27,28 +27,35 @@ constexpr double kGoodContrast = 0.3;
 constexpr double kLeastGrade = 1;  // D
 /// Distance of the symbol's corners from their places, in modules, beyond which the symbol is somewhere else.
 constexpr double kMisplacedModules = 1.5;
-/// Least fraction of successful tries on a print; fewer are luck. Fewer than three of five families of decoders read 23
-/// of 27 such prints (bench/printing).
-constexpr double kLeastPrintedFraction = 1.0 / 6;
+
+/// What is known of a code besides its reading.
+struct CodeFacts {
+  std::optional<double> meanDepthMm;        ///< none: a code in colour, which is graded like ink on paper
+  const SymbolGrades* grades = nullptr;     ///< null: nothing could be measured
+  std::optional<double> shellBelowMm = {};  ///< see EngraveResult
+  bool isInverted = false;                  ///< a code in colour that is lighter than its body
+};
 
 /// Returns the reasons why a code does not read; empty if it does.
-/// @param meanDepthMm  none: a code in colour
-/// @param grades       null: nothing could be measured
 std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& expected,
-                                     std::optional<double> meanDepthMm, const SymbolGrades* grades) {
+                                     const CodeFacts& code) {
   const ReadingCount& count = reading.count;
   if (!reading.text.empty() && reading.text != expected)
     return {message<"other-text">(with::quoted<"found">(reading.text), with::quoted<"wanted">(expected))};
   if (count.enough()) return {};
-  if (meanDepthMm && grades && grades->cellContrast.value < kGoodContrast)
-    return {message<"too-shallow">(
-        with::lengthMm<"depth">(*meanDepthMm), with::fraction<"contrast">(grades->cellContrast.value),
-        with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(count.needed()))};
-  if (!meanDepthMm)
-    return {message<"ink-unreadable">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
-                                      with::count<"needed">(count.needed()))};
-  return {message<"unreadable">(with::count<"reads">(count.reads), with::count<"tries">(count.tries),
-                                with::count<"needed">(count.needed()))};
+  const auto reads = with::count<"reads">(count.reads);
+  const auto tries = with::count<"tries">(count.tries);
+  const auto needed = with::count<"needed">(count.needed());
+  if (!code.meanDepthMm && code.isInverted) return {message<"inverted-ink-unreadable">(reads, tries, needed)};
+  if (!code.meanDepthMm) return {message<"ink-unreadable">(reads, tries, needed)};
+  const auto depth = with::lengthMm<"depth">(*code.meanDepthMm);
+  if (code.shellBelowMm)
+    return {
+        message<"too-shallow-over-shell">(depth, with::lengthMm<"below">(*code.shellBelowMm), reads, tries, needed)};
+  if (code.grades && code.grades->cellContrast.value < kGoodContrast)
+    return {message<"too-shallow">(depth, with::fraction<"contrast">(code.grades->cellContrast.value), reads, tries,
+                                   needed)};
+  return {message<"unreadable">(reads, tries, needed)};
 }
 
 /// Returns the warning that must come with a code that is read under one lamp.
@@ -85,12 +92,11 @@ Message readingSummary(const ReadingEvidence& reading, const std::string& expect
   return message<"barely-reads-as">(with::term<"text">(expected));
 }
 
-/// @param meanDepthMm  none: a code in colour, which is graded like ink on paper
-Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected, std::optional<double> meanDepthMm,
-                    const SymbolGrades* grades) {
+Aspect judgeReading(const ReadingEvidence& reading, const std::string& expected, const CodeFacts& code) {
   Aspect aspect;
-  aspect.failed = readingFailures(reading, expected, meanDepthMm, grades);
-  const bool weak = grades && (meanDepthMm ? grades->iso29158 : grades->iso15415) < kLeastGrade;
+  const SymbolGrades* const grades = code.grades;
+  aspect.failed = readingFailures(reading, expected, code);
+  const bool weak = grades && (code.meanDepthMm ? grades->iso29158 : grades->iso15415) < kLeastGrade;
   aspect.level = !aspect.passed() ? Level::Bad : weak ? Level::Barely : Level::Good;
   aspect.summary = readingSummary(reading, expected, aspect.level);
   if (reading.text.empty()) {
@@ -213,7 +219,7 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
 Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& expected,
                     std::vector<Message> advice) {
   const ReadingCount& count = printed.reading.count;
-  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == expected;
+  const bool some = printed.enough() && printed.reading.text == expected;
   Aspect aspect;
   const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
   aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
@@ -227,11 +233,11 @@ Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, cons
   else
     aspect.summary = message<"reads-not-as-printed">(with::cause<"facing">(how), with::cause<"printing">(by));
   aspect.reasons.push_back(message<"tries-on-printed-pictures">(
-      with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+      with::count<"reads">(count.reads), with::count<"tries">(count.tries), with::count<"needed">(printed.needed())));
   if (!some)
     aspect.failed.push_back(message<"unreadable-as-printed">(
         with::cause<"facing">(how), with::cause<"printing">(by), with::count<"reads">(count.reads),
-        with::count<"tries">(count.tries), with::count<"needed">(count.needed())));
+        with::count<"tries">(count.tries), with::count<"needed">(printed.needed())));
   if (hangs) aspect.reasons.push_back(message<"faces-down">());
   if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
   return aspect;
@@ -267,16 +273,32 @@ SymbolGrades gradesOf(const EngraveRequest& request, const EngraveResult& result
 
 namespace {
 
+/// Removes remedies that an aspect before it offers, if both fail.
+void offerRemediesOnce(Verdict& verdict) {
+  std::vector<Remedy> offered;
+  for (Aspect* aspect : {&verdict.solid, &verdict.reads, &verdict.prints}) {
+    if (aspect->passed()) continue;
+    std::erase_if(aspect->remedies, [&](const Remedy& remedy) {
+      return std::find(offered.begin(), offered.end(), remedy) != offered.end();
+    });
+    offered.insert(offered.end(), aspect->remedies.begin(), aspect->remedies.end());
+  }
+}
+
 /// Judges whether a carved code reads and prints.
 Verdict judgeCode(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
                   const PrintedEvidence* printed) {
   const SymbolGrades grades = gradesOf(request, result);
   Verdict verdict;
-  verdict.reads = judgeReading(
-      reading, request.code.text,
-      request.marking.isInColour() ? std::nullopt : std::optional(summarise(result.depths).meanMm), &grades);
+  const bool isInColour = request.marking.isInColour();
+  verdict.reads =
+      judgeReading(reading, request.code.text,
+                   {.meanDepthMm = isInColour ? std::nullopt : std::optional(summarise(result.depths).meanMm),
+                    .grades = &grades,
+                    .shellBelowMm = result.shellBelowMm,
+                    .isInverted = isInColour && request.marking.ink().isInverted()});
   if (request.isForOneLight()) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
-  if (request.marking.isInColour()) verdict.reads.warnings = adviseInk(request.marking.ink());
+  if (isInColour) verdict.reads.warnings = adviseInk(request.marking.ink());
   if (result.coversColours) verdict.reads.warnings.push_back(message<"spot-in-several-colours">());
   if (result.modulesLeftOut > 0)
     verdict.reads.warnings.push_back(message<"modules-left-out">(with::count<"count">(result.modulesLeftOut),
@@ -287,14 +309,15 @@ Verdict judgeCode(const EngraveRequest& request, const EngraveResult& result, co
   if (verdict.reads.level != Level::Good) {
     const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules;
     if (atLimit > 0) verdict.reads.reasons.push_back(message<"submodules-limited">(with::count<"count">(atLimit)));
+    if (result.shellBelowMm && verdict.reads.passed())
+      verdict.reads.reasons.push_back(message<"shell-below">(with::lengthMm<"below">(*result.shellBelowMm)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
-  verdict.prints = request.marking.isInColour()
-                       ? judgeInkPrinting({request.marking.mark, result.placement.moduleMm, result.markDepthMm,
-                                           result.opaqueDepthMm, request.print.printer},
-                                          printed, request.code.text)
-                       : judgePocketPrinting(featuresOf(result), request.print.printer, request.depth.minWallMm,
-                                             printed, request.code.text);
+  verdict.prints = isInColour ? judgeInkPrinting({request.marking.mark, result.placement.moduleMm, result.markDepthMm,
+                                                  result.opaqueDepthMm, request.print.printer},
+                                                 printed, request.code.text)
+                              : judgePocketPrinting(featuresOf(result), request.print.printer, request.depth.minWallMm,
+                                                    printed, request.code.text);
   if (const auto capitalMm = labelCapitalMm(request.code.label, result.symbol.size, result.placement.moduleMm))
     addUnlessReason(verdict.prints, adviseLabel(*capitalMm, request.print.printer));
   if (verdict.prints.level != Level::Good)
@@ -321,6 +344,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
     verdict.solid.reasons = verdict.solid.failed;
     verdict.solid.remedies = {anotherSpot()};
   }
+  offerRemediesOnce(verdict);
   return verdict;
 }
 
@@ -334,8 +358,10 @@ Verdict judgeFoundCode(const VerifyRequest& request, const VerifyResult& result,
                                  request.isTraced};
   const bool isInColour = request.mark != Mark::Shadow;
   Verdict verdict;
-  verdict.reads = judgeReading(evidence, request.text, isInColour ? std::nullopt : std::optional(profile.meanDepthMm),
-                               result.grades ? &*result.grades : nullptr);
+  verdict.reads = judgeReading(evidence, request.text,
+                               {.meanDepthMm = isInColour ? std::nullopt : std::optional(profile.meanDepthMm),
+                                .grades = result.grades ? &*result.grades : nullptr,
+                                .isInverted = isInColour && request.ink().isInverted()});
   if (request.needsLamp) verdict.reads.warnings = {oneLightNeeded(request.lamps.front())};
   if (isInColour) verdict.reads.warnings = adviseInk(request.ink());
   if (request.mark == Mark::Paint) verdict.reads.warnings.push_back(message<"paint-not-checked">());

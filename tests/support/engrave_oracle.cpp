@@ -386,7 +386,8 @@ OracleVerdict judgeNoSolution(const EngraveCase& engraveCase, const EngravableMo
   if (says("centre-hidden")) return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
   if (says("centre-behind-eye"))
     return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
-  if (says("nothing-can-be-carved")) return {"wall too thin", thinFault(engraveCase, model, search, *symbol)};
+  if (says("nothing-can-be-carved", "nothing-can-be-carved-over-shell"))
+    return {"wall too thin", thinFault(engraveCase, model, search, *symbol)};
   if (says("facets-too-fine", "carved-not-solid")) return {"facets too fine", fineFault(model, search)};
   return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }

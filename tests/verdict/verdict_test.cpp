@@ -53,6 +53,13 @@ EngraveResult carved(const EngraveRequest& request, double symbolMm, double dept
   return result;
 }
 
+/// Returns the number of tries that a message calls needed; -1: none.
+double neededIn(const Message& message) {
+  for (const MessageValue& value : message.values)
+    if (value.name == "needed") return value.numbers[0];
+  return -1;
+}
+
 ReadingEvidence evidence(int reads) {
   std::vector<std::string> texts(72);
   std::fill_n(texts.begin(), reads, "HELLO");
@@ -222,6 +229,7 @@ TEST_F(VerdictTest, APrintThatDoesNotReadFails) {
   EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
   EXPECT_EQ(settingsOf(barely.remedies).front(), "size=best") << "modules of 0.3 mm: depth does not help";
   EXPECT_EQ(printed(12, 0).level, Level::Barely);
+  EXPECT_EQ(neededIn(printed(12, 0).reasons.front()), 12) << "the least number that passes";
   const Aspect hanging = printed(69, 180);
   EXPECT_EQ(hanging.level, Level::Barely);
   EXPECT_EQ(hanging.summary.code, "reads-as-printed-hanging");
@@ -256,10 +264,36 @@ TEST_F(VerdictTest, APrintThatDoesNotReadFails) {
   EXPECT_TRUE(good.passed());
   EXPECT_TRUE(barely.passed());
   EXPECT_THAT(codesOf(bad.failed), ElementsAre("unreadable-as-printed"));
+  EXPECT_EQ(neededIn(bad.failed.front()), 12);
+  EXPECT_EQ(neededIn(judged(28).reads.failed.front()), 29) << "of the design";
   const PrintedEvidence unread{evidence(11), "fdm-0.4/0.2", 0};
   const Verdict verdict = judge(request_, carved(request_, 30, 0.5), evidence(72), &unread);
   EXPECT_FALSE(verdict.passed());
   EXPECT_EQ(verdict.failed().size(), 1u);
+}
+
+TEST_F(VerdictTest, OffersARemedyOnceIfBothChecksFail) {
+  const PrintedEvidence unread{evidence(0), "fdm-0.4/0.2", 0};
+  const auto judgedWith = [&](int reads) {
+    return judge(request_, carved(request_, 30, 0.5), evidence(reads), &unread);
+  };
+  const Verdict both = judgedWith(0);
+  ASSERT_FALSE(both.reads.passed() || both.prints.passed());
+  EXPECT_THAT(settingsOf(both.reads.remedies), testing::Contains("preset=robust"));
+  for (const Remedy& remedy : both.reads.remedies)
+    EXPECT_THAT(both.prints.remedies, testing::Not(testing::Contains(remedy)));
+  EXPECT_THAT(settingsOf(both.prints.remedies), ElementsAre("carveFor=print"));
+  const Verdict printOnly = judgedWith(72);
+  EXPECT_THAT(settingsOf(printOnly.prints.remedies), testing::Contains("preset=robust"));
+}
+
+TEST_F(VerdictTest, NamesAShellBelowThePocketsAsTheCause) {
+  EngraveResult result = carved(request_, 30, 0.5);
+  result.limitedSubmodules = 7;
+  result.shellBelowMm = 1.5;
+  EXPECT_THAT(codesOf(judge(request_, result, evidence(0)).reads.failed), ElementsAre("too-shallow-over-shell"));
+  EXPECT_THAT(codesOf(judge(request_, result, evidence(72)).reads.reasons), testing::Contains("shell-below"))
+      << "it barely reads";
 }
 
 TEST_F(VerdictTest, WarnsOfASearchThatEndedTooEarly) {
@@ -342,6 +376,20 @@ TEST_F(ColourVerdictTest, WarnsOfInvertedCodesAndOfColoursThatAreAlike) {
   EXPECT_EQ(judged(72).reads.level, Level::Good);
   lay({.dark = 0.5, .light = 0.8});
   EXPECT_THAT(codesOf(judged(72).reads.warnings), ElementsAre("colours-alike"));
+}
+
+TEST_F(ColourVerdictTest, AnInvertedCodeThatDoesNotReadOffersToSwapTheColours) {
+  lay({.dark = 0.85, .light = 0.05});
+  EXPECT_EQ(judged(3).reads.failed.front().code, "inverted-ink-unreadable");
+  EXPECT_EQ(settingsOf(judged(3).reads.remedies).front(), "albedo=0.85 darkReflectance=0.05");
+  const PrintedEvidence unread{evidence(3), "fdm-0.4/0.2", 0};
+  EXPECT_EQ(settingsOf(judge(request_, result_, evidence(72), &unread).prints.remedies).front(),
+            "albedo=0.85 darkReflectance=0.05");
+  lay({.dark = 1, .light = 0.05});
+  EXPECT_EQ(settingsOf(judged(3).reads.remedies).front(), "albedo=0.95 darkReflectance=0.05") << "within the range";
+  lay({.dark = 0.05, .light = 0.85});
+  EXPECT_THAT(settingsOf(judged(3).reads.remedies),
+              testing::Not(testing::Contains("albedo=0.05 darkReflectance=0.85")));
 }
 
 TEST_F(ColourVerdictTest, NeverBlamesTheDepthAndNeverAsksForMore) {

@@ -103,7 +103,7 @@ export class PlacePanel {
 }
 
 const kNoSpot = 'no-spot'; // begins the codes of the reasons why a search finds no spot
-const kThin = ['nothing-can-be-carved', 'no-spot-wall-too-thin'];
+const kThin = ['nothing-can-be-carved', 'nothing-can-be-carved-over-shell', 'no-spot-wall-too-thin'];
 
 /** A code that needs no wall. @type {SettingChange} */
 const kPaint = { setting: 'mark', value: 'paint' };
