@@ -47,8 +47,8 @@ class Stopwatch {
 }  // namespace
 
 PlacementSearch::PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
-                                 const PlacementRequest& request)
-    : model_(&model), surface_(&surface), modules_(modules), request_(request) {}
+                                 const PlacementRequest& request, Advice advice)
+    : model_(&model), surface_(&surface), modules_(modules), request_(request), advice_(advice) {}
 
 double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_); }
 
@@ -64,7 +64,7 @@ Status PlacementSearch::start() {
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
   fitMm_ = std::min(request_.maxSizeMm, kFirstShare * boundingBox(model_->mesh).diagonal());
-  if (request_.direction) return measure(*request_.direction);
+  if (request_.direction) return measure(*request_.direction, advice_);
   if (request_.sizeMode == SizeMode::Fixed) return {};
   // A single facet's normal is unreliable: from that direction the code may be tiny or not fit at all, although it is
   // large from others.
@@ -185,7 +185,7 @@ PlacementSearch::Fit& PlacementSearch::fitToTake(std::vector<Fit>& fits) {
   return isTurned ? *turnedToFit : *upright;
 }
 
-Status PlacementSearch::measure(Vec3 normal) {
+Status PlacementSearch::measure(Vec3 normal, Advice advice) {
   const Stopwatch stopwatch(sizeMs_);
   const bool isFixed = request_.sizeMode == SizeMode::Fixed;
   auto fits = fitsFrom(frameFor(normal));
@@ -205,7 +205,8 @@ Status PlacementSearch::measure(Vec3 normal) {
     if (room.crossing && fitMm_ < leastMm && isAtCentre(*room.crossing))
       return tl::unexpected(crossingAtCentre(room, placement_.frame.centre));
   }
-  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm) return tl::unexpected(tooLarge(room, fittingSizes()));
+  if (isFixed && fitMm_ * (1 + kEqualSizes) < request_.sizeMm)
+    return tl::unexpected(tooLarge(room, fittingSizes(advice)));
   if (placement_.moduleMm < kMinModuleMm)
     return tl::unexpected(isFixed || fitMm_ >= request_.maxSizeMm ? tooSmallAsAsked(room, placement_.symbolMm)
                                                                   : tooSmallHere(room, placement_.symbolMm));
@@ -232,11 +233,12 @@ bool PlacementSearch::isAtCentre(Vec3 crossing) const {
 
 /// Finds the largest sizes that fit, for a size that does not. They must still fit as written, so that of a turned code
 /// is measured at a rounded rotation.
-FittingSizes PlacementSearch::fittingSizes() {
+FittingSizes PlacementSearch::fittingSizes(Advice advice) {
+  FittingSizes fitting{.hereMm = fitMm_, .everywhereMm = placement_.guaranteedMm};
+  if (advice == Advice::None) return fitting;
   const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square);
   const std::vector<Segment2>& silhouette = farthest ? farthest->silhouette : placement_.patch.silhouette;
   const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
-  FittingSizes fitting{.hereMm = fitMm_, .everywhereMm = placement_.guaranteedMm};
   fitting.turnedDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
   const double turn = toRadians(fitting.turnedDeg - request_.rotateDeg);
   fitting.turnedMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
@@ -261,7 +263,7 @@ Status PlacementSearch::measureFirstFitting(std::span<const Vec3> normals) {
   if (first) return first;
   for (const Vec3 normal : normals.subspan(1))
     if (measure(normal)) return {};
-  return first;
+  return advice_ == Advice::None ? first : measure(normals.front(), advice_);
 }
 
 /// Returns the directions to try: the one found, then the others by increasing variance, as the code may not fit from

@@ -52,10 +52,16 @@ struct FoundPlacement {
 /// fit is at least as large as an upright one, and that as one that fits at every rotation.
 class PlacementSearch {
  public:
+  /// What the error says of a fixed size that does not fit.
+  enum class Advice {
+    Turn,  ///< also the rotation at which the largest code fits; this takes another silhouette
+    None   ///< only how large a code fits
+  };
+
   /// @param model, surface  kept by reference
   /// @param modules         along the symbol's edge
   PlacementSearch(const PreparedModel& model, const SurfaceRenderer& surface, int modules,
-                  const PlacementRequest& request);
+                  const PlacementRequest& request, Advice advice = Advice::Turn);
 
   /// Does one rendering or one silhouette.
   /// @returns true when done; NoSolution if the code does not fit (the message names the largest that fits)
@@ -93,14 +99,14 @@ class PlacementSearch {
   bool lookFromFree();
   Result<double> sizeAnyWayUp(Vec3 normal);
   Status takeBestFit();
-  Status measure(Vec3 normal);
+  Status measure(Vec3 normal, Advice advice = Advice::None);
   Result<std::vector<Fit>> fitsFrom(const ProjectionFrame& frame);
   Fit fitIn(VisiblePatch patch, const ProjectionFrame& frame, Fit::Turn turn) const;
   Result<Fit> turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame);
   static Fit& fitToTake(std::vector<Fit>& fits);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
-  FittingSizes fittingSizes();
+  FittingSizes fittingSizes(Advice advice);
   Result<std::optional<Vec3>> crossingWithin(double radiusMm) const;
   bool isAtCentre(Vec3 crossing) const;
   Result<bool> refine();
@@ -120,6 +126,7 @@ class PlacementSearch {
   const SurfaceRenderer* surface_;
   int modules_;
   PlacementRequest request_;
+  Advice advice_;
   Placement placement_;
   Vec3 surfaceNormal_{0};
   std::optional<DirectionSearch> direction_;

@@ -40,7 +40,7 @@ void SpotTrial::beginTry() {
   const double pocketMm = placement.pockets.depth(wantedMm(*request_) / request_->modules);
   placement.beyondMm = std::max(placement.beyondMm, request_->minWallMm + std::max(request_->leastDepthMm, pocketMm));
   if (findsLargest_) placement.sizeMode = SizeMode::Oriented;
-  search_.emplace(model_->prepared, *model_->renderer, request_->modules, placement);
+  search_.emplace(model_->prepared, *model_->renderer, request_->modules, placement, PlacementSearch::Advice::None);
   ++tries_;
 }
 
