@@ -33,6 +33,8 @@
 namespace qrelief {
 namespace {
 
+constexpr double kShareBeforeTries = 0.3;  // of the progress, if other prints may be tried
+
 struct EngraveOptions {
   ModelFlags model;
   std::string output, report, preview, maps;
@@ -154,18 +156,23 @@ void tellWhatWasCarved(const EngraveRequest& asked, const Engraved& carved) {
 }
 
 /// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
-Status tryOtherPrints(Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
+Status tryOtherPrints(Engraver& engraver, const EngraveOptions& options, const EngraveResult& result,
+                      ProgressBar& bar) {
   fmt::print("engraved for other ways of printing:\n");
-  for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
+  const std::vector<SettingChange> others = otherPrints(verifyRequestOf(options.request, result));
+  auto left = static_cast<double>(others.size());
+  for (const SettingChange& other : others) {
     EngraveRequest changed = options.request;
     apply(other, changed);
-    ProgressBar bar(options.quiet);
+    bar.next(1 / left--);
     const auto carved =
         engrave(engraver, changed, {.mayChange = false}, [&](const Progress& progress) { bar.show(progress); });
+    bar.hide();
     QRELIEF_TRY(carved);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
                triedPrint(carved->verdict.prints, *carved->printed));
   }
+  bar.finish();
   return {};
 }
 
@@ -204,16 +211,17 @@ int engraveModel(EngraveOptions& options) {
 
   Engraver engraver(model);
   const EngraveRequest asked = options.request;
-  auto carved = [&] {
-    ProgressBar bar(options.quiet);
-    return engrave(engraver, asked,
-                   {.mayMove = options.at.empty(),
-                    .offersMarks = true,
-                    .chosen = options.flags.given(),
-                    .otherMarks = marksInColour(formatOfName(options.output))},
-                   [&](const Progress& progress) { bar.show(progress); });
-  }();
+  ProgressBar bar(options.quiet, options.tryPrints ? kShareBeforeTries : 1);
+  auto carved = engrave(engraver, asked,
+                        {.mayMove = options.at.empty(),
+                         .offersMarks = true,
+                         .chosen = options.flags.given(),
+                         .otherMarks = marksInColour(formatOfName(options.output))},
+                        [&](const Progress& progress) { bar.show(progress); });
+  bar.hide();
   if (!carved) return printError(carved.error(), context.fileName);
+  const bool triesPrints = options.tryPrints && carved->printed && carved->verdict.prints.level != Level::Good;
+  if (!triesPrints) bar.finish();
   options.request = carved->request;
   if (options.at.empty()) printSpot(options.request.placement.centreMm, input->scaleToMm, stdout);
   tellWhatWasCarved(asked, *carved);
@@ -234,8 +242,8 @@ int engraveModel(EngraveOptions& options) {
   if (!options.at.empty())
     if (const auto moved = centreMoved(asked.placement.centreMm, result.placement))
       printWarning(*moved, context.fileName);
-  if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
-    if (const Status tried = tryOtherPrints(engraver, options, result); !tried) return printError(tried.error());
+  if (triesPrints)
+    if (const Status tried = tryOtherPrints(engraver, options, result, bar); !tried) return printError(tried.error());
   return printFailed(context.verdict);
 }
 

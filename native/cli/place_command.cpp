@@ -155,7 +155,8 @@ int findSpots(PlaceOptions& options) {
   const auto placing = Clock::now();
   auto job = SpotSearchJob::create(model, options.request);
   if (!job) return printError(job.error(), file);
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
+  ProgressBar bar(options.quiet);
+  if (const Status done = runWithProgress(**job, bar); !done) return printError(done.error(), file);
   const SpotSearchResult result = (*job)->takeResult();
   printSpots(options, result, model->prepared.bodies, input->scaleToMm);
   if (result.spots.size() < options.request.count)

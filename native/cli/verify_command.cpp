@@ -25,6 +25,9 @@
 namespace qrelief {
 namespace {
 
+// Shares of the progress: before the print is simulated, and of the rest, before other prints are tried.
+constexpr double kShareBeforePrint = 0.6, kShareBeforeTries = 0.2;
+
 struct VerifyOptions {
   std::string path, units, report, json;
   SettingFlags flags;
@@ -149,16 +152,20 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
 }
 
 /// Simulates other prints of the same model and prints a verdict on each.
-Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
+Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, ProgressBar& bar) {
   fmt::print("this model, printed in other ways:\n");
-  for (const SettingChange& other : otherPrints(request)) {
+  const std::vector<SettingChange> others = otherPrints(request);
+  auto left = static_cast<double>(others.size());
+  for (const SettingChange& other : others) {
     const VerifyRequest changed = printedOtherwise(request, other);
-    ProgressBar bar(quiet);
+    bar.next(1 / left--);
     const auto printed = readPrinted(changed, carved, [&](const Progress& progress) { bar.show(progress); });
+    bar.hide();
     QRELIEF_TRY(printed);
     const Aspect prints = judgePrinted(**printed, changed.printer, changed.text);
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value, triedPrint(prints, **printed));
   }
+  bar.finish();
   return {};
 }
 
@@ -181,22 +188,25 @@ int verifyModel(const VerifyOptions& options) {
 
   auto job = VerifyJob::create(*mesh, *request, zxingDecoders());
   if (!job) return printError(job.error(), name);
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), name);
+  ProgressBar bar(options.quiet, kShareBeforePrint);
+  if (const Status done = runWithProgress(**job, bar); !done) return printError(done.error(), name);
   const VerifyResult result = (*job)->takeResult();
 
   std::optional<PrintedEvidence> printed;
   // A slicer does not make the intended solid from an open mesh, and without a carving there is nothing to decode.
   if (result.solidity.closed() && (result.features || request->mark != Mark::Shadow)) {
-    ProgressBar bar(options.quiet);
+    bar.next(options.tryPrints ? kShareBeforeTries : 1);
     auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });
+    bar.hide();
     if (!read) return printError(read.error(), name);
     printed = std::move(*read);
   }
   const Verdict verdict = judge(*request, result, printed ? &*printed : nullptr);
+  const bool triesPrints = options.tryPrints && printed && verdict.prints.level != Level::Good;
+  if (!triesPrints) bar.finish();
   printResult(name, *request, result, verdict, printed.has_value());
-  if (options.tryPrints && printed && verdict.prints.level != Level::Good)
-    if (const Status tried = tryOtherPrints(*request, *mesh, options.quiet); !tried)
-      return printError(tried.error(), name);
+  if (triesPrints)
+    if (const Status tried = tryOtherPrints(*request, *mesh, bar); !tried) return printError(tried.error(), name);
   const int status = printFailed(verdict);
   if (!options.json.empty()) {
     const double total = millisecondsSince(start);

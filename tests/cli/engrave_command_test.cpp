@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "cli/command_fixture.h"
 #include "io/three_mf/write_3mf.h"
@@ -34,6 +35,39 @@ TEST_F(EngraveCommandTest, EngravesAModelAndWritesMeshReportAndPreview) {
   EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
   EXPECT_GT(report["timingsMs"]["total"].get<double>(), report["timingsMs"]["depthSearch"].get<double>());
   EXPECT_EQ(contentOf(path("out.png")).substr(1, 3), "PNG");
+}
+
+/// Returns the percentages of the progress lines.
+std::vector<int> percentages(const std::string& err) {
+  std::vector<int> found;
+  std::istringstream lines(err);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto at = line.find(" % "); at != std::string::npos && at < 4) found.push_back(std::stoi(line));
+  return found;
+}
+
+TEST_F(EngraveCommandTest, ShowsProgressThatNeverGoesBackAndEndsAtAHundred) {
+  const std::string model = writeModel("box.stl", shapes::box({60, 60, 20}));
+  const std::vector<std::string> engraving = {"engrave", model,    "--text", "x",  "--at",
+                                              "0,0,10",  "--size", "9",      "-o", path("out.stl")};
+  const auto progressWith = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = engraving;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    const bool tried = outcome.out.find("engraved for other ways of printing") != std::string::npos;
+    EXPECT_EQ(tried, std::find(more.begin(), more.end(), "fdm-0.6/0.3") != more.end()) << outcome.out << outcome.err;
+    return percentages(outcome.err);
+  };
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--process", "none"},
+                                               {"--process", "none", "--try-prints"},
+                                               {"--process", "fdm-0.6/0.3", "--try-prints"}}) {
+    const std::vector<int> shown = progressWith(more);
+    ASSERT_GT(shown.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end())) << testing::PrintToString(shown);
+    EXPECT_EQ(shown.front(), 0);
+    EXPECT_EQ(shown.back(), 100);
+    EXPECT_EQ(std::count(shown.begin(), shown.end(), 100), 1);
+  }
 }
 
 TEST_F(EngraveCommandTest, EngravesWhereNoGlContextCanBeMade) {
