@@ -45,8 +45,12 @@ std::string digits(double value, int significant = 3) {
 /// As coordinates and unitless numbers of any size are read.
 std::string general(double value) { return digits(value, 6); }
 
-/// Of a place; less than a millionth is an error of rounding.
-std::string coordinate(double value) { return general(std::abs(value) < 1e-6 ? 0 : value); }
+/// Returns 0 in place of a rounding error: less than a nanometre, or a millionth of a unit of the file.
+double rounded(double value) { return std::abs(value) < 1e-6 ? 0 : value; }
+
+std::string coordinate(double value) { return general(rounded(value)); }
+
+std::string length(double mm, int significant) { return digits(rounded(mm), significant); }
 
 std::string listed(const std::vector<double>& indices) {
   constexpr std::size_t kMostNamed = 6;
@@ -65,15 +69,15 @@ std::string written(const MessageValue& value, const Json& words) {
     case Kind::Number:
       return general(n[0]);
     case Kind::LengthMm:
-      return digits(n[0]) + " mm";
+      return lengthInWords(n[0]);
     case Kind::AngleDeg:
-      return digits(n[0]) + "°";
+      return digits(rounded(n[0])) + "°";
     case Kind::Fraction:
       return fmt::format("{:.0f} %", 100 * n[0]);
     case Kind::Place:
       return fmt::format("({}, {}, {})", coordinate(n[0]), coordinate(n[1]), coordinate(n[2]));
     case Kind::ExtentMm:
-      return fmt::format("{} × {} × {} mm", digits(n[0]), digits(n[1]), digits(n[2]));
+      return extentInWords(n[0], n[1], n[2]);
     case Kind::Quoted:
       return fmt::format("\"{}\"", value.text);
     case Kind::Term:
@@ -148,6 +152,16 @@ std::string hint(const Message& message, const Json& words) {
 std::string sentenceAndHint(const Message& message) {
   const std::string helps = hint(message);
   return helps.empty() ? sentence(message) : fmt::format("{} ({})", sentence(message), helps);
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view other) {
+  return fmt::format("{} {}", count, count == 1 ? one : other);
+}
+
+std::string lengthInWords(double mm, int significant) { return length(mm, significant) + " mm"; }
+
+std::string extentInWords(double xMm, double yMm, double zMm, int significant) {
+  return fmt::format("{} × {} × {} mm", length(xMm, significant), length(yMm, significant), length(zMm, significant));
 }
 
 std::string durationInWords(double seconds) {

@@ -201,7 +201,7 @@ std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printe
   if (features.leastDepthMm < kMinDepthLayers * printer.layerMm - kRoundingMm)
     advice.push_back(message<"shallower-than-layers">(
         with::lengthMm<"depth">(features.leastDepthMm),
-        with::number<"layers">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
+        with::number<"count">(std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
         with::lengthMm<"layer">(printer.layerMm)));
   if (features.labelCapitalMm)
     if (auto label = adviseLabel(*features.labelCapitalMm, printer)) advice.push_back(std::move(*label));

@@ -68,7 +68,8 @@ int finish(const BatchFolder& folder, const BatchPlan& plan) {
   if (const Status written = folder.writeManifest(plan.firstNumber() + plan.size() - 1); !written)
     return printError(written.error());
   const BatchProgress::Counts counts = progress.counts();
-  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), counts.done, counts.failed, counts.waiting);
+  fmt::print("{}: {} done, {} failed, {} missing\n", counted(plan.size(), "row", "rows"), counts.done, counts.failed,
+             counts.waiting);
   return counts.done == plan.size() ? kEngraved : kCheckFailed;
 }
 
@@ -222,8 +223,8 @@ int runRows(const BatchOptions& options, const GivenShard& share, const BatchReq
   }
   if (share.shard.isWhole()) return finish(run.folder(), plan);
   const BatchProgress::Counts& counts = progress.counts();
-  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), passed, counts.done - passed,
-             counts.failed);
+  fmt::print("{} of {}: {} made now, {} before, {} failed\n", counted(mine, "row", "rows"), plan.size(), passed,
+             counts.done - passed, counts.failed);
   return counts.failed == 0 ? kEngraved : kCheckFailed;
 }
 

@@ -108,20 +108,24 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
 
 std::string depthInWords(const EngraveResult& result) {
   if (result.request.marking.mark == Mark::Paint) return "painted";
-  if (result.request.marking.mark == Mark::Inlay) return fmt::format("an inlay {:.2g} mm deep", result.markDepthMm);
+  if (result.request.marking.mark == Mark::Inlay)
+    return fmt::format("an inlay {} deep", lengthInWords(result.markDepthMm));
   const DepthSummary depth = pocketDepths(result);
-  if (result.request.code.isText()) return fmt::format("{:.2g} mm deep", depth.maxMm);
-  return fmt::format("{:.2g} mm deep on average, {:.2g} mm at most", depth.meanMm, depth.maxMm);
+  if (result.request.code.isText()) return fmt::format("{} deep", lengthInWords(depth.maxMm));
+  return fmt::format("{} deep on average, {} at most", lengthInWords(depth.meanMm), lengthInWords(depth.maxMm));
 }
 
 void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
   if (result.request.code.isText())
-    fmt::print("{}: text, {:.4g} mm across, {}\n", options.output, result.placement.symbolMm, depthInWords(result));
+    fmt::print("{}: text, {} across, {}\n", options.output, lengthInWords(result.placement.symbolMm, 4),
+               depthInWords(result));
   else
-    fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {}\n", options.output, result.symbol.version,
-               result.placement.symbolMm, result.placement.moduleMm, depthInWords(result));
+    fmt::print("{}: version {} code, {} wide ({} modules), {}\n", options.output, result.symbol.version,
+               lengthInWords(result.placement.symbolMm, 4), lengthInWords(result.placement.moduleMm),
+               depthInWords(result));
   if (const std::size_t atLimit = result.limitedSubmodules - result.unfinishedSubmodules; atLimit > 0)
-    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n", atLimit);
+    fmt::print("{} shallower than needed: stopped by the maximum depth or the minimum wall\n",
+               counted(atLimit, "submodule is", "submodules are"));
   if (context.verdict.reads.passed() && !context.reading.text.empty())
     fmt::print("reads as: {}\n", context.reading.text);
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints})

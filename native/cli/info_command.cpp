@@ -50,10 +50,11 @@ Json bodiesOf(const PreparedModel& model) {
 void printBodies(const Json& bodies) {
   constexpr std::size_t kMostPrinted = 20;
   for (std::size_t b = 0; b < std::min(bodies.size(), kMostPrinted); ++b)
-    fmt::print("body {}: {}{} triangles\n", b + 1,
+    fmt::print("body {}: {}{}\n", b + 1,
                bodies[b]["name"].get<std::string>().empty() ? "" : bodies[b]["name"].get<std::string>() + ", ",
-               bodies[b]["triangles"].get<std::size_t>());
-  if (bodies.size() > kMostPrinted) fmt::print("and {} more bodies\n", bodies.size() - kMostPrinted);
+               counted(bodies[b]["triangles"].get<std::size_t>(), "triangle", "triangles"));
+  if (bodies.size() > kMostPrinted)
+    fmt::print("and {}\n", counted(bodies.size() - kMostPrinted, "more body", "more bodies"));
 }
 
 /// Says whether the model can be engraved, and where.
@@ -88,9 +89,9 @@ int describe(const InfoOptions& options) {
   for (const UnitSuggestion& unit : model.unitSuggestions)
     json["unitSuggestions"].push_back({{"units", unit.unit}, {"scaleToMm", unit.scaleToMm}});
   if (engravable) json["volumeMm3"] = signedVolume(model.mesh);
-  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format, model.mesh.triangles.size(),
-             model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
-  fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
+  fmt::print("{}: {}, {}, {}, {}\n", name, input->format, counted(model.mesh.triangles.size(), "triangle", "triangles"),
+             counted(model.mesh.positions.size(), "vertex", "vertices"), counted(model.shells, "shell", "shells"));
+  fmt::print("size {}\n", extentInWords(size.x, size.y, size.z, 4));
   if (model.bodies.size() > 1) printBodies(json["bodies"]);
   for (const Message& warning : input->warnings) fmt::print("warning: {}\n", sentence(warning));
   for (const Finding& finding : model.findings) {

@@ -135,7 +135,9 @@ void printSpots(const PlaceOptions& options, const SpotSearchResult& result, std
                          : fmt::format("decodes from up to {:.0f}° off axis", std::floor(spot.aimToleranceDeg)));
     if (bodies.size() > 1)
       fmt::print("   on body {} of {}{}\n", spot.body + 1, bodies.size(), quotedName(bodies[spot.body]));
-    if (spot.colourLayers > 0) fmt::print("   about {} layers with both colours\n", spot.colourLayers);
+    if (spot.colourLayers > 0)
+      fmt::print("   about {} with both colours\n",
+                 counted(static_cast<std::size_t>(spot.colourLayers), "layer", "layers"));
     for (const Message& concern : spot.concerns) fmt::print("   {}\n", sentenceAndHint(concern));
   }
 }

@@ -142,7 +142,8 @@ void printCode(const VerifyRequest& request, const VerifyResult& result, const V
 void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
                  const Verdict& verdict, bool printed) {
   const SolidityReport& solid = result.solidity;
-  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "not a clean solid", solid.triangles);
+  fmt::print("{}: {}, {}\n", name, solid.solid() ? "a closed solid" : "not a clean solid",
+             counted(solid.triangles, "triangle", "triangles"));
   if (request.isText())
     fmt::print("{}\n", sentence(verdict.reads.summary));
   else

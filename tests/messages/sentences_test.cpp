@@ -76,6 +76,17 @@ TEST(Sentences, MatchTheSharedCases) {
   }
 }
 
+TEST(Sentences, ProgramsWriteCountsAndLengthsLikeThem) {
+  EXPECT_EQ(counted(0, "row", "rows"), "0 rows");
+  EXPECT_EQ(counted(1, "row", "rows"), "1 row");
+  EXPECT_EQ(counted(2, "row", "rows"), "2 rows");
+  EXPECT_EQ(lengthInWords(0.2437), "0.244 mm");
+  EXPECT_EQ(lengthInWords(25.437, 4), "25.44 mm");
+  EXPECT_EQ(lengthInWords(123.4), "123 mm");
+  EXPECT_EQ(lengthInWords(2.73e-16), "0 mm");
+  EXPECT_EQ(extentInWords(12345.6, 40, 2e-9, 4), "12346 × 40 × 0 mm");
+}
+
 TEST(Sentences, NameFlagsAndPreferTheCommandsWords) {
   const Json words =
       Json::parse(R"({"thin": {"says": "Raise {@minWallMm}", "hint": "Less", "command": {"hint": "Else"}},

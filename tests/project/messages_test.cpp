@@ -99,6 +99,23 @@ TEST(Messages, HaveNoOtherValuesOnTheCommandLine) {
   EXPECT_TRUE(fitsTheCommand(Json::parse(R"({"says": "{a}", "hint": "{b}", "command": {"says": "{b}"}})")));
 }
 
+TEST(Messages, HaveFormsForTheNounOfTheirCount) {
+  static const std::regex kCounted(R"(\{count\} [a-z]+s\b)");
+  // Such a count is never one.
+  const Names many = {
+      "list-cell-too-long",       "name-too-long",        "3mf-several-starts",      "zip-several-models",
+      "storage-too-small",        "model-no-thickness",   "crossing-pairs-at-least", "overlapping-pairs-at-least",
+      "many-inherited-crossings", "one-light-has-several"};
+  std::vector<std::string> without;
+  const Json all = english();
+  for (const auto& [part, entries] : all.items())
+    for (const auto& [code, entry] : entries.items())
+      if (entry.at("says").is_string() && !many.contains(code) &&
+          std::regex_search(entry.at("says").get<std::string>(), kCounted))
+        without.push_back(code);
+  EXPECT_THAT(without, IsEmpty());
+}
+
 // The build generates what the compiler knows of the messages (script/cmake/embed_message_codes.cmake).
 TEST(Messages, AreKnownToTheCompilerWithTheValuesOfSentenceAndHint) {
   const Json files = english().at("files");

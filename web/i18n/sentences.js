@@ -5,7 +5,7 @@ import { choiceIn, labelIn } from './setting_words.js';
 
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../engine/message.js').Value} Value */
-/** @typedef {string | { one: string, other: string }} Forms  the value `count` selects the form */
+/** @typedef {string | { one: string, other: string }} Forms  the value `count`, a count or a number, selects the form */
 /** @typedef {{ says: Forms, hint?: Forms }} Entry */
 /** @typedef {Record<string, Entry>} Catalogue  by message code */
 /** @typedef {{ quotes: string[], and: string, between: string }} Format  `between`: separates coordinates */
@@ -55,7 +55,7 @@ function filled(forms, { values }, wording) {
 }
 
 /** @param {Record<string, Value>} values */
-const countIn = ({ count }) => (count && 'count' in count ? count.count : undefined);
+const countIn = ({ count }) => count && ('number' in count ? count.number : 'count' in count ? count.count : undefined);
 
 /**
  * Returns a value as a sentence writes it.
@@ -67,11 +67,11 @@ export function writtenIn(value, wording) {
   const { language, names } = wording;
   if ('count' in value) return digits(value.count, 15, language);
   if ('number' in value) return digits(value.number, 6, language);
-  if ('lengthMm' in value) return `${digits(value.lengthMm, 3, language)} mm`;
-  if ('angleDeg' in value) return `${digits(value.angleDeg, 3, language)}°`;
+  if ('lengthMm' in value) return `${digits(rounded(value.lengthMm), 3, language)} mm`;
+  if ('angleDeg' in value) return `${digits(rounded(value.angleDeg), 3, language)}°`;
   if ('fraction' in value) return `${Math.round(100 * value.fraction)} %`;
   if ('place' in value) return placed(value.place, wording);
-  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(mm, 3, language)).join(' × ')} mm`;
+  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(rounded(mm), 3, language)).join(' × ')} mm`;
   if ('quoted' in value) return quoted(value.quoted, wording);
   if ('term' in value) return value.term;
   if ('setting' in value) return quoted(labelIn(names, value.setting), wording);
@@ -83,9 +83,15 @@ export function writtenIn(value, wording) {
 /** @param {string} words @param {Wording} wording */
 const quoted = (words, { names: { format } }) => format.quotes.join(words);
 
-/** Formats a point; less than a millionth is rounding error. @param {number[]} place @param {Wording} wording */
+/**
+ * Returns 0 in place of a rounding error: less than a nanometre, or a millionth of a unit of the file.
+ * @param {number} value
+ */
+const rounded = (value) => (Math.abs(value) < 1e-6 ? 0 : value);
+
+/** Formats a point. @param {number[]} place @param {Wording} wording */
 function placed(place, { language, names: { format } }) {
-  const coordinates = place.map((value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6, language));
+  const coordinates = place.map((value) => digits(rounded(value), 6, language));
   return `(${coordinates.join(format.between)})`;
 }
 
