@@ -24,12 +24,9 @@ export class History {
     this.editedMs_ = 0;
   }
 
-  get canUndo() {
-    return this.at_ > 0;
-  }
-
-  get canRedo() {
-    return this.at_ < this.states_.length - 1;
+  /** Tells whether there is a state that many steps away. @param {number} steps  < 0: back */
+  reaches(steps) {
+    return this.states_[this.at_ + steps] !== undefined;
   }
 
   /**
@@ -45,7 +42,7 @@ export class History {
       field === this.field_ &&
       now - this.editedMs_ < kOneChangeMs &&
       this.at_ > 0 &&
-      !this.canRedo;
+      !this.reaches(1);
     this.field_ = field;
     this.editedMs_ = now;
     if (goesOn) {
@@ -62,20 +59,15 @@ export class History {
     if (this.at_ >= 0) this.states_[this.at_] = state;
   }
 
-  /** Steps back. @returns {State | undefined} */
-  undo() {
-    return this.canUndo ? this.go_(-1) : undefined;
-  }
-
-  /** Steps forward. @returns {State | undefined} */
-  redo() {
-    return this.canRedo ? this.go_(1) : undefined;
-  }
-
-  /** @param {number} step */
-  go_(step) {
+  /**
+   * Goes to another state.
+   * @param {number} steps  < 0: back
+   * @returns {State | undefined}  undefined: there is none that many steps away
+   */
+  go(steps) {
+    if (!this.reaches(steps)) return undefined;
     this.field_ = undefined;
-    this.at_ += step;
+    this.at_ += steps;
     return this.states_[this.at_];
   }
 

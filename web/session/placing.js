@@ -7,7 +7,7 @@ import { formatMm } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { asSentence } from '../i18n/sentences.js';
 import { Signal } from './signal.js';
-import { centredAt, chosenCentre } from './work.js';
+import { centredAt, chosenCentre, sameCentre } from './work.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {[number, number, number]} Point */
@@ -93,19 +93,21 @@ export class Placing {
       () => {}, // the caller reports it
     );
     this.moving = known;
-    const movedMm = await moving.finally(() => {
+    const taken = await moving.finally(() => {
       if (this.moving === known) this.moving = undefined;
     });
-    if (movedMm === undefined) return;
+    if (!taken) return;
+    const { centre, movedMm } = taken;
     await this.place();
-    if (movedMm > 0 && this.placement && !this.again_)
-      this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
+    const isThere = this.placement && !this.again_ && sameCentre(centre, this.store_.work.centreMm); // nor undone
+    if (movedMm > 0 && isThere) this.messages_.say(() => text('page.movedOffEdge', { distance: formatMm(movedMm) }));
   }
 
   /**
    * Takes the picked centre.
    * @param {() => Promise<import('../engine/types.js').PickResult>} pick
-   * @returns {Promise<number | undefined>}  how far it was moved off an edge; undefined: nothing was picked
+   * @returns {Promise<{ centre: Point, movedMm: number } | undefined>}  `movedMm`: how far it was moved off an edge;
+   *   undefined: nothing was picked
    */
   async take_(pick) {
     const { hit, centre, movedMm = 0 } = await pick();
@@ -114,7 +116,7 @@ export class Placing {
     this.store_.update(centredAt(centre));
     this.store_.applied.emit('centre');
     this.moved.emit();
-    return movedMm;
+    return { centre, movedMm };
   }
 
   /** Places the code where the program proposes. @param {import('../engine/types.js').CentreChoice} choice */

@@ -86,6 +86,18 @@ test('A code that was moved off an edge says so', async () => {
   assert.deepEqual(store.work.centreMm, [4, 0, 0]);
 });
 
+test('A centre that is undone while its code is being placed is not said to be moved off an edge', async () => {
+  const configured = new Pending();
+  client.answers.configure = () => configured.promise;
+  const moving = placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([4, 0, 0]), movedMm: 3.25 }));
+  await settled();
+  await placing.restoreCentre([1, 0, 0], false);
+  const undone = placing.place();
+  configured.resolve();
+  await Promise.all([moving, undone]);
+  assert.equal(messages.said.at(-1), 'Ready.');
+});
+
 test('A proposed centre is the user’s only once chosen', async () => {
   client.answers.setCentre = async () => ({ hit: true, centre: [7, 8, 9] });
   await placing.propose({ spot: 0 });

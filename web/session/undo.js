@@ -35,6 +35,7 @@ export class Undo {
     });
     this.pauses_ = 0;
     this.restoring_ = false;
+    this.steps_ = 0; // to go in the history once the state under way is restored; < 0: back
     this.editedMeanwhile_ = false; // while a state was being restored
     this.undo_ = byId('undo', HTMLButtonElement);
     this.redo_ = byId('redo', HTMLButtonElement);
@@ -46,6 +47,7 @@ export class Undo {
     options.placing.proposed.on(() => this.amend_());
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) => {
       this.editedMeanwhile_ ||= this.restoring_;
+      this.steps_ = 0; // the edit is newer
       // Recorded at once; the edit takes effect only after a pause.
       this.record(target instanceof HTMLElement ? (target.dataset.setting ?? target.id) : undefined);
     });
@@ -76,25 +78,31 @@ export class Undo {
     }
   }
 
-  /** Enables the buttons when idle. */
+  /** Enables the buttons when idle, and while a state is restored: the steps are counted. */
   updateButtons() {
-    const isBusy = this.options_.jobs.busy || this.pauses_ > 0;
-    const { canUndo, canRedo } = this.history_;
-    setDisabled(this.undo_, !canUndo ? 'page.whyNoUndo' : isBusy ? 'page.whyBusy' : undefined);
-    setDisabled(this.redo_, !canRedo ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
+    const isBusy = !this.restoring_ && (this.options_.jobs.busy || this.pauses_ > 0);
+    const reaches = (/** @type {number} */ step) => this.history_.reaches(this.steps_ + step);
+    setDisabled(this.undo_, !reaches(-1) ? 'page.whyNoUndo' : isBusy ? 'page.whyBusy' : undefined);
+    setDisabled(this.redo_, !reaches(1) ? 'page.whyNoRedo' : isBusy ? 'page.whyBusy' : undefined);
   }
 
   /** Undoes the last change; a centre picked a moment ago, once it is known. */
-  async undo() {
-    const { moving } = this.options_.placing;
-    if (moving) await moving;
-    if (!this.undo_.disabled) this.restore_(this.history_.undo());
+  undo() {
+    return this.step_(-1, this.undo_);
   }
 
-  async redo() {
+  redo() {
+    return this.step_(1, this.redo_);
+  }
+
+  /** @param {number} step @param {HTMLButtonElement} button */
+  async step_(step, button) {
     const { moving } = this.options_.placing;
     if (moving) await moving;
-    if (!this.redo_.disabled) this.restore_(this.history_.redo());
+    if (button.disabled) return;
+    this.steps_ += step;
+    if (this.restoring_) this.updateButtons();
+    else await this.restore_();
   }
 
   /** @param {string} [field] */
@@ -110,23 +118,27 @@ export class Undo {
     this.history_.amend({ ...store.work, carved: carving.latest });
   }
 
-  /** @param {State | undefined} state */
-  restore_(state) {
-    if (!state) return;
+  /** Goes the counted steps in the history, and those that are counted meanwhile. */
+  async restore_() {
+    const { guard, jobs, autosave } = this.options_;
     this.restoring_ = true;
     this.pauses_ += 1;
-    this.updateButtons();
-    const restored = this.options_
-      .guard(() => this.apply_(state))
-      .finally(() => {
-        this.restoring_ = false;
-        this.pauses_ -= 1;
-        if (this.editedMeanwhile_) this.record();
-        this.editedMeanwhile_ = false;
+    try {
+      while (this.steps_ !== 0 && !jobs.busy) {
+        const state = this.history_.go(this.steps_);
+        this.steps_ = 0;
         this.updateButtons();
-        this.options_.autosave.save();
-      });
-    void restored;
+        if (state) await guard(() => this.apply_(state));
+      }
+    } finally {
+      this.restoring_ = false;
+      this.steps_ = 0;
+      this.pauses_ -= 1;
+      if (this.editedMeanwhile_) this.record();
+      this.editedMeanwhile_ = false;
+      this.updateButtons();
+      autosave.save();
+    }
   }
 
   /** @param {State} state */

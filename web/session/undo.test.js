@@ -210,7 +210,7 @@ test('A state replaced during another change can be restored', async () => {
   assert.equal(store.work.text, 'b');
 });
 
-test('The buttons are disabled during jobs and while a state is restored', async () => {
+test('The buttons are disabled during jobs', () => {
   store.update({ text: 'b' });
   undo.record();
   assert.equal(elements.undo.disabled, false);
@@ -219,15 +219,48 @@ test('The buttons are disabled during jobs and while a state is restored', async
   undo.updateButtons();
   assert.equal(elements.undo.disabled, true);
   assert.match(elements.undo.title, /^Wait until/);
-  busy = false;
-  undo.updateButtons();
+});
+
+/** Makes texts b, c and d, and holds back the restoring of the first state. */
+const restoringHeld = () => {
+  for (const text of ['b', 'c', 'd']) {
+    store.update({ text });
+    undo.record();
+  }
   const placed = new Pending();
   placing.answers.place = () => placed.promise;
   elements.undo.dispatchEvent(new Event('click'));
-  assert.deepEqual([elements.undo.disabled, elements.redo.disabled], [true, true]);
+  return placed;
+};
+
+test('Steps pressed while a state is restored are counted, and taken together after it', async () => {
+  const placed = restoringHeld();
+  assert.equal(store.work.text, 'c');
+  for (const press of ['undo', 'undo', 'undo', 'redo']) elements[press].dispatchEvent(new Event('click'));
+  assert.deepEqual([elements.undo.disabled, elements.redo.disabled], [false, false]);
+  elements.undo.dispatchEvent(new Event('click'));
+  assert.deepEqual([elements.undo.disabled, elements.redo.disabled], [true, false], 'the first state is reached');
   placed.resolve();
   await settled();
+  assert.equal(store.work.text, 'a');
+  assert.equal(placing.calls.length, 2, 'no state between is restored');
   assert.deepEqual([elements.undo.disabled, elements.redo.disabled], [true, false]);
+});
+
+test('An edit or a job that comes while a state is restored is newer than the steps counted before', async () => {
+  const placed = restoringHeld();
+  elements.undo.dispatchEvent(new Event('click'));
+  busy = true;
+  placed.resolve();
+  await settled();
+  assert.equal(store.work.text, 'c');
+  busy = false;
+  undo.redo();
+  undo.undo();
+  store.update({ text: 'e' });
+  elements.panel.dispatchEvent(new Event('input'));
+  await settled();
+  assert.equal(store.work.text, 'e');
 });
 
 test('An edit while a state is being restored can be undone by itself', async () => {

@@ -39,10 +39,9 @@ export class HelpSheet {
 
   fill_() {
     byId('help-keys', HTMLElement).replaceChildren(
-      ...kShortcuts.flatMap((shortcut) => [
-        make('dt', {}, ...keysOf(shortcut)),
-        make('dd', { text: text(shortcut.name) }),
-      ]),
+      ...kShortcuts
+        .filter(({ notOnMac }) => !(notOnMac && isMac()))
+        .flatMap((shortcut) => [make('dt', {}, ...keysOf(shortcut)), make('dd', { text: text(shortcut.name) })]),
     );
     byId('help-view', HTMLElement).replaceChildren(
       ...kInView.flatMap(([name, keys]) => [make('dt', { text: text(keys) }), make('dd', { text: text(name) })]),

@@ -5,6 +5,7 @@
  * @typedef {object} Shortcut
  * @property {string} key          KeyboardEvent.key, in lower case
  * @property {boolean} [ctrl]      together with Ctrl, or ⌘ on a Mac
+ * @property {boolean} [notOnMac]  there the browser uses it
  * @property {boolean} [shift]     together with Shift; checked for letters only
  * @property {string} control      id of the control: a text field is focused, anything else is clicked
  * @property {import('../i18n/catalogue.js').Key} name
@@ -15,6 +16,7 @@ export const kShortcuts = [
   { key: '?', control: 'help', name: 'help.openHelp' },
   { key: 'z', ctrl: true, control: 'undo', name: 'help.undo' },
   { key: 'z', ctrl: true, shift: true, control: 'redo', name: 'help.redo' },
+  { key: 'y', ctrl: true, notOnMac: true, control: 'redo', name: 'help.redo' },
   { key: 'o', control: 'file', name: 'help.openFile' },
   { key: 't', control: 'text', name: 'help.editText' },
   { key: 's', control: 'suggest', name: 'help.suggest' },
@@ -45,7 +47,11 @@ export function shortcutOf({ key, ctrlKey, metaKey, altKey, shiftKey }) {
   const ctrl = ctrlKey || metaKey;
   const isLetter = /^[a-z]$/.test(pressed);
   return kShortcuts.find(
-    (one) => one.key === pressed && (one.ctrl ?? false) === ctrl && (!isLetter || (one.shift ?? false) === shiftKey),
+    (one) =>
+      one.key === pressed &&
+      (one.ctrl ?? false) === ctrl &&
+      !(one.notOnMac && metaKey) &&
+      (!isLetter || (one.shift ?? false) === shiftKey),
   );
 }
 

@@ -21,6 +21,11 @@ test('Ctrl and ⌘ with Z undo, with Shift they redo, with Alt they do nothing',
   assert.equal(shortcutOf({ ...none, key: 'z' }), undefined);
 });
 
+test('Ctrl with Y redoes; ⌘ with Y is left to the browser', () => {
+  assert.equal(shortcutOf({ ...none, key: 'y', ctrlKey: true })?.control, 'redo');
+  assert.equal(shortcutOf({ ...none, key: 'y', metaKey: true }), undefined);
+});
+
 test('A letter counts without modifiers, a sign with any', () => {
   assert.equal(shortcutOf({ ...none, key: 'e' })?.control, 'engrave');
   assert.equal(shortcutOf({ ...none, key: 'e', ctrlKey: true }), undefined);
