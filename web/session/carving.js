@@ -57,6 +57,7 @@ export class Carving {
     this.shown = false;
     this.life_ = 0;
     this.clickedMs_ = 0; // when the user pressed Engrave
+    this.reached_ = 0; // progress since then
     /** The work that the engraving was asked for. */ this.asked_ = store.work;
     /** Says what the attempt under way changes. @type {Words | undefined} */ this.attempt_ = undefined;
     /** The work of each attempt, by its carving. @type {Map<number, Work>} */ this.works_ = new Map();
@@ -86,6 +87,7 @@ export class Carving {
     this.messages_.clearError();
     this.placing_.confirmCentre();
     this.clickedMs_ = performance.now();
+    this.reached_ = 0;
     this.isOwed_ = overrides === undefined; // a lost module's inspector is closed
     try {
       await this.run_(
@@ -110,9 +112,10 @@ export class Carving {
    * Runs a job.
    * @param {import('../i18n/live.js').Words} stage  first stage
    * @param {(signal: AbortSignal) => Promise<void>} carve
+   * @param {number} [reached]  see Jobs.run
    */
-  run_(stage, carve) {
-    this.running_ = this.jobs_.run(stage, carve).finally(() => {
+  run_(stage, carve, reached) {
+    this.running_ = this.jobs_.run(stage, carve, reached).finally(() => {
       this.running_ = this.before_ = undefined;
     });
     return this.running_;
@@ -279,7 +282,8 @@ export class Carving {
           this.attempt_ = changes.length > 0 ? attemptWords(this.after_(changes), from, reason()) : undefined;
           if (this.carved) this.panel_.setAttempt(this.attempt_);
         }
-        this.jobs_.showProgress(progress, this.attempt_);
+        this.reached_ = Math.max(this.reached_, progress.fraction);
+        this.jobs_.showProgress({ ...progress, fraction: this.reached_ }, this.attempt_);
       },
       onPrintable: (print) => this.printing_.beginEarly(print),
     };
@@ -405,6 +409,7 @@ export class Carving {
           this.attempt_ = undefined;
           this.panel_.setAttempt(undefined);
         }),
+      this.reached_,
     );
   }
 

@@ -27,6 +27,7 @@ class FakeReader {
 /** @type {any} */ let client;
 /** @type {any} */ let placing;
 /** @type {any} */ let panel;
+/** @type {any} */ let work; // the panel with the progress
 /** @type {any} */ let pressed; // what the panel's buttons do
 /** @type {(string | undefined)[]} */ let attempts; // announced next to the result
 /** @type {FakeMessages} */ let messages;
@@ -103,7 +104,8 @@ beforeEach(() => {
   printing = fake(Printing);
   printsSeen = 0;
   messages = new FakeMessages();
-  jobs = new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} });
+  work = fake(WorkPanel);
+  jobs = new Jobs({ panel: work, messages: /** @type {any} */ (messages), onBusy: () => {} });
   carving = new Carving({
     client,
     jobs,
@@ -385,6 +387,24 @@ test('A code whose print barely decodes is carved with the next deeper preset wh
   assert.deepEqual(attempts, ['Engraving deeper, since the print barely reads', undefined]);
   assert.equal(latest()?.elapsedMs, 1000 + 100 * printing.calls.length, 'the time since the click');
   assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
+});
+
+test('The progress of one click on Engrave never goes back, not even for attempts after the print', async () => {
+  setSettings({ preset: 'balanced' });
+  printsAre({ passed: false }, { passed: true });
+  const at =
+    (/** @type {number} */ fraction, /** @type {any} */ step) =>
+    (/** @type {any} */ { onProgress }) => {
+      onProgress({ stage: message('finding-depth'), fraction, changes: step.changes });
+      return step;
+    };
+  steps = [at(0.5, kFirst), at(0.6, read(kFirst)), at(0.2, kDeeper), at(0.9, read(kDeeper)), read(kDeeper, null)];
+  await carving.engrave();
+  await settled();
+  const shown = work.calls.flatMap(
+    (/** @type {string} */ call) => /^(?:begin|update) .*?([\d.]+)/.exec(call)?.[1] ?? [],
+  );
+  assert.deepEqual(shown.map(Number), [0.5, 0.6, 0.6, 0.6, 0.9, 0.9]);
 });
 
 test('A code that does not read as printed is made larger, from the settings as requested', async () => {

@@ -33,13 +33,14 @@ export class Jobs {
    * @template T
    * @param {Words} stage  first stage
    * @param {(signal: AbortSignal) => Promise<T>} run
+   * @param {number} [reached]  progress of what the job goes on with; absent: the duration is unknown
    * @returns {Promise<T>}
    */
-  async run(stage, run) {
+  async run(stage, run, reached) {
     while (this.running_) await this.running_.catch(() => {}); // no await after this: others may wait for the same job
     const abort = new AbortController();
     this.abort_ = abort;
-    this.panel_.begin(stage());
+    this.panel_.begin(stage(), reached);
     this.onBusy_(true);
     this.messages_.say(() => text('page.working', { stage: stage() }));
     const running = run(abort.signal);

@@ -41,13 +41,14 @@ export class WorkPanel {
     for (const button of [this.engrave_, this.again_]) setDisabled(button, why);
   }
 
-  /** @param {string} stage  without a fraction, since the duration is unknown */
-  begin(stage) {
+  /** @param {string} stage @param {number} [reached]  absent: the duration is unknown */
+  begin(stage, reached) {
     this.focusReturns_ = [this.engrave_, this.again_].some((button) => button === document.activeElement);
     this.setEngraveDisabled('page.whyBusy');
     this.cancel_.hidden = false;
     this.progress_.hidden = false;
-    this.progress_.removeAttribute('value');
+    if (reached === undefined) this.progress_.removeAttribute('value');
+    else this.progress_.value = reached;
     this.progress_.setAttribute('aria-label', stage);
     if (this.focusReturns_) this.cancel_.focus();
   }
