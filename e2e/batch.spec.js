@@ -115,8 +115,18 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
 
   await test.step('all are carved in parallel; while paused, none is started', async () => {
     await page.getByLabel('Simulate the print of every … part').fill('4');
+    const amidFirst = page.getByRole('progressbar', { name: 'Parts engraved', includeHidden: true }).evaluate(
+      (bar) =>
+        new Promise((resolve) => {
+          new MutationObserver(() => {
+            const { value, max } = /** @type {HTMLProgressElement} */ (bar);
+            if (max === 5 && value > 0 && value < 1) resolve(value);
+          }).observe(bar, { attributes: true });
+        }),
+    );
     await press('Make all 5 parts');
     await freezeAt(state, /[1-9] of 5/);
+    expect(await amidFirst, 'the bar moves within the first part').toBeLessThan(1);
     expect(
       await page.evaluate(() => /** @type {any} */ (window).workers.length),
       'the page’s own engine, and two',

@@ -20,20 +20,32 @@ import { isLost } from './carver.js';
  * @property {(unit: RowToCarve[], why: Message) => Promise<string>} saveLost
  *   the same for rows that keep crashing engines
  * @property {() => void} onChange
+ * @property {() => void} [onProgress]        `partly` has changed
  * @property {() => number} [now]  ms
  */
 
 export class BatchRun {
   /** @param {BatchRunOptions} options */
-  constructor({ tracker, makeEngine, engines, save, saveLost, onChange, now = () => performance.now() }) {
+  constructor({
+    tracker,
+    makeEngine,
+    engines,
+    save,
+    saveLost,
+    onChange,
+    onProgress = () => {},
+    now = () => performance.now(),
+  }) {
     this.tracker_ = tracker;
     this.makeEngine_ = makeEngine;
     this.engines_ = engines;
     this.save_ = save;
     this.saveLost_ = saveLost;
     this.onChange_ = onChange;
+    this.onProgress_ = onProgress;
     this.now_ = now;
     /** @type {Set<Engine>} */ this.working_ = new Set();
+    /** How many rows of its unit each engine has carved. @type {Map<Engine, number>} */ this.carved_ = new Map();
     this.ended = false;
     /** @type {Pause | undefined} */ this.pause_ = undefined;
     /** Error that ended the run early. @type {Message | undefined} */ this.problem = undefined;
@@ -48,6 +60,11 @@ export class BatchRun {
   /** Time of the run without pauses, ms. */
   get workedMs() {
     return this.beforeMs_ + (this.paused ? 0 : this.now_() - this.since_);
+  }
+
+  /** How many rows are carved in units that are not finished; 0.5: half of one. */
+  get partly() {
+    return [...this.carved_.values()].reduce((sum, rows) => sum + rows, 0);
   }
 
   /** Runs until all rows are carved or end() is called. */
@@ -83,6 +100,7 @@ export class BatchRun {
     this.pause_ = undefined;
     this.working_.forEach((engine) => engine.end());
     this.working_.clear();
+    this.carved_.clear();
     this.onChange_();
   }
 
@@ -117,14 +135,23 @@ export class BatchRun {
   async carve_(engine, unit) {
     this.onChange_();
     try {
-      this.tracker_.settle(await this.save_(await engine.carve(unit)));
+      const carved = await engine.carve(unit, (rows) => this.advance_(engine, rows));
+      this.tracker_.settle(await this.save_(carved));
       return true;
     } catch (thrown) {
       if (!this.ended) await this.lose_(unit, thrown);
       return false;
     } finally {
+      this.carved_.delete(engine);
       this.onChange_();
     }
+  }
+
+  /** @param {Engine} engine @param {number} rows */
+  advance_(engine, rows) {
+    if (this.ended) return;
+    this.carved_.set(engine, rows);
+    this.onProgress_();
   }
 
   async startEngine_() {

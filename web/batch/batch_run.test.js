@@ -29,8 +29,9 @@ class FakeEngine {
     this.ended = true;
     this.reject?.(lost());
   }
-  /** @param {import('../engine/types.js').RowToCarve[]} unit @returns {Promise<any>} */
-  carve(unit) {
+  /** @param {import('../engine/types.js').RowToCarve[]} unit @param {(rows: number) => void} tell @returns {Promise<any>} */
+  carve(unit, tell) {
+    this.tell = tell;
     for (const { index, print } of unit) this.carved.push([index, print]);
     return new Promise((resolve, reject) => {
       this.finish = (/** @type {'done' | 'failed'} */ status = 'done') =>
@@ -111,6 +112,25 @@ test('Two engines share the rows, and carve and store each once', async () => {
 test('Starts no more engines than rows', async () => {
   await finishAll(runOf(1).run());
   assert.equal(engines().length, 1);
+});
+
+test('Rows count in part while they are carved, and no longer once they are settled or given up', async () => {
+  let told = 0;
+  const run = runOf(3, { onProgress: () => void (told += 1) });
+  const ran = run.run();
+  await settled();
+  const [first, second] = engines();
+  first.tell?.(0.25);
+  second.tell?.(0.25);
+  second.tell?.(0.5);
+  assert.deepEqual([run.partly, told], [0.75, 3]);
+  first.finish?.();
+  await settled();
+  assert.equal(run.partly, 0.5, 'the first is settled');
+  run.end();
+  second.tell?.(0.75);
+  await ran;
+  assert.deepEqual([run.partly, told], [0, 3]);
 });
 
 test('A failed row does not stop the others', async () => {

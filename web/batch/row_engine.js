@@ -70,15 +70,16 @@ export class RowEngine {
   /**
    * Carves one row, or all rows of a plate.
    * @param {import('../engine/types.js').RowToCarve[]} unit
+   * @param {(rows: number) => void} onProgress  gets how many rows are carved; 0.5: half of the first one
    * @returns {Promise<CarvedUnit>}
    */
-  async carve(unit) {
+  async carve(unit, onProgress) {
     const isPlate = this.job_.request.perPlate > 0;
     const pending = await this.pending(unit[0].index);
     /** @type {CarvedRow[]} */ const rows = [];
     /** @type {NamedFile[]} */ let files = [];
     for (const [place, { index, print }] of unit.entries()) {
-      const row = await this.carveRow_(index, pending[place], print);
+      const row = await this.carveRow_(index, pending[place], print, (fraction) => onProgress(place + fraction));
       const { id, status, file } = row.entry;
       rows.push(row);
       if (status === 'done' && isPlate) await this.client_.addToPlate(place, id, unit.length);
@@ -120,14 +121,18 @@ export class RowEngine {
    * @param {number} index
    * @param {ManifestEntry} entry  the row before it is carved
    * @param {boolean} looksAtPrint
+   * @param {(fraction: number) => void} onProgress
    * @returns {Promise<CarvedRow>}
    */
-  async carveRow_(index, entry, looksAtPrint) {
+  async carveRow_(index, entry, looksAtPrint, onProgress) {
     const begun = performance.now();
     const { settings: own } = await this.client_.batchRow(index);
     const settings = /** @type {Settings} */ ({ ...this.job_.request.settings, ...own });
     try {
-      await this.carver_.carve(settings, looksAtPrint, { signal: this.ended_.signal, onProgress: () => {} });
+      await this.carver_.carve(settings, looksAtPrint, {
+        signal: this.ended_.signal,
+        onProgress: ({ fraction }) => onProgress(fraction),
+      });
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
       if (!passed) return { entry: { ...entry, ...details }, why: failed[0] };
       return { entry: { ...entry, ...details, status: 'done' } };

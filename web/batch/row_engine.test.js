@@ -30,7 +30,7 @@ const carveSecond = async (looks = false) => {
   const {
     rows: [row],
     files,
-  } = await engine.carve([{ index: 1, print: looks }]);
+  } = await engine.carve([{ index: 1, print: looks }], () => {});
   return { ...row, files };
 };
 
@@ -213,11 +213,19 @@ test('Rows of a plate share its file, without those that failed', async () => {
       sha256: { input: 'aa', settings: settings[index] },
     }));
   let described = 0;
-  answers.engrave = () => kDone;
+  answers.engrave = (/** @type {any} */ { onProgress }) => {
+    onProgress({ stage: message('finding-depth'), fraction: 0.5 });
+    return kDone;
+  };
+  /** @type {number[]} */ const progress = [];
   answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
   answers.exportPlate = new Uint8Array([9]);
-  const { rows, files } = await engine.carve([0, 1, 2].map((index) => ({ index, print: false })));
+  const { rows, files } = await engine.carve(
+    [0, 1, 2].map((index) => ({ index, print: false })),
+    (/** @type {number} */ carved) => void progress.push(carved),
+  );
   assert.deepEqual(files, [{ name: 'plate-001.3mf', bytes: new Uint8Array([9]) }]);
+  assert.deepEqual(progress, [0.5, 1.5, 2.5]);
   const output = await sha256(new Uint8Array([9]));
   assert.deepEqual(
     rows.map(({ entry }) => [entry.status, entry.sha256.output]),

@@ -165,6 +165,7 @@ export class BatchCarving {
       client,
       storage,
       messages,
+      panel,
       makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given),
     } = this.options_;
     tracker.run(retriesFailed ? 'retry' : 'start');
@@ -179,6 +180,7 @@ export class BatchCarving {
         return storage.save({ rows, files: [] }, tracker.manifestLine);
       },
       onChange: () => this.showProgress_(),
+      onProgress: () => panel.showCarved(this.carved_),
     });
     this.run_ = run;
     messages.say(() => text('batch.getReady'));
@@ -216,10 +218,17 @@ export class BatchCarving {
     return /** @type {Open} */ (this.open_).tracker.state({ workedMs: this.run_?.workedMs });
   }
 
+  /** Number of carved rows, with the carved part of those that are not finished. */
+  get carved_() {
+    return this.state_.finished + (this.run_?.partly ?? 0);
+  }
+
   showProgress_() {
     if (!this.open_) return;
     const { tracker, record } = this.open_;
-    this.options_.panel.showProgress({ tracker, rows: record.rows, state: this.state_, phase: this.phase_ });
+    const { panel } = this.options_;
+    panel.showProgress({ tracker, rows: record.rows, state: this.state_, phase: this.phase_ });
+    panel.showCarved(this.carved_);
   }
 
   pause() {

@@ -108,7 +108,6 @@ export class PartsPanel {
     byId('parts-run', HTMLElement).hidden = false;
     this.how_.hidden = true;
     this.progress_.max = count;
-    this.progress_.value = finished;
     this.progress_.hidden = phase === 'over';
     const focused = document.activeElement;
     this.pause_.hidden = !isUnderWay;
@@ -133,6 +132,11 @@ export class PartsPanel {
               .join('; ');
     showStep('parts', phase !== 'over' ? 'open' : failures > 0 ? 'warn' : 'done', () => words);
     this.showTable_(tracker, count);
+  }
+
+  /** Moves the bar. @param {number} rows  carved ones, with the carved part of those under way */
+  showCarved(rows) {
+    this.progress_.value = rows;
   }
 
   /** @param {boolean} isSaving  the ZIP is being written */
