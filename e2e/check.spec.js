@@ -46,8 +46,8 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     );
 
     await page.getByRole('button', { name: 'Try other views' }).click();
-    await expect(app.result).toContainText(/Tilted by 5°: 4 of 4 directions read/);
-    const safe = Number(/Reads from every side up to (\d+)°/.exec(await app.result.innerText())?.[1]);
+    await expect(app.result).toContainText(/Tilted by\s5°: 4 of 4 directions read/);
+    const safe = Number(/Reads from every side up to\s(\d+)°/.exec(await app.result.innerText())?.[1]);
     expect([5, 10, 15, 30, 45]).toContain(safe);
     const advice = page.getByText('a smaller code or a flatter spot can be read from wider angles');
     await expect(advice).toHaveCount(safe < 10 ? 1 : 0);

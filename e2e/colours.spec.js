@@ -11,7 +11,7 @@ import { bodiesOf, coloursOf, extrudersOf, filesOf, modelsOf, paintedIn, unzip }
 
 const kSolid = { openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 };
 const kCost =
-  /Second colour\s*\d+ filament changes?, [\d.]+\sg and \d+\smin of waste; plus up to [\d.]+\sg for a wipe tower/;
+  /Second colour\s*\d+ filament changes?, [\d.]+\sg and\s\d+\smin of waste; plus up to\s[\d.]+\sg for a wipe tower/;
 
 /** Where the materials bleed into each other. @type {import('./support/pixels.js').Colour} */
 const isBetween = (red) => red > 90 && red < 165;

@@ -279,7 +279,7 @@ test('The symbol shows version, fill and room; a click corrects a link', async (
   await app.text.fill(`https://example.org/${'x'.repeat(300)}`);
   const line = advice(page).getByRole('listitem').filter({ hasText: 'each module is' });
   await expect(line).toContainText(
-    /At [\d.]+\smm each module is 0\.\d\d\smm; a 0\.4\smm nozzle needs about 0\.6\smm for this pattern\./,
+    /At\s[\d.]+\smm each module is\s0\.\d\d\smm; a\s0\.4\smm nozzle needs about\s0\.6\smm for this pattern\./,
   );
   await expect(line).toContainText(/ [\d.]+\smm wide.* Or shorten the text to fit \d+ × \d+ modules\./);
   await app.openSettings();

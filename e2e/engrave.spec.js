@@ -65,7 +65,7 @@ test('The engraved bunny decodes inside and outside the page and downloads as a 
   await app.engrave();
 
   await expect(app.result).toContainText(`Reads as ${kText}`);
-  await expect(app.result).toContainText(/Size\s*[\d.]+\smm, modules of [\d.]+\smm/);
+  await expect(app.result).toContainText(/Size\s*[\d.]+\smm, modules of\s[\d.]+\smm/);
   await expect(app.result).toContainText(/Depth\s*[\d.]+\smm on average, [\d.]+\smm at most/);
   await expect(app.result).toContainText(/Time\s*[\d.]+\ss/);
   console.log(`bunny: ${(await app.result.locator('dl').innerText()).replaceAll('\n', ' ')}`);

@@ -45,7 +45,7 @@ test('The code follows the pointer in its size, exactly once it rests, and a cli
     const before = await app.centre();
     await page.mouse.move(box.x + 0.63 * box.width, box.y + 0.49 * box.height);
     await page.mouse.move(box.x + 0.64 * box.width, box.y + 0.5 * box.height);
-    await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+\smm/);
+    await expect(app.chip).toContainText(/mm wide\s*modules of\s[\d.]+\smm/);
     await expect(app.chip).toHaveAttribute('data-exact', 'true');
     await expect(app.chip).toContainText(/[\d.]+\smm deep, [\d.]+\smm at most/); // it is shown as it will be carved
     const promised = Number(/^([\d.]+)\smm wide/.exec(await app.chip.innerText())?.[1]);

@@ -136,7 +136,7 @@ test('With a fixed size, the map shows where it fits', async ({ page }) => {
   await app.expectReady();
   await app.suggest();
   const legend = page.getByLabel('Colours of the model');
-  await expect(legend).toContainText(/Room for a code of 20\smm, turned as you like\s*no\s*yes/);
+  await expect(legend).toContainText(/Room for a code of\s20\smm, turned as you like\s*no\s*yes/);
   const isNear =
     (/** @type {number[]} */ colour) =>
     (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) =>

@@ -34,8 +34,8 @@ test('a table becomes figures of both widths in both languages, sentences with i
     }
   }
   const content = markup.get('symbolFlips') ?? '';
-  assert.match(content, /by 10\s% and 20\s%, with our search by 10\s% and 20\s%/);
-  assert.match(content, /um 10\s% und 20\s% flacher/);
+  assert.match(content, /by\s10\s% and\s20\s%, with our search by\s10\s% and\s20\s%/);
+  assert.match(content, /um\s10\s% und\s20\s% flacher/);
   assert.match(content, /1 of 13 cases could not be engraved and is left out/);
   assert.match(content, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
 });

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps numbers and their units on one line.
+// Keeps a number on one line with its unit, and with a short word before it, such as "at 8°".
 
-const kUnits = '(?:[kMG]i?B|[cm]?m|px|k?g|min|s|h|%|°)';
-const kBeforeUnit = new RegExp(`(?<=[\\d}]) (?=${kUnits}(?![\\p{L}\\p{N}]))`, 'gu');
+const kNumber = '(?:[−-]?\\d[\\d.,]*|\\{\\w+\\})';
+const kUnit = '(?:[kMG]i?B|[cm]?m|px|k?g|min|s|h|%|°)(?![\\p{L}\\p{N}])';
+const kShortWord = '(?<![\\p{L}\\p{N}])\\p{L}{1,3}';
+const kBeforeUnit = new RegExp(`(?<=[\\d}]) (?=${kUnit})`, 'gu');
+const kBeforeNumber = new RegExp(`(?<=${kShortWord}) (?=${kNumber}\u00a0?${kUnit})`, 'gu');
 
-/** Puts a no-break space between each number, or placeholder of one, and its unit. @param {string} words */
-export const withUnitsKept = (words) => words.replace(kBeforeUnit, '\u00a0');
+/** Puts no-break spaces round each number, or placeholder of one, that has a unit. @param {string} words */
+export const withUnitsKept = (words) => words.replace(kBeforeUnit, '\u00a0').replace(kBeforeNumber, '\u00a0');

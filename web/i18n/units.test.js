@@ -6,9 +6,9 @@ import { formatBox, formatMm, formatSeconds } from './format.js';
 import { sentenceOf } from './messages.js';
 import { withUnitsKept } from './units.js';
 
-test('A number and its unit stay on one line; other words may break', () => {
-  const broken = '{a} mm, 100 % of 3 m and 2 min; 5 modules, 2 good, 1 mmm, 8 × 8 mm';
-  const kept = '{a}_mm, 100_% of 3_m and 2_min; 5 modules, 2 good, 1 mmm, 8 × 8_mm';
+test('A number, its unit and a short word before it stay on one line; other words may break', () => {
+  const broken = '{a} mm, 100 % of 3 m by 2.5 mm; of 5 modules, 2 good, 1 mmm, 8 × 8 mm; auf 4°, auf {b}°, unter 4°';
+  const kept = '{a}_mm, 100_% of_3_m by_2.5_mm; of 5 modules, 2 good, 1 mmm, 8 × 8_mm; auf_4°, auf_{b}°, unter 4°';
   assert.equal(withUnitsKept(broken), kept.replaceAll('_', '\u00a0'));
 });
 

@@ -14,7 +14,7 @@ const kCost = {
 };
 
 test('The cost lists filament changes, grams and minutes', () => {
-  assert.equal(colourCost(kCost), '2 filament changes, 0.3\u00a0g and 4\u00a0min of waste');
+  assert.equal(colourCost(kCost), '2 filament changes, 0.3\u00a0g and\u00a04\u00a0min of waste');
   assert.match(colourCost({ ...kCost, changes: 1 }), /^1 filament change,/);
   assert.match(colourCost({ ...kCost, firstWasteG: 14.6, secondWasteG: 10 }), / 25\sg and/);
 });
@@ -27,7 +27,7 @@ test('On a printer without filament changes only their number is known', () => {
 test('A wipe tower is an addition', () => {
   assert.equal(
     colourCostWithTower(kCost),
-    '2 filament changes, 0.3\u00a0g and 4\u00a0min of waste; plus up to 22\u00a0g for a wipe tower',
+    '2 filament changes, 0.3\u00a0g and\u00a04\u00a0min of waste; plus up to\u00a022\u00a0g for a wipe tower',
   );
   for (const towerG of [null, 0]) assert.equal(colourCostWithTower({ ...kCost, towerG }), colourCost(kCost));
 });
