@@ -38,16 +38,28 @@ export function verdictLines(result, listener, isOpen) {
 }
 
 /**
+ * Returns a function that leaves out the remedies that were offered before: several checks may want the same.
+ * @param {readonly Remedy[]} [offered]
+ */
+export function notOffered(offered = []) {
+  const keyOf = (/** @type {Remedy} */ { code, changes }) => JSON.stringify(changes ?? code);
+  const known = new Set(offered.map(keyOf));
+  return (/** @type {readonly Remedy[]} */ remedies) =>
+    remedies.filter((remedy) => !known.has(keyOf(remedy)) && known.add(keyOf(remedy)));
+}
+
+/**
  * @param {import('./result_panel.js').Result} result  `printed`: undefined until something is known about the print
  * @param {Listener} listener
- * @param {Question} [failed]  its best remedies are left out
+ * @param {readonly Remedy[]} [offered]  remedies that stand elsewhere
  */
-function threeLines({ report, printed }, listener, failed) {
+function threeLines({ report, printed }, listener, offered) {
   const { onRemedy, onPrint } = listener;
   const { reads, prints, solid } = report.verification.verdict;
+  const others = notOffered(offered);
   const left = (/** @type {Question} */ question) => {
     const aspect = report.verification.verdict[question];
-    return question === failed ? { ...aspect, remedies: aspect.remedies.slice(kMostRemedies) } : aspect;
+    return { ...aspect, remedies: others(aspect.remedies) };
   };
   return [
     line(left('reads'), readsHeading(report.text, reads), onRemedy),
@@ -67,10 +79,11 @@ function threeLines({ report, printed }, listener, failed) {
  */
 function failure(failed, result, listener, isOpen) {
   const { verdict, failedChecks } = result.report.verification;
-  const { level, remedies } = verdict[failed];
+  const { level } = verdict[failed];
+  const best = verdict[failed].remedies.slice(0, kMostRemedies);
   const [check] = failedChecks;
   const hint = hintOf(check);
-  const lines = make('ul', { className: 'verdict' }, ...threeLines(result, listener, failed));
+  const lines = make('ul', { className: 'verdict' }, ...threeLines(result, listener, best));
   lines.setAttribute('aria-label', text('check.inDetail'));
   const rest = make(
     'details',
@@ -86,7 +99,7 @@ function failure(failed, result, listener, isOpen) {
     { className: `${level} failure` },
     make('strong', { text: asSentence(sentenceOf(check)) }),
     ...failurePicture(failed, result),
-    ...remedyButtons(remediesOf(remedies.slice(0, kMostRemedies), listener.onRemedy)),
+    ...remedyButtons(remediesOf(best, listener.onRemedy)),
     rest,
   );
 }
