@@ -145,18 +145,44 @@ test('On the narrowest phone the legend leaves the code free; sideways the view 
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
   });
 
-  await test.step('sideways', async () => {
-    await page.setViewportSize({ width: 740, height: 360 });
-    await poll(async () => (await boxOf(app.canvas)).height).toBe(360);
-    expect((await boxOf(app.canvas)).width).toBeGreaterThanOrEqual(400);
-    await expect(app.engraveButton).toBeInViewport();
-    for (const name of ['Views', 'Sizes', 'Construction']) {
-      const box = await boxOf(page.getByRole('button', { name, exact: true }));
-      expect(box.x).toBeGreaterThanOrEqual(0);
-      expect(box.x + box.width).toBeLessThanOrEqual(420);
-    }
-  });
+  const sideways = [
+    { width: 640, height: 360 },
+    { width: 740, height: 360 },
+    { width: 932, height: 430 },
+  ];
+  for (const { width, height } of sideways) {
+    await test.step(`sideways, ${width} by ${height}`, async () => {
+      await page.setViewportSize({ width, height });
+      const stage = width - 320;
+      await poll(async () => (await boxOf(app.canvas)).width).toBe(stage);
+      await expect(app.engraveButton).toBeInViewport();
+      const buttons = await Promise.all(
+        ['Views', 'Sizes', 'Section', 'Plate', 'Construction'].map((name) =>
+          boxOf(page.getByRole('button', { name, exact: true })),
+        ),
+      );
+      for (const box of buttons) {
+        expect(box.x).toBeGreaterThanOrEqual(0);
+        expect(box.x + box.width).toBeLessThanOrEqual(stage);
+      }
+      const legend = page.getByLabel('Colours of the model');
+      const handles = await Promise.all([app.turnHandle, app.moveHandle, app.sizeHandle].map(boxOf));
+      for (const covering of [...buttons, await boxOf(legend)])
+        expect(handles.filter((handle) => overlap(handle, covering))).toEqual([]);
+      const section = page.getByRole('button', { name: 'Section', exact: true });
+      await section.tap();
+      const [slider, cube] = await Promise.all([page.locator('#section-bar'), page.locator('.view-cube')].map(boxOf));
+      expect(overlap(slider, cube)).toBe(false);
+      expect(overlap(slider, await boxOf(legend))).toBe(false);
+      await section.tap();
+    });
+  }
 });
+
+/** @typedef {{ x: number, y: number, width: number, height: number }} Box */
+
+/** @param {Box} a @param {Box} b */
+const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
 /**
  * Moves two fingers around (x, y) from one distance to another.
