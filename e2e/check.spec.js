@@ -56,6 +56,8 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
 
   await test.step('Words and numbers follow the page’s language', async () => {
     await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+    const tooWide = await page.locator('#panel').evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+    expect(tooWide).toBe(0);
     await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d\smm im Mittel/);
     await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
     await expect(app.result).toContainText(/Depth\s*\d+\.\d\d\smm on average/);

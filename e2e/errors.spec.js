@@ -21,6 +21,7 @@ test('A bad file is refused with a reason, and the previous model stays', async 
   await test.step('a model with a hole: names the number of open edges', async () => {
     await app.file.setInputFiles(openFile);
     await expect(app.alert).toContainText(/4 .*edge/i);
+    await expect(page.locator('#view-hint')).toBeHidden(); // it would ask for a click that does nothing
   });
   await test.step('a file dropped on the page is opened', async () => {
     await app.canvas.drop({ files: saddleFile });

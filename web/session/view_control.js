@@ -15,6 +15,7 @@ const kVectorDigits = 5;
  * @property {import('../view/inspector_view.js').InspectorView} inspector
  * @property {import('./inspector_control.js').InspectorControl} inspectorControl
  * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
+ * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
  * @property {import('./carving.js').Carving} carving
  * @property {import('./work_editor.js').WorkEditor} editor
@@ -38,8 +39,8 @@ export class ViewControl {
     carving.printed.on(() => this.notePrinted_());
   }
 
-  /** @param {Pick<ViewControlOptions, 'view' | 'picker' | 'inspector' | 'inspectorControl' | 'placing' | 'editor'>} options */
-  listen_({ view, picker, inspector, inspectorControl, placing, editor }) {
+  /** @param {Pick<ViewControlOptions, 'view' | 'picker' | 'inspector' | 'inspectorControl' | 'model' | 'placing' | 'editor'>} options */
+  listen_({ view, picker, inspector, inspectorControl, model, placing, editor }) {
     const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
     const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
     const place = (/** @type {number} */ x, /** @type {number} */ y, exact = false) =>
@@ -74,7 +75,7 @@ export class ViewControl {
     picker.listen({ onPick: (picking) => tools.set({ picking }) });
     inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
     placing.placed.on((placement) => {
-      toolbar.setPlaced(placement !== undefined, placement?.capitalMm === null);
+      toolbar.setPlaced(placement !== undefined, placement?.capitalMm === null, model.engravable);
       tools.set({ placed: placement !== undefined });
       if (toolbar.constructionShown) void guard(() => this.explain_());
     });

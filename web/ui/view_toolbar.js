@@ -159,13 +159,14 @@ export class ViewToolbar {
   /**
    * @param {boolean} placed    whether a code or a text is placed
    * @param {boolean} forPhone  whether a phone reads it
+   * @param {boolean} [mayPlace]  the model takes a code
    */
-  setPlaced(placed, forPhone) {
+  setPlaced(placed, forPhone, mayPlace = false) {
     const why = placed ? undefined : 'page.whyNoPlace';
     setDisabled(this.reader_, why ?? (forPhone ? undefined : 'page.whyForPeople'));
     setDisabled(this.section_, why);
     setDisabled(this.construction_, why);
-    this.hint_.hidden = placed;
+    this.hint_.hidden = placed || !mayPlace;
     if (!placed && isPressed(this.section_)) this.showSection(false);
   }
 
