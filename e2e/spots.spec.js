@@ -119,15 +119,19 @@ test('A spot search waits for the typed text; a change of settings discards the 
   });
 });
 
-test('A lamp that lights the spot unevenly is named before the carving', async ({ page }) => {
+test('Lamps that light the spot unevenly are named once, beside the lamps, before the carving', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere&light=0,20,4');
+  await app.open('?sample=bumpy-sphere&light=0,20,4%20180,20,4');
   await app.expectReady();
-  const warning = page.getByText('The lamp lights this spot unevenly; decoders may fail.');
-  await expect(warning).toBeVisible();
-  await app.openSettings();
+  const lights = (/** @type {string} */ words) => page.getByText(`${words} this spot unevenly; decoders may fail.`);
+  const notes = page.getByRole('list', { name: 'Notes on the light' });
+  await expect(notes).toContainText('The lamps light this spot unevenly; decoders may fail. Choose a flatter spot');
+  await expect(lights('The lamps light')).toHaveCount(1);
+  await app.setting('The code is seen in').selectOption('Light of one lamp');
+  await expect(notes).toContainText('The lamp lights this spot unevenly; decoders may fail.');
+  await expect(lights('The lamp lights')).toHaveCount(1);
   await app.setting('The code is seen in').selectOption('Even light');
-  await expect(warning).toBeHidden();
+  await expect(notes).toBeEmpty();
 });
 
 test('With a fixed size, the map shows where it fits', async ({ page }) => {

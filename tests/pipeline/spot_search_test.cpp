@@ -71,10 +71,18 @@ TEST_F(SpotSearchTest, WarnsOfLampsOnABumpySphereThatNoLampLightsEvenly) {
   SpotSearchRequest parameters = request(25);
   parameters.count = 1;
   parameters.lamps = {{.azimuthDeg = 0, .elevationDeg = 20, .strength = 4}};
-  const auto search = findSpots(upload(shapes::bumpySphere(30, 1.5, 5, 5)), parameters);
-  ASSERT_TRUE(search.has_value());
-  ASSERT_FALSE(search->spots.front().concerns.empty());
-  EXPECT_EQ(search->spots.front().concerns.back().code, "spot-lit-unevenly-by-lamps");
+  const auto model = upload(shapes::bumpySphere(30, 1.5, 5, 5));
+  const auto one = findSpots(model, parameters);
+  ASSERT_TRUE(one.has_value());
+  ASSERT_FALSE(one->spots.front().concerns.empty());
+  EXPECT_EQ(one->spots.front().concerns.back().code, "spot-lit-unevenly-by-lamps");
+  EXPECT_THAT(sentenceAndHint(one->spots.front().concerns.back()), testing::HasSubstr("The lamp lights"));
+
+  parameters.lamps.push_back({.azimuthDeg = 180, .elevationDeg = 20, .strength = 4});
+  const auto two = findSpots(model, parameters);
+  ASSERT_TRUE(two.has_value());
+  ASSERT_FALSE(two->spots.front().concerns.empty());
+  EXPECT_THAT(sentenceAndHint(two->spots.front().concerns.back()), testing::HasSubstr("The lamps light"));
 }
 
 TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the settings and their choices in the current language (setting_words.js).
+import { areLamps, lampsText } from '../engine/lamps.js';
 import { kSettings } from '../generated/settings.js';
 import { appTexts, text } from './catalogue.js';
 import { formatPlain } from './format.js';
@@ -30,6 +31,7 @@ export const numberName = (key) => numberNameIn(names(), key);
  */
 export function valueName(key, value) {
   const { choices, whole } = kSettings[/** @type {import('../generated/settings.js').SettingKey} */ (key)];
+  if (key === 'light') return areLamps(value) && value.length > 0 ? lampsText(value) : text('settings.evenLight');
   if (value === undefined) return text(key === 'up' ? 'settings.modelUp' : 'settings.auto');
   if (Array.isArray(value)) return vectorName(key, value);
   if (typeof value !== 'number') return choiceLabel(key, String(value));

@@ -34,6 +34,8 @@ test('a value is named as its control shows it', async () => {
   assert.equal(valueName('up', undefined), 'Up axis of the model');
   assert.equal(valueName('up', [0, -2, 0]), '−Y');
   assert.equal(valueName('up', [0, 0.6, 0.8]), '(0, 0.6, 0.8)');
+  assert.equal(valueName('light', [{ azimuthDeg: 45, elevationDeg: 60, strength: 1 }]), '45,60,1');
+  assert.equal(valueName('light', undefined), 'Even light');
 });
 
 test('choices have names in the chosen language', async () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code's placement: its width and its exact centre.
+// The code's placement: its width, its exact centre and what may fail there. What lamps make fail stands beside the lamps.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -20,6 +20,8 @@ export class PlacePanel {
     /** @type {(centreMm: Point) => void} */ this.onCentre_ = () => {};
     /** @type {(change: SettingChange, label: string) => void} */ this.onRemedy_ = () => {};
     this.concerns_ = byId('place-concerns', HTMLElement);
+    this.lightGroup_ = byId('light-group', HTMLDetailsElement);
+    this.lightConcerns_ = byId('light-concerns', HTMLElement);
     /** @type {Message[]} */ this.shown_ = [];
     onLanguage(() => this.showConcerns_());
     this.centre_ = ['centre-x', 'centre-y', 'centre-z'].map((id) => byId(id, HTMLInputElement));
@@ -66,7 +68,8 @@ export class PlacePanel {
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
     const { concerns, aimToleranceDeg, forgiving } = placement;
     write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
-    return showStep('place', concerns.length > 0 ? 'warn' : 'done', () => sizeInWords(placement));
+    const isFine = concerns.every((concern) => this.isBesideLamps_(concern));
+    return showStep('place', isFine ? 'done' : 'warn', () => sizeInWords(placement));
   }
 
   /** Says how deep the placed code will be. @param {import('../engine/types.js').FoundDepths | undefined} depths */
@@ -83,30 +86,50 @@ export class PlacePanel {
     this.showConcerns_();
   }
 
+  /** @param {Message} concern */
+  isBesideLamps_({ code }) {
+    return kOfLamps.includes(code) && !this.lightGroup_.hidden;
+  }
+
   showConcerns_() {
-    showFindings(
-      this.concerns_,
-      this.shown_.map((concern) => {
-        const label = text('page.paintInstead');
-        const paint = { label, run: () => this.onRemedy_(kPaint, label) };
-        const isThin = kThin.includes(concern.code);
-        const isSpotless = concern.code.startsWith(kNoSpot);
-        return {
-          severity: 'warning',
-          found: sentenceOf(concern),
-          help: [hintOf(concern), ...(isSpotless ? [text('page.orClick')] : [])].map(asSentence).join(' '),
-          remedies: isThin ? [paint] : [],
-        };
+    const ofLamps = this.shown_.filter((concern) => this.isBesideLamps_(concern));
+    const others = this.shown_.filter((concern) => !ofLamps.includes(concern));
+    const shown = (/** @type {Message} */ concern) => this.inWords_(concern);
+    if (ofLamps.length > 0 && !this.lightConcerns_.firstChild) this.lightGroup_.open = true; // unless the user closed it
+    showFindings(this.concerns_, others.map(shown));
+    showFindings(this.lightConcerns_, ofLamps.map(shown));
+  }
+
+  /** @param {Message} concern @returns {import('./messages.js').Shown} */
+  inWords_(concern) {
+    const isSpotless = concern.code.startsWith(kNoSpot);
+    return {
+      severity: 'warning',
+      found: sentenceOf(concern),
+      help: [hintOf(concern), ...(isSpotless ? [text('page.orClick')] : [])].map(asSentence).join(' '),
+      remedies: changesFor(concern).map(({ key, change }) => {
+        const label = text(key);
+        return { label, run: () => this.onRemedy_(change, label) };
       }),
-    );
+    };
   }
 }
 
 const kNoSpot = 'no-spot'; // begins the codes of the reasons why a search finds no spot
 const kThin = ['nothing-can-be-carved', 'nothing-can-be-carved-over-shell', 'no-spot-wall-too-thin'];
 
-/** A code that needs no wall. @type {SettingChange} */
-const kPaint = { setting: 'mark', value: 'paint' };
+const kOfLamps = ['spot-lit-unevenly-by-lamps', 'spot-wants-another-lamp'];
+
+/**
+ * Returns the changes of one click that help, with the keys of their labels.
+ * @param {Message} concern
+ * @returns {{ key: 'page.paintInstead' | 'page.moveLamp', change: SettingChange }[]}
+ */
+export function changesFor({ code, values: { lamp } }) {
+  if (kThin.includes(code)) return [{ key: 'page.paintInstead', change: { setting: 'mark', value: 'paint' } }];
+  if (lamp && 'term' in lamp) return [{ key: 'page.moveLamp', change: { setting: 'light', value: lamp.term } }];
+  return [];
+}
 
 const kWorthSaying = 1.01; // ratio of two sizes
 
