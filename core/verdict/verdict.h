@@ -74,8 +74,7 @@ struct PrintedEvidence {
 /// - It prints if at least PrintedEvidence::needed() tries on the simulated print succeed. It barely prints if these
 /// are
 ///   fewer than the first rule asks for, or if it faces down by more than kSteepestOverhangDeg. If the print was not
-///   simulated, published prints give the answer (verification/printability.h). That is advice and always
-///   passes.
+///   simulated, published prints give the answer (verification/printability.h). That is advice and always passes.
 /// - It is a solid if the whole file is closed, manifold and free of crossing triangles. Crossings that the model
 ///   already had are reported, but pass.
 struct Verdict {

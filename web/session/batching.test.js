@@ -163,7 +163,10 @@ test('A list does not change while its parts are carved', async () => {
 
 test('A list that is too large is refused before it is read', async () => {
   await batching.openList(/** @type {any} */ ({ name: 'huge.csv', size: 1e9 }));
-  assert.equal(messages.problem.found(), 'huge.csv has\u00a0954\u00a0MiB; this page reads lists up to\u00a064\u00a0MiB');
+  assert.equal(
+    messages.problem.found(),
+    'huge.csv has\u00a0954\u00a0MiB; this page reads lists up to\u00a064\u00a0MiB',
+  );
   assert.equal(panel.taken, undefined);
 });
 
