@@ -9,6 +9,7 @@
 #include "message_codes/printing.h"
 #include "message_codes/verdict.h"
 #include "pipeline/module_walls.h"
+#include "pipeline/shell_below.h"
 #include "pipeline/spot_light.h"
 #include "settings/setting_text.h"
 
@@ -33,8 +34,12 @@ std::vector<Message> inWords(const SpotConcerns& concerns, const SpotSearchReque
     reasons.push_back(
         message<"spot-too-small-to-print">(with::lengthMm<"nozzle">(request.nozzleMm),
                                            with::lengthMm<"needed">(std::ceil(10 * request.leastPrintableMm) / 10)));
-  if (!concerns.takesPockets)
-    reasons.push_back(message<"nothing-can-be-carved">(with::lengthMm<"wall">(request.minWallMm)));
+  const auto wall = with::lengthMm<"wall">(request.minWallMm);
+  if (concerns.shellBelowMm)
+    reasons.push_back(
+        message<"nothing-can-be-carved-over-shell">(wall, with::lengthMm<"below">(*concerns.shellBelowMm)));
+  else if (!concerns.takesPockets)
+    reasons.push_back(message<"nothing-can-be-carved">(wall));
   if (concerns.coversColours) reasons.push_back(message<"spot-in-several-colours">());
   if (concerns.facesDown) reasons.push_back(message<"faces-down">());
   if (concerns.unevenLight > kMostUnevenLight) reasons.push_back(lightInWords(concerns, request));
@@ -88,6 +93,8 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   SpotConcerns concerns;
   concerns.prints = placement.symbolMm >= request.leastPrintableMm;
   concerns.takesPockets = taking + thin >= thickness.size();
+  if (!concerns.takesPockets && model.prepared.shells > 1)
+    concerns.shellBelowMm = shellBelowMm(mesh, placement, request.leastDepthMm + request.minWallMm);
   concerns.coversColours = coversColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
   concerns.unevenLight = unevenLightOn(model, placement.frame, placement.symbolMm, request);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pipeline/placement.h"
@@ -12,6 +13,7 @@ namespace qrelief {
 struct SpotConcerns {
   bool prints = true;                        ///< the symbol is not smaller than SpotSearchRequest::leastPrintableMm
   bool takesPockets = true;                  ///< the wall takes pockets of SpotSearchRequest::leastDepthMm
+  std::optional<double> shellBelowMm;        ///< if it does not: a shell that begins within this wall (shell_below.h)
   bool coversColours = false;                ///< the surface under the code and its quiet zone has several colours
   bool facesDown = false;                    ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;                    ///< see pipeline/spot_light.h

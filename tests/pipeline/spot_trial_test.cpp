@@ -62,6 +62,23 @@ TEST(SpotTrial, TriesBothDirectionsBeforeItReportsAThinWall) {
   EXPECT_NEAR(*trial.thinWallMm(), 1, 0.05);
 }
 
+TEST(SpotTrial, NamesAShellWithinAWallThatIsTooThin) {
+  // A slab of 1 mm reaches 0.2 mm into a thick one.
+  const auto model =
+      modelOf(shapes::together(shapes::box({60, 60, 20}), shapes::translated(shapes::box({60, 60, 1}), {0, 0, 10.3})));
+  SpotSearchRequest request;
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = 20;
+  request.placement.direction = Vec3(0, 0, 1);
+  request.leastDepthMm = 0.5;
+  request.offersThinWalls = true;
+  const SizeMap map = makeSizeMap(model->prepared.mesh, model->prepared.normals, {.minMm = 20});
+  const SpotTrial trial = finished(*model, request, map, {{0, 0, 10.8}, {0, 0, 1}, 40, {}});
+  ASSERT_TRUE(trial.spot().has_value());
+  ASSERT_FALSE(trial.spot()->concerns.empty());
+  EXPECT_EQ(trial.spot()->concerns.front().code, "nothing-can-be-carved-over-shell");
+}
+
 TEST(SpotTrial, TellsWhetherCrossingsKeepTheCodeAway) {
   // A column comes through the face along x = 8; the face ends at x = -20.
   const auto model =
