@@ -225,6 +225,11 @@ Result<std::optional<Vec3>> PlacementSearch::crossingWithin(double radiusMm) con
   return crossing;
 }
 
+bool PlacementSearch::wouldMeetCrossings(double symbolMm) const {
+  const auto crossing = crossingWithin(halfDiagonalMm(symbolMm));
+  return !crossing || crossing->has_value();  // an error: too many to list
+}
+
 /// Returns true if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits at
 /// any rotation.
 bool PlacementSearch::isAtCentre(Vec3 crossing) const {

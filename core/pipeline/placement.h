@@ -70,6 +70,8 @@ class PlacementSearch {
   int modules() const { return modules_; }
   /// Returns true if crossing triangles lay within the code from a direction from which it does not fit.
   bool meetsCrossings() const { return meetsCrossings_; }
+  /// Returns true if crossing triangles would lie within a larger symbol at the place found.
+  bool wouldMeetCrossings(double symbolMm) const;
   const Placement& placement() const { return placement_; }
   /// Returns the result. Call it after step() has returned true.
   FoundPlacement found() const { return {placement_, directionMs_, sizeMs_}; }

@@ -98,6 +98,7 @@ Result<bool> SpotTrial::step() {
     return endTry();
   }
   if (!*placed) return false;
+  if (findsLargest_) meetsCrossings_ = meetsCrossings_ || search_->wouldMeetCrossings(wantedMm(*request_));
   const Result<bool> isOffered = judge(search_->placement());
   if (!isOffered || *isOffered) return isOffered;
   return endTry();

@@ -31,7 +31,7 @@ class SpotTrial {
   std::size_t tries() const { return tries_; }               ///< number of directions tried
   /// Returns the thickness of a wall too thin for the pockets, from the direction of the request's method.
   std::optional<double> thinWallMm() const { return thinWallMm_; }
-  /// Returns true if crossing triangles kept the code away.
+  /// Returns true if crossing triangles kept the code away, or one of the wanted size.
   bool meetsCrossings() const { return meetsCrossings_; }
 
  private:
