@@ -32,6 +32,9 @@ class OffReader {
       scanner_ = data;
       if (const Status s = readData(layout); s && isAtEnd()) return finished(s);
     }
+    // The data may also begin on the line of the counts.
+    scanner_ = behindCounts_;
+    if (const Status s = readData({false, false}); s && isAtEnd()) return finished(s);
     scanner_ = data;
     return finished(readData({}));
   }
@@ -83,8 +86,8 @@ class OffReader {
     if (!faces)
       return facesWord.empty() ? failHere(message<"off-face-count-missing">())
                                : failHere(message<"off-face-count">(with::quoted<"word">(excerpt(facesWord))));
-    skipEdgeCount();
     QRELIEF_TRY(checkSizeBound(*vertices, *faces));
+    skipEdgeCount();
     vertexCount_ = static_cast<std::size_t>(*vertices);
     faceCount_ = static_cast<std::size_t>(*faces);
     return {};
@@ -93,6 +96,7 @@ class OffReader {
   /// Skips the number of edges, which is often wrong and never needed. It may be missing, or alone on the next line.
   void skipEdgeCount() {
     const bool isOnLine = !scanner_.wordOnLine().empty();
+    behindCounts_ = scanner_;
     scanner_.restOfLine();
     if (isOnLine) return;
     const TextScanner before = scanner_;
@@ -166,7 +170,7 @@ class OffReader {
   }
 
   std::string_view text_;
-  TextScanner scanner_;
+  TextScanner scanner_, behindCounts_ = scanner_;
   std::size_t maxTriangles_;
   std::string_view verticesWord_;
   bool isPlain_ = true;  // neither colours nor normals

@@ -65,6 +65,12 @@ TEST(OffReader, ReadsSeveralVerticesOrFacesOnOneLine) {
     }
 }
 
+TEST(OffReader, ReadsDataThatBeginOnTheLineOfTheCounts) {
+  EXPECT_EQ(trianglesOf("OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2"), 1u);
+  EXPECT_EQ(trianglesOf("OFF\n3 1 3 0 0 0 1 0 0\n0 1 0\n3 0 1 2\n"), 1u);
+  EXPECT_EQ(trianglesOf("OFF 3 1 0 of a scan\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u) << "words there that are no data";
+}
+
 TEST(OffReader, ReadsCountsOnSeveralLinesAndWithoutEdges) {
   for (const char* counts : {"3\n1\n3\n", "3 1\n3\n", "3 1\n", "3\n1\n", "3 1 # no edges\n\n"})
     EXPECT_EQ(trianglesOf(fmt::format("OFF\n{}0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", counts)), 1u) << counts;
