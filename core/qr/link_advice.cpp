@@ -281,7 +281,9 @@ std::vector<TextAdvice> adviseText(std::string_view text) {
   std::u32string seen = whole;
   seen.erase(std::remove_if(seen.begin(), seen.end(), isUnseen), seen.end());
   const std::u32string_view within = trimmed(std::u32string_view(seen), isSpace);
-  const std::u32string_view core = trimmed(withinBrackets(trimmed(within, isQuote)), isSpace);
+  std::u32string_view core = trimmed(withinBrackets(trimmed(within, isQuote)), isSpace);
+  // A quotation that ends with the link belongs to it, like brackets.
+  if (std::any_of(core.begin(), core.end(), isQuote)) core = within;
   const std::string bare = utf8Of(core);
   const bool hasScheme = splitWebAddress(bare).has_value();
   if (!hasScheme) {

@@ -92,6 +92,8 @@ TEST(LinkAdvice, QuotationMarksBracketsAndPunctuationAroundALinkAreFound) {
     EXPECT_THAT(fixed(text), ElementsAre("https://example.org/a"));
   }
   EXPECT_THAT(codes("https://example.org/a_(b)"), IsEmpty());
+  EXPECT_THAT(codes("https://example.org/?q=\"b\""), IsEmpty());
+  EXPECT_THAT(codes("https://example.org/\u2018b\u2019"), IsEmpty());
   EXPECT_THAT(codes("https://example.org/a."), ElementsAre("link-punctuation"));
   EXPECT_THAT(fixed("https://example.org/a.,"), ElementsAre("https://example.org/a"));
 }
