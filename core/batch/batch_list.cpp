@@ -29,6 +29,14 @@ Status checkIsText(std::string_view text) {
   return {};
 }
 
+/// Returns true for a web page: what a link to a list gives to those who are not signed in, and what some programs call
+/// a spreadsheet. @param text  from its first character that is no space
+bool isWebPage(std::string_view text) {
+  const std::string start = caseFolded(text.substr(0, 32));
+  constexpr std::array<std::string_view, 5> kTags = {"<!doctype html", "<html", "<head", "<meta", "<table"};
+  return std::any_of(kTags.begin(), kTags.end(), [&](std::string_view tag) { return start.starts_with(tag); });
+}
+
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
@@ -80,8 +88,10 @@ Status checkColumns(std::span<const std::string> columns) {
   return {};
 }
 
-/// Returns the separator that the first line names for Excel, as "sep=;"; none if it is a row.
+/// Returns the separator that the first line names for Excel, as sep=; with or without quotation marks; none if it is a
+/// row.
 std::optional<char> namedSeparator(std::string_view line) {
+  if (line.size() > 2 && line.starts_with('"') && line.ends_with('"')) line = line.substr(1, line.size() - 2);
   constexpr std::string_view kStart = "sep=";
   if (line.size() <= kStart.size() || caseFolded(line.substr(0, kStart.size())) != kStart) return std::nullopt;
   const char separator = line[kStart.size()];
@@ -335,20 +345,8 @@ class JsonRows {
   std::vector<std::pair<std::uint32_t, std::vector<std::string>>> rows_;
 };
 
-Result<BatchList> readJsonLines(std::string_view text) {
-  JsonRows rows;
-  for (std::uint32_t number = 1; !text.empty(); ++number) {
-    const std::string_view whole = firstLine(text), line = withoutEnd(whole);
-    text.remove_prefix(whole.size());
-    QRELIEF_TRY(checkLine(line, number));
-    if (line.find_first_not_of(" \t") == line.npos) continue;
-    QRELIEF_TRY(rows.add(line, number));
-  }
-  return std::move(rows).list();
-}
-
-/// Returns the length of the value at the start of a JSON text: up to the comma or bracket that ends it outside its own
-/// brackets and quotation marks.
+/// Returns the length of the value at the start of a JSON text: with its brackets or quotation marks, or else up to the
+/// next space, comma or bracket.
 std::size_t jsonValueLength(std::string_view text) {
   std::size_t depth = 0;
   bool isQuoted = false;
@@ -356,19 +354,21 @@ std::size_t jsonValueLength(std::string_view text) {
     const char c = text[i];
     if (isQuoted && c == '\\') {
       ++i;
-    } else if (c == '"') {
-      isQuoted = !isQuoted;
-    } else if (!isQuoted) {
-      if (depth == 0 && (c == ',' || c == ']' || c == '}')) return i;
-      if (c == '{' || c == '[') ++depth;
-      if (c == '}' || c == ']') --depth;
+      continue;
     }
+    const bool isEnd = c == '}' || c == ']';
+    if (!isQuoted && depth == 0 && i > 0 && (isEnd || std::string_view(", \t\r\n").find(c) != std::string_view::npos))
+      return i;
+    if (c == '"') isQuoted = !isQuoted;
+    if (!isQuoted && (c == '{' || c == '[')) ++depth;
+    if (!isQuoted && isEnd && depth > 0 && --depth == 0) return i + 1;
   }
   return text.size();
 }
 
-/// Reads an array of objects, as programs write lists. @param text  from its bracket on
-Result<BatchList> readJsonArray(std::string_view text) {
+/// Reads objects, as programs write lists: each on its own line or lines, with or without commas between them, or all
+/// in an array. @param text  from a brace or bracket on, spaces before it apart
+Result<BatchList> readJsonObjects(std::string_view text) {
   std::uint32_t line = 1;
   std::string_view left = text;
   for (std::uint32_t number = 1; !left.empty(); ++number) {
@@ -377,26 +377,28 @@ Result<BatchList> readJsonArray(std::string_view text) {
     QRELIEF_TRY(checkLine(withoutEnd(whole), number));
   }
   const auto skip = [&](std::size_t count) {
-    line +=
-        static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(count), '\n'));
+    for (std::string_view skipped = text.substr(0, count); !skipped.empty();) {
+      const std::string_view whole = firstLine(skipped);
+      line += withoutEnd(whole).size() < whole.size();
+      skipped.remove_prefix(whole.size());
+    }
     text.remove_prefix(count);
   };
   const auto skipSpace = [&] { skip(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
   const auto broken = [&] { return badInput(message<"list-array">(with::count<"line">(line))); };
   JsonRows rows;
   skipSpace();
-  skip(1);
-  for (bool isFirst = true;; isFirst = false) {
-    skipSpace();
-    if (isFirst && text.starts_with(']')) break;
+  const bool isArray = text.starts_with('[');
+  if (isArray) skip(1);
+  for (skipSpace(); !text.empty() && !(isArray && text.starts_with(']')); skipSpace()) {
     const std::size_t length = jsonValueLength(text);
     QRELIEF_TRY(rows.add(text.substr(0, length), line));
     skip(length);
-    if (text.starts_with(']')) break;
-    if (!text.starts_with(',')) return broken();
-    skip(1);
+    skipSpace();
+    if (text.starts_with(',')) skip(1);
   }
-  skip(1);
+  if (isArray && text.empty()) return broken();
+  if (isArray) skip(1);
   skipSpace();
   if (!text.empty()) return broken();
   return std::move(rows).list();
@@ -440,7 +442,8 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes, const Batch
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char start = first == text.npos ? '\0' : text[first];
-  auto list = start == '{' ? readJsonLines(text) : start == '[' ? readJsonArray(text) : readCsv(text, options.hasNames);
+  if (start == '<' && isWebPage(text.substr(first))) return badInput(message<"list-web-page">());
+  auto list = start == '{' || start == '[' ? readJsonObjects(text) : readCsv(text, options.hasNames);
   if (list && list->size() == 0) return badInput(message<"list-no-rows">());
   return list;
 }

@@ -81,6 +81,21 @@ TEST(BatchList, ReadsAnArrayOfObjects) {
   EXPECT_EQ(list->line(1), 2u);
 }
 
+TEST(BatchList, ReadsObjectsHoweverTheyAreSeparated) {
+  for (const std::string text :
+       {"{\n \"id\": \"A1\",\n \"text\": \"a, }\"\n}\n{\"id\": \"A2\", \"text\": \"b\"}\n",  // over several lines
+        "{\"id\": \"A1\", \"text\": \"a, }\"},\r\n\r\n\r\n\r\n{\"id\": \"A2\", \"text\": \"b\"},\r\n",
+        "[{\"id\": \"A1\", \"text\": \"a, }\"},\r\r\r\r {\"id\": \"A2\", \"text\": \"b\"},\r]\r",
+        "[{\"id\": \"A1\", \"text\": \"a, }\"}\n\n\n\n{\"id\": \"A2\", \"text\": \"b\"}]"}) {
+    const auto list = read(text);
+    ASSERT_TRUE(list) << text << list.error().message.code;
+    ASSERT_EQ(list->size(), 2u) << text;
+    EXPECT_THAT(row(list, 0), ElementsAre("A1", "a, }"));
+    EXPECT_THAT(row(list, 1), ElementsAre("A2", "b"));
+    EXPECT_EQ(list->line(1), 5u) << text;
+  }
+}
+
 TEST(BatchList, ReadsTheSeparatorThatAFirstLineNames) {
   for (const std::string separator : {",", ";", "\t", "|", ":"}) {
     const auto list = read("\xEF\xBB\xBFsep=" + separator + "\r\nid" + separator + "text\r\n1" + separator + "a b\r\n");
@@ -89,6 +104,7 @@ TEST(BatchList, ReadsTheSeparatorThatAFirstLineNames) {
     EXPECT_THAT(row(list, 0), ElementsAre("1", "a b"));
     EXPECT_EQ(list->line(0), 3u);
   }
+  EXPECT_THAT(read("\"sep=|\"\nid|text\n1|a,b,c\n")->columns(), ElementsAre("id", "text")) << "in quotation marks";
   EXPECT_THAT(read("sep=x\na\n")->columns(), ElementsAre("sep=x")) << "a name";
 }
 
@@ -241,7 +257,11 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"a line without end", "text\n" + std::string(3 << 20, 'x'), "list-line-too-long", 2},
       {"no object", "{\"text\": \"a\"}\n[1]\n", "list-no-object", 2},
       {"an object cut off", "{\"text\": \"a\"}\n{\"text\": \"b\n", "list-no-object", 2},
-      {"an object over two lines", "{\n\"text\": \"a\"}\n", "list-no-object", 1},
+      {"a text after an object", "{\"text\": \"a\"}\nmore\n", "list-no-object", 2},
+      {"a bracket too many", "{\"text\": \"a\"}}\n", "list-no-object", 1},
+      {"two commas", "[{\"text\": \"a\"},\n,{\"text\": \"b\"}]", "list-no-object", 2},
+      {"a web page", "\xEF\xBB\xBF\n<!DOCTYPE html>\n<html>", "list-web-page"},
+      {"a table of a web page", "<TABLE><TR><TD>id", "list-web-page"},
       {"a value that is an object", "{\"text\": {\"a\": 1}}\n", "list-value-kind", 1},
       {"a list of texts", "{\"text\": [\"a\"]}\n", "list-value-kind", 1},
       {"a key twice", "{\"text\": \"a\"}\n{\"text\": \"b\", \"id\": 1, \"text\": \"c\"}\n", "list-line", 2},
@@ -254,7 +274,6 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"an array that does not end", "[{\"text\": \"a\"}\n", "list-array", 2},
       {"an array of texts", "[\"a\",\n\"b\"]", "list-no-object", 1},
       {"an array with text behind it", "[{\"text\": \"a\"}]\nmore", "list-array", 2},
-      {"an array without a comma", "[{\"text\": \"a\"}\n{\"text\": \"b\"}]", "list-no-object", 1},
       {"an array with a damaged object", "[{\"text\": \"a\"},\n{\"text\" \"b\"}]", "list-no-object", 2},
       {"an empty array", "[]", "list-no-rows"},
       {"a long value", "{\"text\": \"" + cell + "\"}\n", "list-cell-too-long", 1},
