@@ -28,6 +28,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kMostNumber = 1'000'000'000'000;  // of a row
+constexpr std::size_t kMostCounted = 10'000'000;        // rows; they take a few GiB of memory
 
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
   if (path == "-") return readText(std::cin, kMostLineBytes);
@@ -322,7 +323,8 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   c->get_option("MODEL")->required(false)->description(
       fmt::format("{}; a list may name models instead, in its column model", kModelFormats));
   c->add_option("--list", o->list, "rows as CSV or JSON; - reads standard input");
-  c->add_option("--count", o->count, "number of rows, without a list; {n} in --text is the row's number");
+  c->add_option("--count", o->count, "number of rows, without a list; {n} in --text is the row's number")
+      ->check(CLI::Range(std::size_t{1}, kMostCounted));
   c->add_option("--first", o->first, "number of the first row, for {n} and the manifest [1]")
       ->check(CLI::Range(std::size_t{1}, kMostNumber));
   o->flags.add(
@@ -332,21 +334,19 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   c->add_option(
       "--name", o->name,
       "template of the file names [{file} if the list has that column, else {id}.stl, or {id}.3mf in colour]");
-  c->add_option(
-       "--at", o->at,
-       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")
-      ->delimiter(',')
-      ->expected(3);
+  addCentreFlag(
+      *c, o->at,
+      "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]");
   c->add_option("--shard", o->shardFlag, "I/N: make every N-th row, starting at row I, counted from 0");
   c->add_option("--shards", o->shards,
                 "number of processes that share the work; the variables of Slurm, AWS Batch or Kubernetes give this "
                 "process's index");
   c->add_option("--per-plate", o->perPlate,
                 "write 3MF files of N named parts each; with --name, also a file for each row")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(std::size_t{1}, kMostNumber));
   c->add_option("--print-every", o->printEvery,
                 "simulate the print of every N-th row only; all rows are engraved for the print [1]")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(std::size_t{1}, kMostNumber));
   c->add_flag("--merge", o->merge, "join the manifests of all shares and list missing and repeated rows");
   c->add_flag("--retry-failed", o->retryFailed, "retry failed rows, and overwrite files that have changed");
   c->add_flag("--stream", o->stream,

@@ -260,11 +260,9 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   o->flags.add(*c, "text").required();
   c->add_option("-o", o->output, "engraved model in mm: .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
   c->add_flag("--ascii", o->ascii, "write the STL as text");
-  c->add_option(
-       "--at", o->at,
-       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")
-      ->delimiter(',')
-      ->expected(3);
+  addCentreFlag(
+      *c, o->at,
+      "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]");
   o->flags.addAll(*c);
   o->file.add(*c);
   c->add_option("--report", o->report, "write a report of all results and measurements as JSON");

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/model_input.h"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
 #include "base/clock.h"
 #include "cli/commands.h"
+#include "io/parse_number.h"
 #include "io/read_model.h"
 #include "native/files.h"
 
 namespace qrelief {
+
+void addScaleFlags(CLI::App& command, std::optional<double>& scale, std::string& units) {
+  command.add_option("--scale", scale, "millimetres in one unit of the file [1; 3MF: from the file]");
+  command.add_option("--units", units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember(unitNames()))
+      ->excludes("--scale");
+}
+
+void addCentreFlag(CLI::App& command, std::vector<double>& at, const std::string& help) {
+  constexpr double kFarthest = 1e9;  // in file units; no model is larger
+  const auto isCoordinate = [](const std::string& word) {
+    const std::optional<double> value =
+        parseNumber(std::string_view(word).substr(std::min(word.find_first_not_of(' '), word.size())));
+    return value && std::abs(*value) <= kFarthest ? std::string() : fmt::format("{} is not a coordinate", word);
+  };
+  command.add_option("--at", at, help)->delimiter(',')->expected(3)->check(isCoordinate);
+}
+
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
   command.add_option("MODEL", flags.path, kModelFormats)->required();
-  command.add_option("--scale", flags.scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  command.add_option("--units", flags.units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
+  addScaleFlags(command, flags.scale, flags.units);
   addRepairFlags(command, flags.repair);
 }
 

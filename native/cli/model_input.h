@@ -22,6 +22,12 @@ struct ModelFlags {
   RepairFlags repair;
 };
 
+/// Adds --scale and --units, of which a command takes one.
+void addScaleFlags(CLI::App& command, std::optional<double>& scale, std::string& units);
+
+/// Adds --at, a point of three finite numbers.
+void addCentreFlag(CLI::App& command, std::vector<double>& at, const std::string& help);
+
 /// Adds MODEL, --scale, --units and the repair flags.
 void addModelFlags(CLI::App& command, ModelFlags& flags);
 

@@ -173,7 +173,7 @@ Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, Progress
 int verifyModel(const VerifyOptions& options) {
   const auto start = Clock::now();
   auto request = requestFrom(options);
-  if (!request) return printError(request.error());
+  if (!request) return printError(request.error(), options.report);
   request->ranges = !options.quick;
   request->isTraced = options.traced;
   const auto scale = scaleFrom(options.scale, options.units);
@@ -224,14 +224,11 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
   c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
-  c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
-  c->add_option("--units", o->units, "unit of the file; replaces --scale")->check(CLI::IsMember(unitNames()));
+  addScaleFlags(*c, o->scale, o->units);
   c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);
-  c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the surface before engraving, mm")
-      ->delimiter(',')
-      ->expected(3);
+  addCentreFlag(*c, o->at, "without --report: X,Y,Z, centre of the code on the surface before engraving, mm");
   for (const char* key : kVerifyPlaceKeys) o->flags.add(*c, key, kWithoutReport);
   o->flags.addGroup(*c, kVerifyGroups[0]);
   for (const char* key : kVerifyMarkKeys) o->flags.add(*c, key, kWithoutReport);

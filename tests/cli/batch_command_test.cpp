@@ -313,6 +313,15 @@ TEST_F(BatchCommandTest, AFailedRowDoesNotStopTheRest) {
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"3.stl", "manifest.csv", "manifest.jsonl"}));
 }
 
+TEST_F(BatchCommandTest, RefusesNumbersOfRowsThatNoBatchCanHave) {
+  for (const char* option : {"--count", "--per-plate", "--print-every"})
+    for (const char* number : {"0", "-3", "99999999999999", "1e3"}) {
+      const Outcome outcome = run(arguments({"--text", "{n}", option, number}));
+      EXPECT_EQ(outcome.status, 2) << option << ' ' << number;
+      EXPECT_THAT(outcome.err, HasSubstr(option)) << number;
+    }
+}
+
 TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
            {"text\na\na\n", "Line 3: The text \"a\" is also in line 2"},

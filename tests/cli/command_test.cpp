@@ -37,6 +37,12 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
       << "a spot first";
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status,
             2);
+  for (const char* centre : {"nan,0,40", "0,inf,40", "0,0,1e300", "0,0,top"}) {
+    const Outcome outcome = run({"engrave", model, "--text", "x", "--at", centre, "-o", path("out.stl")});
+    EXPECT_EQ(outcome.status, 2) << centre;
+    EXPECT_NE(outcome.err.find("--at"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run({"info", model, "--units", "cm", "--scale", "3"}).status, 2) << "two units";
   for (const char* direction : {"upwards", "1,2", "1,2,x", "0,0,0", "1,2,3,4"})
     EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--direction", direction})
                   .status,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `qrelief verify`: its verdict on a file.
 #include <fstream>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_fixture.h"
@@ -93,7 +94,9 @@ TEST_F(VerifyCommandTest, NeedsThePlacementOfTheCode) {
   const Outcome nowhere = run({"verify", model, "--text", "HELLO", "--quiet"});
   EXPECT_EQ(nowhere.status, 2);
   EXPECT_NE(nowhere.err.find("--at"), std::string::npos) << nowhere.err;
-  EXPECT_EQ(run({"verify", model, "--report", path("missing.json"), "--quiet"}).status, 3);
+  const Outcome missing = run({"verify", model, "--report", path("missing.json"), "--quiet"});
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_THAT(missing.err, testing::HasSubstr("missing.json: It cannot be opened"));
   std::ofstream(path("broken.json")) << "{}";
   const Outcome broken = run({"verify", model, "--report", path("broken.json"), "--quiet"});
   EXPECT_EQ(broken.status, 3);
