@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "base/utf8.h"
 #include "io/parse_number.h"
 #include "io/triangulate_polygon.h"
 #include "message_codes/files.h"
@@ -140,8 +141,13 @@ std::string coordinates(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})",
 
 std::string excerpt(std::string_view word, std::size_t longest) {
   std::string text;
-  for (const char c : word.substr(0, longest)) text += c >= ' ' && c < 127 ? c : '?';
-  return text + (word.size() > longest ? "..." : "");
+  for (std::size_t shown = 0; !word.empty() && shown < longest; ++shown) {
+    const std::size_t length = utf8SequenceLength(word);
+    const bool isControl = length == 1 ? word[0] < ' ' || word[0] == 127 : word.starts_with("\xC2") && word[1] < '\xA0';
+    text += length == 0 || isControl ? "?" : word.substr(0, length);
+    word.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return text + (word.empty() ? "" : "...");
 }
 
 }  // namespace qrelief

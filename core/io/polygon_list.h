@@ -58,7 +58,8 @@ Message noSuchVertex(std::int64_t index, std::size_t vertices);
 /// Formats a point that is not finite as text, because JSON messages cannot hold such numbers.
 std::string coordinates(Vec3 p);
 
-/// Shortens a word to fit into a message and replaces all but printable ASCII characters.
+/// Shortens a word to fit into a message and replaces control characters and bytes that are not UTF-8.
+/// @param longest  in characters
 std::string excerpt(std::string_view word, std::size_t longest = 40);
 
 }  // namespace qrelief

@@ -234,6 +234,10 @@ TEST(ReadModel, NamesTheFilesOfAZipWithoutOneModel) {
   const Bytes stl = writeStl(shapes::tetrahedron(10));
   EXPECT_EQ(errorOf(zipOf({"a.stl", "b/c.STL", "note.txt"}, stl), "x.zip"),
             "The ZIP archive holds 2 models: \"a.stl, b/c.STL\"");
+  EXPECT_EQ(errorOf(zipOf({"Schl\u00FCssel.stl", "\u5B57.stl"}, stl), "x.zip"),
+            "The ZIP archive holds 2 models: \"Schl\u00FCssel.stl, \u5B57.stl\"");
+  EXPECT_EQ(errorOf(zipOf({"a\x81\x1B\u0085.jpg"}, stl), "x.zip"),
+            "The ZIP archive holds no model, only 1 file: \"a???.jpg\"");
   EXPECT_EQ(errorOf(zipOf({"a.jpg"}, stl), "x.zip"), "The ZIP archive holds no model, only 1 file: \"a.jpg\"");
   EXPECT_THAT(errorOf(zipOf({"1", "2", "3", "4", "5", "6"}, stl), "x.3mf"),
               HasSubstr("6 files: \"1, 2, 3, 4, 5, ...\""));
