@@ -18,9 +18,7 @@ namespace {
 
 Message lightInWords(const SpotConcerns& concerns, const SpotSearchRequest& request) {
   if (request.lamps.empty()) return message<"spot-lit-unevenly">();
-  if (!concerns.evenLamp)
-    return message<"spot-lit-unevenly-by-lamps">(with::count<"count">(request.lamps.size()),
-                                                 with::setting<"light">("light"));
+  if (!concerns.evenLamp) return message<"spot-lit-unevenly-by-lamps">(with::count<"count">(request.lamps.size()));
   return message<"spot-wants-another-lamp">(with::setting<"light">("light"),
                                             with::term<"lamp">(valueText(std::vector{*concerns.evenLamp})));
 }
