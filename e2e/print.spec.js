@@ -83,7 +83,7 @@ test('If the print does not decode, other processes are tried, and one press app
     await expect(lost).toBeVisible(kPrinted);
     await expect(failure).toHaveCount(1);
     await expect(failure.locator('> strong')).toHaveText(
-      /^The code does not read as printed, .*: \d+ of 72 tries on simulated pictures .* succeeded, and 29 are needed\.$/,
+      /^The code does not read as printed, .*: \d+ of 72 tries on simulated pictures .* succeeded, and 12 are needed\.$/,
     );
     const [, count] = /the (\d+) modules that it loses/.exec(await lost.innerText()) ?? [];
     expect(Number(count)).toBeGreaterThan(10);
