@@ -108,6 +108,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
+      fmt::print(stderr, "There is no command {}\nRun with --help for more information.\n", argv[1]);
+      return kBadUsage;
+    }
     return app.exit(error) == 0 ? kEngraved : kBadUsage;
   }
   if (app.got_subcommand("engrave")) return engraveModel();

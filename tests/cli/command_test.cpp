@@ -24,6 +24,9 @@ TEST_F(CommandTest, QuietPrintsNoProgress) {
 TEST_F(CommandTest, BadUsageIsStatusTwo) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
   EXPECT_EQ(run({}).status, 2);
+  const Outcome unknown = run({"frobnicate", model});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("no command frobnicate"), std::string::npos) << unknown.err;
   EXPECT_EQ(run({"engrave", model}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.step")}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.off")}).status, 2);
