@@ -29,7 +29,7 @@ function run(command, args) {
     '--text',
     kText,
     '-o',
-    join(folder, 'c.stl'),
+    join(folder, args.includes('paint') ? 'c.3mf' : 'c.stl'),
     '--report',
     report,
     '--quiet',
@@ -48,6 +48,7 @@ const kCases = {
   'given spot, 25 mm': ['--size', '25', `--at=${centre}`],
   'given spot, 25 mm, `--process none`': ['--size', '25', '--process', 'none', `--at=${centre}`],
   'best spot, 36 mm': ['--size', '36'],
+  'best spot, 36 mm, painted': ['--size', '36', '--mark', 'paint'],
 };
 
 console.log(
