@@ -64,7 +64,6 @@ export class CodeEditor {
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
-    this.limitMm_ = Infinity; // largest size that fits, once the engine has told it
     /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {}; // but not yet shown by the engine
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
     this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
@@ -72,7 +71,7 @@ export class CodeEditor {
       const element = this.handles_.handles[kind];
       element.addEventListener('pointerdown', (event) => this.hold_(kind, event));
       element.addEventListener('keydown', (event) => this.key_(kind, event));
-      element.addEventListener('blur', () => this.commitNow_());
+      element.addEventListener('blur', () => void this.commitNow_());
     }
     this.handles_.upright.addEventListener('click', () => listener.onAdjust({ rotateDeg: 0 }));
     this.follow_ = (/** @type {PointerEvent} */ event) => this.dragged_(event);
@@ -151,7 +150,7 @@ export class CodeEditor {
     if (event.type === 'pointercancel') {
       this.cancel_();
     } else if (event.type === 'pointerup') {
-      this.finish_(drag);
+      void this.finish_(drag);
     } else {
       const at = this.positionOf_(event);
       if (isFirst) drag.at = at;
@@ -196,9 +195,10 @@ export class CodeEditor {
   }
 
   /** @param {Drag} drag */
-  finish_(drag) {
-    const change = this.withinLimit_(this.pending_);
+  async finish_(drag) {
+    const { pending_ } = this;
     this.release_();
+    const change = await this.fitting_(pending_, drag.code);
     if (drag.kind === 'move' || (drag.kind === 'twist' && drag.moved)) {
       this.listener_.onPlace(...(drag.moved ? this.target_(drag) : drag.at));
     }
@@ -214,16 +214,26 @@ export class CodeEditor {
     this.listener_.onCancel();
   }
 
-  /** Returns the change with no larger size than fits. @param {typeof this.pending_} change */
-  withinLimit_(change) {
-    const { symbolMm = 0 } = change;
-    return symbolMm > this.limitMm_ ? { ...change, symbolMm: Math.floor(this.limitMm_ * 10) / 10 } : change;
+  /**
+   * Returns the change with no larger size than fits, as the engine tells: it may not have shown the last one yet.
+   * @param {typeof this.pending_} change
+   * @param {CodeOnScreen} code
+   */
+  async fitting_(change, code) {
+    const { rotateDeg = code.rotationDeg, symbolMm } = change;
+    if (symbolMm === undefined) return change;
+    try {
+      const { code: fitting } = await this.client_.adjustCode({ rotateDeg, symbolMm });
+      const isTooLarge = fitting !== undefined && fitting.symbolMm < symbolMm;
+      return isTooLarge ? { ...change, symbolMm: Math.floor(fitting.symbolMm * 10) / 10 } : change;
+    } catch {
+      return change; // placing it reports why it does not fit
+    }
   }
 
   release_() {
     this.drag_ = undefined;
     this.pending_ = {};
-    this.limitMm_ = Infinity;
     clearTimeout(this.commit_);
     this.commit_ = undefined;
     this.queue_.forget();
@@ -245,7 +255,7 @@ export class CodeEditor {
     if (event.key === 'Escape' && this.commit_ !== undefined) {
       this.cancel_();
     } else if (event.key === 'Enter') {
-      this.commitNow_();
+      void this.commitNow_();
     } else if (kind === 'move' && arrow) {
       const step = kKeyStepPx * (event.shiftKey ? 5 : 1);
       const [x, y] = this.pending_.at ?? middle;
@@ -282,15 +292,18 @@ export class CodeEditor {
 
   commitSoon_() {
     clearTimeout(this.commit_);
-    this.commit_ = setTimeout(() => this.commitNow_(), kCommitMs);
+    this.commit_ = setTimeout(() => void this.commitNow_(), kCommitMs);
   }
 
-  commitNow_() {
-    if (this.commit_ === undefined || this.drag_) return;
-    const { at, ...change } = this.withinLimit_(this.pending_);
+  async commitNow_() {
+    const { code_: code, pending_ } = this;
+    if (this.commit_ === undefined || this.drag_ || !code) return;
     this.release_();
+    const { at: _, ...asked } = pending_;
+    this.committed_ = asked;
+    const { at, ...change } = await this.fitting_(pending_, code);
     if (at) this.listener_.onPlace(...at);
-    this.committed_ = change;
+    if (this.committed_ === asked) this.committed_ = change;
     if (change.rotateDeg !== undefined || change.symbolMm !== undefined) this.listener_.onAdjust(change);
   }
 
@@ -302,11 +315,7 @@ export class CodeEditor {
   /** @param {number} rotateDeg @param {number} symbolMm @param {Point} beside */
   adjust_(rotateDeg, symbolMm, beside) {
     this.handles_.setValues(rotateDeg, symbolMm);
-    this.ask_(async () => {
-      const { code } = await this.client_.adjustCode({ rotateDeg, symbolMm });
-      this.limitMm_ = code && code.symbolMm < symbolMm ? code.symbolMm : Infinity;
-      return code;
-    }, beside);
+    this.ask_(async () => (await this.client_.adjustCode({ rotateDeg, symbolMm })).code, beside);
   }
 
   /** @param {() => Promise<CodeFacts | undefined>} show @param {Point} beside */
