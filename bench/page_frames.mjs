@@ -76,9 +76,9 @@ async function middleOf(page, handle) {
 /**
  * Moves the pointer in small circles over the model beside the code, then lets it rest.
  * @param {Page} page
- * @returns {Promise<{ frameMs: number, previewMs: number, exactMs: number } | undefined>}  of a frame while it moves; from its
- *   last move until the code is shown as it will be carved, with the depths of the search's first pass and of its last,
- *   NaN: not within five seconds; undefined: there is no place for it
+ * @returns {Promise<{ frameMs: number, previewMs: number, exactMs: number } | undefined>}  `frameMs`: a frame
+ *   while it moves. From its last move until the code is shown as it will be carved, `previewMs`: after the first pass of
+ *   the search; `exactMs`: at its end; NaN: not within five seconds. Undefined: nowhere beside the code is room
  */
 export async function hover(page) {
   const beside = await besideCode(page);

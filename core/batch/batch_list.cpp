@@ -29,8 +29,9 @@ Status checkIsText(std::string_view text) {
   return {};
 }
 
-/// Returns true for a web page: what a link to a list gives to those who are not signed in, and what some programs call
-/// a spreadsheet. @param text  from its first character that is no space
+/// Returns true for a web page. A link to a list gives one to those who are not signed in, and some programs save a
+/// spreadsheet as one.
+/// @param text  without spaces at its start
 bool isWebPage(std::string_view text) {
   const std::string start = caseFolded(text.substr(0, 32));
   constexpr std::array<std::string_view, 5> kTags = {"<!doctype html", "<html", "<head", "<meta", "<table"};

@@ -64,8 +64,8 @@ struct EngraveResult {
   int searchIterations = 0;              ///< of both searches, if the print required a second one
   std::size_t limitedSubmodules = 0;     ///< submodules too light because of a depth limit or the end of the search
   std::size_t unfinishedSubmodules = 0;  ///< those of them that the end of the search left too light
-  /// Distance to another shell within the material under the code (shell_below.h), mm; none: no depth limit left
-  /// submodules too light, or there is no such shell.
+  /// Distance to another shell within the material under the code (shell_below.h), mm; none: there is no such
+  /// shell, or all submodules are dark enough within their depth limits.
   std::optional<double> shellBelowMm;
   Grid<double> luminance;   ///< of every submodule of symbol and quiet zone, at the depths found
   Grid<Received> received;  ///< the light that makes this luminance

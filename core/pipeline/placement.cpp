@@ -236,8 +236,8 @@ bool PlacementSearch::isAtCentre(Vec3 crossing) const {
   return glm::distance(crossing, placement_.frame.centre) <= kMinModuleMm * modules_ * outerFactor() / 2;
 }
 
-/// Finds the largest sizes that fit, for a size that does not. They must still fit as written, so that of a turned code
-/// is measured at a rounded rotation.
+/// Finds the largest sizes that fit, to be named in the error. A turned code is measured at the rotation as rounded for
+/// the message.
 FittingSizes PlacementSearch::fittingSizes(Advice advice) {
   FittingSizes fitting{.hereMm = fitMm_, .everywhereMm = placement_.guaranteedMm};
   if (advice == Advice::None) return fitting;

@@ -52,7 +52,7 @@ struct FoundPlacement {
 /// fit is at least as large as an upright one, and that as one that fits at every rotation.
 class PlacementSearch {
  public:
-  /// What the error says of a fixed size that does not fit.
+  /// What the error proposes if a fixed size does not fit.
   enum class Advice {
     Turn,  ///< also the rotation at which the largest code fits; this takes another silhouette
     None   ///< only how large a code fits

@@ -7,5 +7,5 @@ const kShortWord = '(?<![\\p{L}\\p{N}])\\p{L}{1,3}';
 const kBeforeUnit = new RegExp(`(?<=[\\d}]) (?=${kUnit})`, 'gu');
 const kBeforeNumber = new RegExp(`(?<=${kShortWord}) (?=${kNumber}\u00a0?${kUnit})`, 'gu');
 
-/** Puts no-break spaces round each number, or placeholder of one, that has a unit. @param {string} words */
+/** Keeps each number with its unit, and a short word before it, on one line. A number may be a name in braces. @param {string} words */
 export const withUnitsKept = (words) => words.replace(kBeforeUnit, '\u00a0').replace(kBeforeNumber, '\u00a0');
