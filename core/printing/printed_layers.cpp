@@ -108,7 +108,7 @@ PrintedLayers::PrintedLayers(const Solid& solid, const ProjectionFrame& frame, d
   for (const Triangle& t : solid.triangles)
     for (const std::uint32_t v : t) bedMm_ = std::min(bedMm_, solid.positions[v].z);
   findTiles(solid, extentMm);
-  extrude(solid, roughness);
+  cut(solid, roughness);
 }
 
 /// A ray from the eye, with the greatest steps that distances from plastic allow.
@@ -228,8 +228,7 @@ void PrintedLayers::addRange(Layer& layer, const TileRange& range) const {
     for (int column = range.firstColumn; column <= range.lastColumn; ++column) {
       int& number = layer.numbers[row * tileColumns_ + column];
       if (number != kNoTile) continue;
-      number = static_cast<int>(layer.tiles.size());
-      layer.tiles.push_back({});
+      number = layer.count++;
     }
 }
 
@@ -265,56 +264,44 @@ std::vector<Corners> PrintedLayers::trianglesWithin(const Solid& solid, Vec2 low
   return within;
 }
 
-void PrintedLayers::extrude(const Solid& solid, double roughness) {
-  std::size_t tiles = 0;
-  for (const Layer& layer : layers_) tiles += layer.tiles.size();
+void PrintedLayers::cut(const Solid& solid, double roughness) {
+  int tiles = 0;
+  for (const Layer& layer : layers_) tiles += layer.count;
   if (tiles == 0) return;
-  const double finest = std::max(roughness * process_.finestMm / kNodesPerFinest,
-                                 std::sqrt(static_cast<double>(tiles) * tileMm_ * tileMm_ / kMaxNodes));
-  const int steps = std::max(1, static_cast<int>(std::floor(tileMm_ / finest)));
-  stepsPerMm_ = 1 / (tileMm_ / steps);
+  const double finest =
+      std::max(roughness * process_.finestMm / kNodesPerFinest, std::sqrt(tiles * tileMm_ * tileMm_ / kMaxNodes));
+  steps_ = std::max(1, static_cast<int>(std::floor(tileMm_ / finest)));
+  stepMm_ = tileMm_ / steps_;
+  stepsPerMm_ = 1 / stepMm_;
+  haloSteps_ = static_cast<int>(std::ceil(haloMm() / stepMm_));
   const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
                              static_cast<int>(layers_.size())};
   const Vec2 corner = origin_ - (haloMm() + 2 * tileMm_) * Vec2(1.00381966011, 1.00414213562);
   const Vec2 opposite = origin_ + tileMm_ * Vec2(tileColumns_, tileRows_) + haloMm();
   const CrossSections sections = cutByPlanes(trianglesWithin(solid, corner, opposite), planes, corner, opposite);
   parallelFor(layers_.size(), [&](std::size_t k) {
-    if (!layers_[k].tiles.empty()) layLayer(layers_[k], sections.outlines[k], corner, sections.windings[k], steps);
+    Layer& layer = layers_[k];
+    if (layer.count == 0) return;
+    layer.tiles = std::make_unique<Tile[]>(static_cast<std::size_t>(layer.count));
+    layer.outlines = nearTiles(layer, sections.outlines[k]);
+    layer.windings = windingNumbers(sections.outlines[k], {firstWindow(), tileMm_, tileColumns_, tileRows_}, corner,
+                                    sections.windings[k]);
   });
 }
 
-void PrintedLayers::layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding,
-                             int steps) const {
-  const double step = tileMm_ / steps;
-  const int halo = static_cast<int>(std::ceil(haloMm() / step));
-  // The windows' lower left corners, slightly beyond their halos, as a grid of their own.
-  const Vec2 first = origin_ - step * Vec2(halo + 0.38196601125, halo + 0.41421356237);
-  const std::vector<std::int16_t> windings =
-      windingNumbers(outline, {first, tileMm_, tileColumns_, tileRows_}, corner, winding);
-  const std::vector<std::vector<Segment2>> near = nearTiles(layer, outline, first, step * (2 * halo + 1));
-  for (std::size_t tile = 0; tile < layer.numbers.size(); ++tile) {
-    if (layer.numbers[tile] == kNoTile) continue;
-    const std::size_t row = tile / static_cast<std::size_t>(tileColumns_);
-    const Vec2 place(static_cast<double>(tile - row * static_cast<std::size_t>(tileColumns_)),
-                     static_cast<double>(row));
-    const Vec2 low = origin_ + tileMm_ * place;
-    const int nodes = steps + 1 + 2 * halo;
-    const auto number = static_cast<std::size_t>(layer.numbers[tile]);
-    layer.tiles[number] = cropped(layOutline(near[number], {low - step * halo, step, nodes, nodes},
-                                             first + tileMm_ * place, windings[tile], process_),
-                                  halo);
-  }
+/// Returns the lower left corner of the first tile's window, slightly beyond its halo.
+Vec2 PrintedLayers::firstWindow() const {
+  return origin_ - stepMm_ * Vec2(haloSteps_ + 0.38196601125, haloSteps_ + 0.41421356237);
 }
 
 /// Finds the segments that touch each tile's window.
-/// @param first   lower left corner of the first tile's window
-/// @param beyond  by how much a window is wider than a tile
-std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, std::span<const Segment2> outline,
-                                                            Vec2 first, double beyond) const {
-  std::vector<std::vector<Segment2>> near(layer.tiles.size());
+std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer,
+                                                            std::span<const Segment2> outline) const {
+  const double beyond = stepMm_ * (2 * haloSteps_ + 1);  // by how much a window is wider than a tile
+  std::vector<std::vector<Segment2>> near(static_cast<std::size_t>(layer.count));
   for (const Segment2& segment : outline) {
-    const Vec2 low = (glm::min(segment[0], segment[1]) - first - tileMm_ - beyond) / tileMm_;
-    const Vec2 high = (glm::max(segment[0], segment[1]) - first) / tileMm_;
+    const Vec2 low = (glm::min(segment[0], segment[1]) - firstWindow() - tileMm_ - beyond) / tileMm_;
+    const Vec2 high = (glm::max(segment[0], segment[1]) - firstWindow()) / tileMm_;
     const int lastRow = static_cast<int>(std::min(std::floor(high.y), tileRows_ - 1.0));
     const int lastColumn = static_cast<int>(std::min(std::floor(high.x), tileColumns_ - 1.0));
     for (int row = static_cast<int>(std::max(0.0, std::ceil(low.y))); row <= lastRow; ++row)
@@ -323,6 +310,15 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
           near[number].push_back(segment);
   }
   return near;
+}
+
+LayerGrid PrintedLayers::layTile(const Layer& layer, int tile) const {
+  const Vec2 place(tile % tileColumns_, tile / tileColumns_);
+  const int nodes = steps_ + 1 + 2 * haloSteps_;
+  const LayerWindow window{origin_ + tileMm_ * place - stepMm_ * haloSteps_, stepMm_, nodes, nodes};
+  return cropped(layOutline(layer.outlines[layer.numbers[tile]], window, firstWindow() + tileMm_ * place,
+                            layer.windings[tile], process_),
+                 haloSteps_);
 }
 
 /// A ray over a tile: gives the plastic's distance along the ray, layer by layer.
@@ -419,13 +415,20 @@ PrintedLayers::RayInTile PrintedLayers::tileAt(const Ray& ray, double t) const {
 /// Returns null where nothing is visible.
 const LayerGrid* PrintedLayers::gridOf(int layer, const RayInTile& inTile) const {
   const Layer& of = layers_[layer];
-  if (of.tiles.empty() || inTile.tile == RayInTile::kOutside) return nullptr;
+  if (of.count == 0 || inTile.tile == RayInTile::kOutside) return nullptr;
   const int number = of.numbers[inTile.tile];
-  return number == kNoTile ? nullptr : &of.tiles[number];
+  if (number == kNoTile) return nullptr;
+  Tile& tile = of.tiles[number];
+  if (!tile.isLaid)
+    std::call_once(tile.once, [&] {
+      tile.grid = layTile(of, inTile.tile);
+      tile.isLaid = true;
+    });
+  return &tile.grid;
 }
 
 double PrintedLayers::hitInLayer(int layer, const Ray& ray, RayInTile& inTile, double begin, double end) const {
-  if (layers_[layer].tiles.empty() || begin >= end) return 0;
+  if (layers_[layer].count == 0 || begin >= end) return 0;
   // The ray cannot hit plastic before it passes the outline. Between outline and flank, perFall bounds how fast the
   // distance falls along the ray; flanks are steeper only where the ray almost hits them.
   const double eyeOverMiddleMm = ray.eye.z - (topOf(layer) - process_.layerMm / 2);

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -17,8 +21,8 @@ namespace qrelief {
 /// the printer's space, whose third axis is up; the lowest corner of the model lies on the bed.
 ///
 /// A layer has the outline that extruded_outline.h computes from the model's cross-section at half its height, and
-/// round flanks, so that a groove lies between two layers. Its plane is divided into square tiles; only tiles that may
-/// be visible are computed.
+/// round flanks, so that a groove lies between two layers. Its plane is divided into square tiles. A tile is computed
+/// when the first ray meets it: most of those that may be visible lie behind others.
 class PrintedLayers {
  public:
   using Corners = std::array<Vec3, 3>;
@@ -55,16 +59,17 @@ class PrintedLayers {
     }
   };
 
-  /// Computes the visible tiles of all layers.
-  /// Cost: O(triangles) and O(visible area / finest²); at most 40 million nodes, with coarser steps where more would be
-  /// needed.
+  /// Cuts the solid into layers, and finds the tiles that may be visible.
+  /// Cost: O(triangles), and with all rays O(visible area / finest²); at most 40 million nodes, with coarser steps
+  /// where more might be needed.
   /// @param frame      of the code, with the eye
   /// @param extentMm   edge of the visible square of the QR plane
   /// @param roughness  see PrintRequest
   PrintedLayers(const Solid& solid, const ProjectionFrame& frame, double extentMm, const PrintProcess& process,
                 double roughness);
 
-  /// Returns the distance from the eye at which the ray to a point of the QR plane hits plastic; 0: no hit.
+  /// Returns the distance from the eye at which the ray to a point of the QR plane hits plastic; 0: no hit. Several
+  /// threads may call it at the same time.
   /// @param fromMm  start of the search; there is no plastic nearer to the eye
   double firstHit(Vec2 at, double fromMm = 0) const;
 
@@ -72,9 +77,17 @@ class PrintedLayers {
   struct Ray;
   class RayInTile;
   static constexpr int kNoTile = -1;
+  struct Tile {
+    std::once_flag once;
+    std::atomic<bool> isLaid{false};
+    LayerGrid grid;
+  };
   struct Layer {
-    std::vector<int> numbers;  ///< per tile, row-major: its index in `tiles`; empty: the layer is invisible
-    std::vector<LayerGrid> tiles;
+    std::vector<int> numbers;  ///< per tile, row-major: its index in the following; empty: the layer is invisible
+    int count = 0;             ///< tiles that may be visible
+    std::unique_ptr<Tile[]> tiles;
+    std::vector<std::vector<Segment2>> outlines;  ///< that touch each tile's window
+    std::vector<std::int16_t> windings;           ///< per tile, row-major: the winding number at its window's corner
   };
 
   struct TileRange {
@@ -91,10 +104,10 @@ class PrintedLayers {
   void addRange(Layer& layer, const TileRange& range) const;
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
   std::vector<Corners> trianglesWithin(const Solid& solid, Vec2 low, Vec2 high) const;
-  void extrude(const Solid& solid, double roughness);
-  void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
-  std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
-                                               double beyond) const;
+  void cut(const Solid& solid, double roughness);
+  Vec2 firstWindow() const;
+  std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline) const;
+  LayerGrid layTile(const Layer& layer, int tile) const;
   RayInTile tileAt(const Ray& ray, double t) const;
   const LayerGrid* gridOf(int layer, const RayInTile& tile) const;
   double hitInLayer(int layer, const Ray& ray, RayInTile& inTile, double begin, double end) const;
@@ -104,8 +117,10 @@ class PrintedLayers {
   ProjectionFrame frame_;
   double bedMm_ = 0, nearestMm_ = 0, farthestMm_ = 0;
   int firstLayer_ = 0;
-  Vec2 origin_{0};                      ///< lower left corner of the tiles, which are the same in all layers
-  double tileMm_ = 0, stepsPerMm_ = 0;  ///< edge of a tile; steps of its grid in a mm
+  Vec2 origin_{0};                 ///< lower left corner of the tiles, which are the same in all layers
+  double tileMm_ = 0;              ///< edge of a tile
+  int steps_ = 1, haloSteps_ = 0;  ///< of a tile's grid along its edge, and beyond it on each side
+  double stepMm_ = 0, stepsPerMm_ = 0;
   int tileColumns_ = 0, tileRows_ = 0;
   std::vector<Layer> layers_;
 };

@@ -21,6 +21,7 @@ constexpr double kTexelsPerFinestSeen = 4;  // for the solid before it is printe
 constexpr double kTexelsPerLayer = 4;       // enough to show grooves between layers
 /// Memory limit, however large the code and fine the process. A code of 35 mm has 990 texels with layers of 0.2 mm.
 constexpr double kMaxTexels = 1000;
+constexpr int kRowsOfBand = 32;
 
 /// Axes of the printer's space in the model's space; the third points up.
 struct BuildSpace {
@@ -234,12 +235,15 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);
   const NearestMaterial nearest(mesh, request);
-  parallelFor(static_cast<std::size_t>(surface.texels), [&](std::size_t row) {
-    for (int column = 0; column < surface.texels; ++column) {
-      const Vec2 at = surface.planePoint(column, static_cast<int>(row));
-      surface.distanceMm[row * static_cast<std::size_t>(surface.texels) + static_cast<std::size_t>(column)] =
-          static_cast<float>(layers.firstHit(at, nearest.distance(at)));
-    }
+  // In bands, so that two threads seldom need the same tile of a layer at the same time.
+  parallelFor((surface.texels + kRowsOfBand - 1) / kRowsOfBand, [&](int band) {
+    for (int row = band * kRowsOfBand; row < std::min(surface.texels, (band + 1) * kRowsOfBand); ++row)
+      for (int column = 0; column < surface.texels; ++column) {
+        const Vec2 at = surface.planePoint(column, row);
+        surface.distanceMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.texels) +
+                           static_cast<std::size_t>(column)] =
+            static_cast<float>(layers.firstHit(at, nearest.distance(at)));
+      }
   });
   if (process.grooveMm > 0) fillCrevices(surface, process.grooveMm);
   if (process.grainMm > 0) roughen(surface, process.grainMm);
