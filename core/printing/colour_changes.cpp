@@ -2,7 +2,6 @@
 #include "printing/colour_changes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -40,11 +39,11 @@ struct Upright {
 
   Vec3 operator()(Vec3 p) const { return {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.normal)}; }
 
-  std::vector<std::array<Vec3, 3>> corners(const Mesh& mesh) const {
-    std::vector<std::array<Vec3, 3>> corners(mesh.triangles.size());
-    for (std::size_t t = 0; t < corners.size(); ++t)
-      for (int k = 0; k < 3; ++k) corners[t][k] = (*this)(mesh.corner(t, k));
-    return corners;
+  std::vector<Vec3> positions(const Mesh& mesh) const {
+    std::vector<Vec3> positions;
+    positions.reserve(mesh.positions.size());
+    for (const Vec3f& p : mesh.positions) positions.push_back((*this)(Vec3(p)));
+    return positions;
   }
 
   Box3 box(const Mesh& mesh) const {
@@ -63,7 +62,7 @@ CuttingPlanes layersOf(const Box3& box, double layerMm) {
 CrossSections cutInto(const Upright& upright, const Mesh& body, const CuttingPlanes& planes) {
   const Box3 box = upright.box(body);
   // Corners of the mesh have neither the x nor the y of a corner that lies outside the box.
-  return cutByPlanes(upright.corners(body), planes, Vec2(box.min) - 1.0, Vec2(box.max) + 1.0);
+  return cutByPlanes(upright.positions(body), body.triangles, planes, Vec2(box.min) - 1.0, Vec2(box.max) + 1.0);
 }
 
 /// Returns for each layer whether it cuts a body.

@@ -2,6 +2,7 @@
 #include "printing/cross_sections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -51,12 +52,13 @@ std::optional<Piercing> pierce(const std::array<Vec3, 3>& corners, Vec2 at) {
 
 }  // namespace
 
-CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
-                          Vec2 high) {
+CrossSections cutByPlanes(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                          const CuttingPlanes& planes, Vec2 low, Vec2 high) {
   CrossSections sections;
   sections.outlines.resize(static_cast<std::size_t>(planes.count));
   sections.windings.assign(static_cast<std::size_t>(planes.count), 0);
-  for (const std::array<Vec3, 3>& corners : triangles) {
+  for (const auto& [a, b, c] : triangles) {
+    const std::array<Vec3, 3> corners{positions[a], positions[b], positions[c]};
     const Vec3 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
     const Vec3 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
     if (most.x < low.x || most.y < low.y || least.x > high.x || least.y > high.y) continue;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "mesh/mesh.h"
 #include "projection/plane_shapes.h"
 
 namespace qrelief {
@@ -29,9 +29,10 @@ struct CrossSections {
 /// Cuts a closed mesh. A vertex in a plane counts as above it, so that every triangle gives one segment or none.
 ///
 /// Cost: O(triangles + segments).
-/// @param triangles  corners in the printer's space, anticlockwise seen from outside
+/// @param positions  in the printer's space
+/// @param triangles  anticlockwise seen from outside
 /// @param low, high  corners of the rectangle: triangles outside it are skipped; no vertex has the x and y of `low`
-CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
-                          Vec2 high);
+CrossSections cutByPlanes(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                          const CuttingPlanes& planes, Vec2 low, Vec2 high);
 
 }  // namespace qrelief

@@ -251,19 +251,6 @@ void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginM
 /// Returns the margin of outline considered beyond a tile, so that the tile does not depend on where it ends.
 double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kExtrudedReachMm; }
 
-/// Returns the triangles that lie over, under or in a rectangle.
-std::vector<Corners> PrintedLayers::trianglesWithin(const Solid& solid, Vec2 low, Vec2 high) const {
-  std::vector<Corners> within;
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const Corners corners = solid.corners(t);
-    Rectangle bounds;
-    for (const Vec3& corner : corners) bounds.add(corner);
-    if (bounds.high.x >= low.x && bounds.high.y >= low.y && bounds.low.x <= high.x && bounds.low.y <= high.y)
-      within.push_back(corners);
-  }
-  return within;
-}
-
 void PrintedLayers::cut(const Solid& solid, double roughness) {
   int tiles = 0;
   for (const Layer& layer : layers_) tiles += layer.count;
@@ -278,7 +265,7 @@ void PrintedLayers::cut(const Solid& solid, double roughness) {
                              static_cast<int>(layers_.size())};
   const Vec2 corner = origin_ - (haloMm() + 2 * tileMm_) * Vec2(1.00381966011, 1.00414213562);
   const Vec2 opposite = origin_ + tileMm_ * Vec2(tileColumns_, tileRows_) + haloMm();
-  const CrossSections sections = cutByPlanes(trianglesWithin(solid, corner, opposite), planes, corner, opposite);
+  const CrossSections sections = cutByPlanes(solid.positions, solid.triangles, planes, corner, opposite);
   parallelFor(layers_.size(), [&](std::size_t k) {
     Layer& layer = layers_[k];
     if (layer.count == 0) return;

@@ -103,7 +103,6 @@ class PrintedLayers {
   TileRange tilesRound(const Polygon& polygon, double marginMm) const;
   void addRange(Layer& layer, const TileRange& range) const;
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
-  std::vector<Corners> trianglesWithin(const Solid& solid, Vec2 low, Vec2 high) const;
   void cut(const Solid& solid, double roughness);
   Vec2 firstWindow() const;
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline) const;

@@ -4,6 +4,9 @@
 #include <exception>
 #include <fmt/format.h>
 #include <new>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "base/version.h"
 #include "cli/commands.h"
@@ -96,6 +99,16 @@ Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::
 
 namespace {
 
+/// Keeps some freed memory for the next stage. Otherwise the C library returns every large buffer to the system, which
+/// must clear the pages of the next one.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kMost = 32 << 20;  // bytes, the most that glibc takes as a threshold for large buffers
+  mallopt(M_MMAP_THRESHOLD, kMost);
+  mallopt(M_TRIM_THRESHOLD, kMost);
+#endif
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Engraves a QR code into a 3D model, just deep enough for a phone to read it by its shadow.", "qrelief");
   app.set_version_flag("--version", std::string("qrelief ") + kVersion);
@@ -125,6 +138,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    qrelief::keepFreedMemory();
     return qrelief::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("qrelief: error: there is not enough memory for this model\n", stderr);

@@ -11,11 +11,9 @@
 namespace qrelief {
 namespace {
 
-std::vector<std::array<Vec3, 3>> cornersOf(const Mesh& mesh) {
-  std::vector<std::array<Vec3, 3>> corners(mesh.triangles.size());
-  for (std::size_t t = 0; t < corners.size(); ++t)
-    for (int k = 0; k < 3; ++k) corners[t][static_cast<std::size_t>(k)] = mesh.corner(t, k);
-  return corners;
+CrossSections cut(const Mesh& mesh, const CuttingPlanes& planes, Vec2 low, Vec2 high) {
+  const std::vector<Vec3> positions(mesh.positions.begin(), mesh.positions.end());
+  return cutByPlanes(positions, mesh.triangles, planes, low, high);
 }
 
 /// Returns the enclosed area; positive if the solid lies on the left.
@@ -38,7 +36,7 @@ void expectClosed(const std::vector<Segment2>& outline) {
 TEST(CrossSections, OfASphereAreCircles) {
   const double radius = 10;
   const CuttingPlanes planes{-9.5, 1, 20};
-  const CrossSections sections = cutByPlanes(cornersOf(shapes::icosphere(radius, 5)), planes, Vec2(-20.1), Vec2(20));
+  const CrossSections sections = cut(shapes::icosphere(radius, 5), planes, Vec2(-20.1), Vec2(20));
   for (int k = 0; k < planes.count; ++k) {
     const double height = planes.heightMm(k);
     const double expected = std::numbers::pi * (radius * radius - height * height);
@@ -50,7 +48,7 @@ TEST(CrossSections, OfASphereAreCircles) {
 
 TEST(CrossSections, APlaneThroughVerticesAndFacetsCutsJustBelowThem) {
   // The planes pass through bottom, middle and top of a box; the bottom plane has nothing below it.
-  const CrossSections sections = cutByPlanes(cornersOf(shapes::box({4, 6, 2})), {-1, 1, 3}, Vec2(-9.1), Vec2(9));
+  const CrossSections sections = cut(shapes::box({4, 6, 2}), {-1, 1, 3}, Vec2(-9.1), Vec2(9));
   EXPECT_EQ(sections.outlines[0].size(), 0u);
   EXPECT_NEAR(enclosedArea(sections.outlines[1]), 24, 1e-9);
   EXPECT_NEAR(enclosedArea(sections.outlines[2]), 24, 1e-9);
@@ -59,8 +57,8 @@ TEST(CrossSections, APlaneThroughVerticesAndFacetsCutsJustBelowThem) {
 TEST(CrossSections, SubtractsCavitiesAndCountsTheWindingAtTheCorner) {
   const Mesh hollow = shapes::together(shapes::box({10, 10, 10}), shapes::insideOut(shapes::box({4, 4, 4})));
   const CuttingPlanes planes{-6.5, 1, 14};
-  const CrossSections within = cutByPlanes(cornersOf(hollow), planes, Vec2(0.1, 0.2), Vec2(9));
-  const CrossSections all = cutByPlanes(cornersOf(hollow), planes, Vec2(-9.1), Vec2(9));
+  const CrossSections within = cut(hollow, planes, Vec2(0.1, 0.2), Vec2(9));
+  const CrossSections all = cut(hollow, planes, Vec2(-9.1), Vec2(9));
   for (int k = 0; k < planes.count; ++k) {
     const double height = std::abs(planes.heightMm(k));
     EXPECT_EQ(within.windings[static_cast<std::size_t>(k)], height < 5 && height > 2 ? 1 : 0) << height;
@@ -70,7 +68,7 @@ TEST(CrossSections, SubtractsCavitiesAndCountsTheWindingAtTheCorner) {
 
 TEST(CrossSections, OmitsEverythingOutsideTheRectangle) {
   const Mesh two = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {10, 0, 0}));
-  const CrossSections sections = cutByPlanes(cornersOf(two), {0, 1, 1}, Vec2(-3.1), Vec2(3));
+  const CrossSections sections = cut(two, {0, 1, 1}, Vec2(-3.1), Vec2(3));
   EXPECT_NEAR(enclosedArea(sections.outlines[0]), 4, 1e-9);
 }
 
