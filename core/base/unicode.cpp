@@ -243,4 +243,21 @@ std::u32string charactersOf(std::string_view utf8) {
   return text;
 }
 
+bool isSpace(char32_t c) {
+  constexpr std::u32string_view kFillers = U"\u115F\u1160\u2800\u3164\uFFA0";  // of Hangul and Braille
+  return c == U' ' || (c >= U'\t' && c <= U'\r') || c == U'\u00A0' || c == U'\u1680' ||
+         (c >= U'\u2000' && c <= U'\u200A') || c == U'\u2028' || c == U'\u2029' || c == U'\u202F' || c == U'\u205F' ||
+         c == U'\u3000' || kFillers.find(c) != kFillers.npos;
+}
+
+bool isUnseen(char32_t c) {
+  return c == U'\u00AD' || (c >= U'\u200B' && c <= U'\u200F') || (c >= U'\u202A' && c <= U'\u202E') ||
+         (c >= U'\u2060' && c <= U'\u206F') || c == U'\uFEFF';
+}
+
+bool isBlank(std::string_view utf8) {
+  const std::u32string text = charactersOf(utf8);
+  return std::all_of(text.begin(), text.end(), [](char32_t c) { return isSpace(c) || isUnseen(c); });
+}
+
 }  // namespace qrelief

@@ -29,4 +29,13 @@ void appendUtf8(std::string& text, char32_t code);
 /// Returns the characters of the text. A byte that is not UTF-8 becomes U+FFFD.
 std::u32string charactersOf(std::string_view utf8);
 
+/// Returns true for characters that only take room: spaces, breaks between lines, and fillers.
+bool isSpace(char32_t c);
+
+/// Returns true for characters that take no room: soft hyphens, zero-width spaces, marks of the writing direction.
+bool isUnseen(char32_t c);
+
+/// Returns true for a text of such characters only, and for an empty one.
+bool isBlank(std::string_view utf8);
+
 }  // namespace qrelief

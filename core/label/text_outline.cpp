@@ -227,9 +227,7 @@ char32_t decoded(std::string_view sequence) {
 
 /// Returns true for characters that leave no mark of their own: controls, spaces, joiners, and selectors of variants.
 bool isInvisible(char32_t c) {
-  return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || c == 0xAD || (c >= 0x2000 && c <= 0x200F) ||
-         (c >= 0x2028 && c <= 0x202F) || (c >= 0x205F && c <= 0x206F) || c == 0x3000 || (c >= 0xFE00 && c <= 0xFE0F) ||
-         c == 0xFEFF;
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || isSpace(c) || isUnseen(c) || (c >= 0xFE00 && c <= 0xFE0F);
 }
 
 /// Returns a character to be shown: itself, or "U+0009" if it is invisible.

@@ -19,18 +19,6 @@ std::string utf8Of(std::u32string_view characters) {
   return text;
 }
 
-bool isSpace(char32_t c) {
-  return c == U' ' || (c >= U'\t' && c <= U'\r') || c == U'\u00A0' || c == U'\u1680' ||
-         (c >= U'\u2000' && c <= U'\u200A') || c == U'\u2028' || c == U'\u2029' || c == U'\u202F' || c == U'\u205F' ||
-         c == U'\u3000';
-}
-
-/// Returns true for characters that take no room: soft hyphens, zero-width spaces, marks of the writing direction.
-bool isUnseen(char32_t c) {
-  return c == U'\u00AD' || (c >= U'\u200B' && c <= U'\u200F') || (c >= U'\u202A' && c <= U'\u202E') ||
-         (c >= U'\u2060' && c <= U'\u2069') || c == U'\uFEFF';
-}
-
 bool isQuote(char32_t c) {
   return c == U'"' || c == U'\'' || c == U'`' || c == U'<' || c == U'>' || c == U'\u00AB' || c == U'\u00BB' ||
          (c >= U'\u2018' && c <= U'\u201F') || c == U'\u2039' || c == U'\u203A';

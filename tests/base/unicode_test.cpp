@@ -76,5 +76,11 @@ TEST(Unicode, CharactersOfATextAreCounted) {
   EXPECT_EQ(charactersOf("a\xFF"), U"a\uFFFD");
 }
 
+TEST(Unicode, ATextIsBlankIfNobodySeesAnyOfIt) {
+  for (const char* text : {"", " \r\n", "\u00A0\u3000", "\u200B\u202E\u2069", "\u2800\u3164\uFFA0"})
+    EXPECT_TRUE(isBlank(text)) << text;
+  for (const char* text : {"a", " .", "\u200B\u00FC", "\x01", "\xFF"}) EXPECT_FALSE(isBlank(text)) << text;
+}
+
 }  // namespace
 }  // namespace qrelief

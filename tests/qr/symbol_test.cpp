@@ -333,6 +333,11 @@ TEST(Symbol, RefusesAnEmptyText) {
   EXPECT_EQ(sentence(refused("").message), "The text is empty");
 }
 
+TEST(Symbol, RefusesATextOfCharactersThatNobodySees) {
+  for (const char* text : {" ", " \t\n", "\u00A0", "\u200B\u2060", "\u3164", "\uFEFF \u00AD"})
+    EXPECT_EQ(sentence(refused(text).message), "The text is empty") << text;
+}
+
 TEST(Symbol, RefusesNulAndReportsItsPlace) {
   EXPECT_EQ(sentence(refused(std::string("ab\0c", 4)).message), "The text holds a NUL character at byte 3");
 }
