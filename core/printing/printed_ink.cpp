@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "label/ring_coverage.h"
@@ -164,12 +165,11 @@ BottomUp<float> blurredAcross(const BottomUp<float>& map, double sigma) {
     weights.push_back(static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)) / sum));
   BottomUp<float> blurred(edge, edge);
   parallelFor(edge, [&](int row) {
-    for (int column = 0; column < edge; ++column) {
-      float value = 0;
-      for (int k = -reach; k <= reach; ++k)
-        value += weights[k + reach] * map.at(row, std::clamp(column + k, 0, edge - 1));
-      blurred.at(column, row) = value;
-    }
+    std::vector<float> padded;  // the row, continued by the values at its ends
+    for (int column = -reach; column < edge + reach; ++column)
+      padded.push_back(map.at(row, std::clamp(column, 0, edge - 1)));
+    for (int column = 0; column < edge; ++column)
+      blurred.at(column, row) = std::inner_product(weights.begin(), weights.end(), padded.begin() + column, 0.0f);
   });
   return blurred;
 }
