@@ -63,15 +63,12 @@ std::string_view withoutEnd(std::string_view line) {
   return line;
 }
 
-/// Returns a name without the spaces at its ends, also those that nobody sees: no-break and zero-width spaces, byte
-/// order marks.
+/// Returns a name without the characters at its ends that nobody sees.
 std::string trimmedName(std::string_view name) {
   std::u32string characters = charactersOf(name);
-  const auto isBlank = [](char32_t c) {
-    return c == U' ' || c == U'\t' || c == U'\u00A0' || (c >= U'\u200B' && c <= U'\u200D') || c == U'\uFEFF';
-  };
-  while (!characters.empty() && isBlank(characters.back())) characters.pop_back();
-  const auto begin = std::find_if_not(characters.begin(), characters.end(), isBlank);
+  const auto showsNothing = [](char32_t c) { return isSpace(c) || isUnseen(c); };
+  while (!characters.empty() && showsNothing(characters.back())) characters.pop_back();
+  const auto begin = std::find_if_not(characters.begin(), characters.end(), showsNothing);
   std::string trimmed;
   for (auto it = begin; it != characters.end(); ++it) appendUtf8(trimmed, *it);
   return trimmed;

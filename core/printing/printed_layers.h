@@ -80,13 +80,14 @@ class PrintedLayers {
   struct Tile {
     std::once_flag once;
     std::atomic<bool> isLaid{false};
-    LayerGrid grid;
+    LayerGrid grid;  ///< empty until then
   };
   struct Layer {
-    std::vector<int> numbers;  ///< per tile, row-major: its index in the following; empty: the layer is invisible
-    int count = 0;             ///< tiles that may be visible
+    /// Per tile, row-major: its index in `tiles` and `outlines`, or kNoTile. Empty: the layer is invisible.
+    std::vector<int> numbers;
+    int count = 0;  ///< tiles that may be visible
     std::unique_ptr<Tile[]> tiles;
-    std::vector<std::vector<Segment2>> outlines;  ///< that touch each tile's window
+    std::vector<std::vector<Segment2>> outlines;  ///< the segments that touch each tile's window
     std::vector<std::int16_t> windings;           ///< per tile, row-major: the winding number at its window's corner
   };
 

@@ -230,7 +230,7 @@ std::string chosenText(Choices& choices) {
   std::string text;
   for (int k = choices.oneIn(8) ? choices.between(1, 60) : choices.between(1, 16); k > 0; --k)
     text += alphabet[choices.below(static_cast<std::uint32_t>(alphabet.size()))];
-  if (choices.oneIn(10)) text += "\xc3\xa9\xe2\x82\xac";  // "é€"
+  if (choices.oneIn(10)) text += "\xc3\xa9\xe2\x82\xac";      // "é€"
   if (text.find_first_not_of(' ') == text.npos) text += '.';  // a text that nobody sees is refused as empty
   return text;
 }
