@@ -9,6 +9,7 @@
 #include <string>
 #include <zlib.h>
 
+#include "base/parallel.h"
 #include "io/zip_archive.h"
 #include "message_codes/files.h"
 
@@ -21,6 +22,9 @@ constexpr std::uint16_t kDate = 1 << 5 | 1;  // 1 January 1980, the format's fir
 constexpr int kLevel = 4;                    // text of meshes becomes 6 % larger than with zlib's default, in half the
                                              // time
 constexpr int kMemoryLevel = 8;
+constexpr std::size_t kSyncFlushBytes = 16;  // at most, that a flush adds
+constexpr std::size_t kBlockBytes = 1 << 20, kBlocksAtOnce = 8;
+constexpr std::size_t kWindowBytes = 1 << MAX_WBITS;  // how far back deflate looks
 constexpr std::size_t kCrcInLocalHeader = 14;
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
 
@@ -35,6 +39,25 @@ void put(Bytes& bytes, T value) {
 
 void putText(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
 
+/// Returns a part of a raw deflate stream. Parts made apart can be put one after the other [RFC 1951, as pigz].
+/// @param window  text before the part, at most kWindowBytes
+/// @param flush   Z_FINISH for the last part, else Z_SYNC_FLUSH
+Bytes packedBlock(std::string_view window, std::string_view text, int flush) {
+  z_stream z{};
+  if (deflateInit2(&z, kLevel, Z_DEFLATED, -MAX_WBITS, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  deflateSetDictionary(&z, reinterpret_cast<const Bytef*>(window.data()), static_cast<uInt>(window.size()));
+  Bytes packed(deflateBound(&z, text.size()) + kSyncFlushBytes);
+  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  z.avail_in = static_cast<uInt>(text.size());
+  z.next_out = packed.data();
+  z.avail_out = static_cast<uInt>(packed.size());
+  deflate(&z, flush);
+  packed.resize(packed.size() - z.avail_out);
+  deflateEnd(&z);
+  return packed;
+}
+
 }  // namespace
 
 struct ZipWriter::State {
@@ -46,15 +69,9 @@ struct ZipWriter::State {
 
   Bytes bytes;
   std::vector<File> files;
-  z_stream z{};
   bool open = false;
-
-  State() = default;
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    if (open) deflateEnd(&z);
-  }
+  std::string text;          // of the current file: a window that is packed already, then what is not yet
+  std::size_t windowed = 0;  // bytes of the window
 
   /// Writes the fields that the local header and the directory share.
   void putCommon(const File& file) {
@@ -72,22 +89,26 @@ struct ZipWriter::State {
     put<std::uint16_t>(bytes, 0);  // extra fields
   }
 
-  void compress(std::string_view content, int flush) {
-    std::array<std::uint8_t, 64 * 1024> piece;
-    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-    z.avail_in = static_cast<uInt>(content.size());
-    do {
-      z.next_out = piece.data();
-      z.avail_out = static_cast<uInt>(piece.size());
-      deflate(&z, flush);
-      bytes.insert(bytes.end(), piece.begin(), piece.end() - z.avail_out);
-    } while (z.avail_out == 0);
+  /// Packs what is waiting, its blocks at the same time.
+  void pack(bool isEnd) {
+    const std::size_t count = std::max<std::size_t>(isEnd, (text.size() - windowed + kBlockBytes - 1) / kBlockBytes);
+    std::vector<Bytes> blocks(count);
+    parallelFor(count, [&](std::size_t k) {
+      const std::size_t begin = windowed + k * kBlockBytes, window = std::min(begin, kWindowBytes);
+      const std::string_view all = text;
+      blocks[k] = packedBlock(all.substr(begin - window, window), all.substr(begin, kBlockBytes),
+                              isEnd && k + 1 == count ? Z_FINISH : Z_SYNC_FLUSH);
+    });
+    for (const Bytes& block : blocks) bytes.insert(bytes.end(), block.begin(), block.end());
+    text.erase(0, text.size() - std::min(text.size(), kWindowBytes));
+    windowed = text.size();
   }
 
   void close() {
     if (!open) return;
-    compress({}, Z_FINISH);
-    deflateEnd(&z);
+    pack(true);
+    text.clear();
+    windowed = 0;
     open = false;
     File& file = files.back();
     const std::uint64_t begin = file.localHeader + 30 + file.name.size();
@@ -108,9 +129,6 @@ void ZipWriter::begin(std::string_view name) {
   put<std::uint32_t>(s.bytes, 0x04034b50);
   s.putCommon(s.files.back());
   putText(s.bytes, name);
-  s.z = {};
-  if (deflateInit2(&s.z, kLevel, Z_DEFLATED, -MAX_WBITS, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::bad_alloc();
   s.open = true;
 }
 
@@ -121,7 +139,12 @@ void ZipWriter::append(std::string_view content) {
   file.crc =
       static_cast<std::uint32_t>(crc32_z(file.crc, reinterpret_cast<const Bytef*>(content.data()), content.size()));
   file.size += content.size();
-  s.compress(content, Z_NO_FLUSH);
+  while (!content.empty()) {
+    const std::size_t room = s.windowed + kBlocksAtOnce * kBlockBytes - s.text.size();
+    s.text += content.substr(0, room);
+    content.remove_prefix(std::min(room, content.size()));
+    if (s.text.size() == s.windowed + kBlocksAtOnce * kBlockBytes) s.pack(false);
+  }
 }
 
 Result<std::vector<std::uint8_t>> ZipWriter::finish() {

@@ -23,7 +23,8 @@ class ZipWriter {
   /// Begins a file and ends the previous one.
   /// @param name  relative, UTF-8, "/" between folders; use each name once
   void begin(std::string_view name);
-  /// Appends to the current file. Compresses at once, so a large file is never in memory as a whole.
+  /// Appends to the current file. Compresses every 8 MiB, on all cores, so a large file is never in memory as a
+  /// whole.
   void append(std::string_view content);
   /// Ends the archive; call nothing after it.
   /// @returns BadUsage if it grew beyond the 4 GB of the plain format

@@ -70,6 +70,36 @@ TEST(ZipArchive, ReadsDeflatedFiles) {
   EXPECT_EQ(contentOf(*bytes, "short").value(), "x");
 }
 
+TEST(ZipArchive, ReadsAFileOfManyBlocks) {
+  std::string text;
+  while (text.size() < 20'000'000) text += longText();
+  const auto written = [&](std::size_t pieceBytes) {
+    ZipWriter writer;
+    writer.begin("before");
+    writer.append("x");
+    writer.begin("long");
+    for (std::size_t at = 0; at < text.size(); at += pieceBytes)
+      writer.append(std::string_view(text).substr(at, pieceBytes));
+    return writer.finish().value();
+  };
+  const Bytes bytes = written(text.size());
+  EXPECT_EQ(contentOf(bytes, "before").value(), "x");
+  EXPECT_TRUE(contentOf(bytes, "long").value() == text);
+  EXPECT_TRUE(written(300'001) == bytes);
+}
+
+TEST(ZipArchive, PacksARepetitionInTheNextBlock) {
+  const std::string noise = longText().substr(0, 30'000);
+  const std::string upToTheBlocksEnd = std::string((1 << 20) - noise.size(), 'a') + noise;
+  const auto packedSize = [](const std::string& text) {
+    ZipWriter writer;
+    writer.begin("a");
+    writer.append(text);
+    return writer.finish()->size();
+  };
+  EXPECT_LT(packedSize(upToTheBlocksEnd + noise), packedSize(upToTheBlocksEnd) + 2'000);
+}
+
 TEST(ZipArchive, ComparesNamesAsPackagesDo) {
   const auto archive = ZipArchive::open(zip_file::zip({{"3D/My%20Model.model", "x"}, {"folder/", ""}}));
   ASSERT_TRUE(archive);
