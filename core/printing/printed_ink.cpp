@@ -2,6 +2,7 @@
 #include "printing/printed_ink.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -13,19 +14,25 @@
 namespace qrelief {
 namespace {
 
-constexpr double kNodesPerLine = 13;  // odd: a node is the middle of a line
-constexpr double kMaxNodes = 2000;    // along an edge
-constexpr int kSamples = 3;           // of a pixel, along its edge
+constexpr int kNodesPerLine = 13;  // odd: a node is the middle of a line
+constexpr int kMaxNodes = 2000;    // along an edge
+constexpr int kMargin = 2 * kNodesPerLine;
+constexpr int kSamples = 3;  // of a pixel, along its edge
 constexpr double kRounding = 1e-9;
 constexpr double kBlurReach = 3;   // in standard deviations
 constexpr int kRingPixels = 1500;  // along the edge of the picture of the outlines
 
+/// A set of nodes of a row, with a margin beyond its ends. Node c is bit kMargin + c.
+using NodeRow = std::bitset<2 * kMargin + kMaxNodes>;
+/// Rows from the bottom up.
+using NodeSet = std::vector<NodeRow>;
+
 /// A square grid whose rows are horizontal in the printer, centred on the code.
 struct Nodes {
   double stepMm = 0;
-  BottomUp<std::uint8_t> dark;
+  NodeSet dark;
 
-  int edge() const { return dark.rows(); }
+  int edge() const { return static_cast<int>(dark.size()); }
   Vec2 at(int column, int row) const { return stepMm * (Vec2(column, row) + 0.5 - edge() / 2.0); }
 };
 
@@ -89,58 +96,46 @@ Nodes slicedCode(const PrintedInkRequest& request, const Slope& slope, double pi
   const double shownMm = request.around.empty() ? request.symbolMm : std::max(request.symbolMm, pictureMm);
   const double edgeMm = std::numbers::sqrt2 * shownMm + 4 * lineMm;
   const Around around(request.around, edgeMm);
-  const int edge = static_cast<int>(std::ceil(std::min(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
-  Nodes nodes{edgeMm / edge, {edge, edge}};
+  const int edge = static_cast<int>(std::ceil(std::min<double>(kMaxNodes, edgeMm / lineMm * kNodesPerLine)));
+  Nodes nodes{edgeMm / edge, NodeSet(edge)};
   parallelFor(edge, [&](int row) {
     for (int column = 0; column < edge; ++column) {
       const Vec2 at = nodes.at(column, row);
       const Vec2 onPlane = slope.across * at.x + slope.uphill * slope.visiblePlace(at.y, request.process.layerMm);
-      nodes.dark.at(row, column) = isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane);
+      if (isDark(request.symbol, request.symbolMm, onPlane) || around.isDark(onPlane))
+        nodes.dark[row].set(kMargin + column);
     }
   });
   return nodes;
 }
 
-/// Returns the nodes around which an ellipse holds nothing but `value` [erosion].
-/// @param halfWidths  of the ellipse in each row from its middle, in nodes
-BottomUp<std::uint8_t> eroded(const BottomUp<std::uint8_t>& map, std::uint8_t value,
-                              const std::vector<int>& halfWidths) {
-  const int edge = map.rows(), reach = static_cast<int>(halfWidths.size()) - 1;
-  // Distance along the row to the nearest other value; beyond the edge lies the body.
-  BottomUp<int> clear(edge, edge);
-  const int beyond = value == 0 ? edge : 0;
+/// Returns the nodes around which the set holds a whole ellipse [erosion]. Beyond the lowest and the highest row it
+/// holds everything.
+/// @param halfWidths  of the ellipse in each row from its middle, in nodes, the widest first
+NodeSet eroded(const NodeSet& set, const std::vector<int>& halfWidths) {
+  const int edge = static_cast<int>(set.size()), reach = static_cast<int>(halfWidths.size()) - 1;
+  std::vector<NodeSet> narrowed(halfWidths[0] + 1, NodeSet(edge));  // by each width
   parallelFor(edge, [&](int row) {
-    int last = beyond;
-    for (int column = 0; column < edge; ++column) {
-      last = map.at(row, column) == value ? last + 1 : 0;
-      clear.at(row, column) = last;
-    }
-    last = beyond;
-    for (int column = edge - 1; column >= 0; --column) {
-      last = map.at(row, column) == value ? last + 1 : 0;
-      clear.at(row, column) = std::min(clear.at(row, column), last);
-    }
+    NodeRow whole = narrowed[0][row] = set[row];
+    for (int width = 1; width <= halfWidths[0]; ++width)
+      narrowed[width][row] = whole &= (set[row] << width) & (set[row] >> width);
   });
-  BottomUp<std::uint8_t> result(edge, edge);
+  NodeSet result(edge, ~NodeRow());
   parallelFor(edge, [&](int row) {
-    for (int column = 0; column < edge; ++column) {
-      bool isWhole = true;
-      for (int k = -reach; k <= reach && isWhole; ++k) {
-        if (row + k < 0 || row + k >= edge) continue;
-        isWhole = clear.at(row + k, column) > halfWidths[std::abs(k)];
-      }
-      result.at(row, column) = isWhole;
-    }
+    for (int k = -reach; k <= reach; ++k)
+      if (row + k >= 0 && row + k < edge) result[row] &= narrowed[halfWidths[std::abs(k)]][row + k];
   });
   return result;
 }
 
-/// Returns the nodes of one value that a line of an ellipse's outline covers without leaving them [opening].
-BottomUp<std::uint8_t> opened(const Nodes& nodes, std::uint8_t value, const std::vector<int>& halfWidths) {
-  const BottomUp<std::uint8_t> middles = eroded(nodes.dark, value, halfWidths);
-  BottomUp<std::uint8_t> covered = eroded(middles, 0, halfWidths);  // dilation of the complement's
-  for (std::uint8_t& node : covered) node = !node;
-  return covered;
+NodeSet complement(NodeSet set) {
+  for (NodeRow& row : set) row.flip();
+  return set;
+}
+
+/// Returns the nodes of a set that a line of an ellipse's outline covers without leaving the set [opening].
+NodeSet opened(const NodeSet& set, const std::vector<int>& halfWidths) {
+  return complement(eroded(complement(eroded(set, halfWidths)), halfWidths));  // dilation of the erosion
 }
 
 std::vector<int> lineOutline(const Nodes& nodes, double radiusMm, double cosine) {
@@ -180,10 +175,13 @@ BottomUp<float> printedInk(const PrintedInkRequest& request, const InkGrid& grid
   const Slope slope(request);
   const Nodes nodes = slicedCode(request, slope, grid.pixelMm * grid.pixels);
   const std::vector<int> line = lineOutline(nodes, request.process.cornerRadiusMm, slope.cosine);
-  const BottomUp<std::uint8_t> dark = opened(nodes, 1, line), light = opened(nodes, 0, line);
+  const NodeSet dark = opened(nodes.dark, line), light = opened(complement(nodes.dark), line);
   BottomUp<float> shares(nodes.edge(), nodes.edge());
-  for (std::size_t k = 0; k < shares.size(); ++k)
-    shares[k] = nodes.dark[k] ? static_cast<float>(dark[k]) : static_cast<float>(!light[k]);
+  for (int row = 0; row < nodes.edge(); ++row) {
+    const NodeRow inked = dark[row] | (~nodes.dark[row] & ~light[row]);
+    for (int column = 0; column < nodes.edge(); ++column)
+      shares.at(row, column) = inked[kMargin + column] ? 1.0f : 0.0f;
+  }
   const double sigma = kBleedLines * 2 * request.process.cornerRadiusMm / nodes.stepMm;
   shares = blurredAcross(blurredAcross(shares, sigma), sigma);
 
