@@ -84,9 +84,12 @@ double PlacementSearch::halfDiagonalMm(double symbolMm) const {
   return symbolMm * outerFactor() * std::numbers::sqrt2 / 2;
 }
 
-Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region) {
-  auto patch =
-      findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radiusMm, region, model_->clusters.get());
+/// @param finder  for the frame; replaced if it is for another radius
+Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region,
+                                                  std::optional<SilhouetteFinder>& finder) {
+  if (!finder || finder->radiusMm() != radiusMm)
+    finder.emplace(model_->mesh, model_->adjacency, frame, radiusMm, model_->clusters.get());
+  auto patch = finder->find(placement_.seed, region);
   if (!patch || !model_->hasCrossings) return patch;
   if (const Status added = addCrossings(model_->mesh, frame, *patch, knownCrossings()); !added) {
     meetsCrossings_ = true;
@@ -97,11 +100,12 @@ Result<VisiblePatch> PlacementSearch::patchWithin(const ProjectionFrame& frame, 
 
 /// Returns the part of the patch that decides the size. Searches as far as the code is expected to reach, then farther
 /// and farther, until a silhouette bounds the size or the size is the largest allowed.
-Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) {
+Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region,
+                                                    std::optional<SilhouetteFinder>& finder) {
   const double farthest = halfDiagonalMm(largestMm());
   double radius = std::min(farthest, kFirstReach * halfDiagonalMm(sampledMm()));
   for (;;) {
-    auto patch = patchWithin(frame, radius, region);
+    auto patch = patchWithin(frame, radius, region, finder);
     if (!patch || radius >= farthest) return patch;
     if (halfDiagonalMm(sizeWithin(patch->silhouette, region)) <= radius) return patch;
     radius = std::min(farthest, kNextReach * radius);
@@ -136,7 +140,9 @@ PlacementSearch::Fit PlacementSearch::fitIn(VisiblePatch patch, const Projection
 Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc, const ProjectionFrame& frame) {
   const double rotation = bestSize(disc.silhouette, largestMm() * outerFactor()).rotation;
   const ProjectionFrame turnedFrame = turned(frame, rotation);
-  auto square = disc.partlyHidden ? decisivePatch(turnedFrame, GrowingRegion::Square) : Result<VisiblePatch>(disc);
+  std::optional<SilhouetteFinder> finder;
+  auto square =
+      disc.partlyHidden ? decisivePatch(turnedFrame, GrowingRegion::Square, finder) : Result<VisiblePatch>(disc);
   QRELIEF_TRY(square);
   if (!disc.partlyHidden) square->silhouette = inTurnedAxes(disc.silhouette, rotation);
   Fit fit = fitIn(std::move(*square), turnedFrame, Fit::Turn::ToFit);
@@ -148,12 +154,13 @@ Result<PlacementSearch::Fit> PlacementSearch::turnedFit(const VisiblePatch& disc
 Result<std::vector<PlacementSearch::Fit>> PlacementSearch::fitsFrom(const ProjectionFrame& frame) {
   const bool isFree = request_.sizeMode == SizeMode::Free;
   const bool needsDisc = isFree || request_.mayTurn();
-  auto disc = decisivePatch(frame, needsDisc ? GrowingRegion::Disc : GrowingRegion::Square);
+  std::optional<SilhouetteFinder> finder;
+  auto disc = decisivePatch(frame, needsDisc ? GrowingRegion::Disc : GrowingRegion::Square, finder);
   QRELIEF_TRY(disc);
   auto square = disc;  // the same for both regions if nothing is partly hidden
   if (disc->partlyHidden && !isFree) {
     auto& other = needsDisc ? square : disc;
-    other = decisivePatch(frame, needsDisc ? GrowingRegion::Square : GrowingRegion::Disc);
+    other = decisivePatch(frame, needsDisc ? GrowingRegion::Square : GrowingRegion::Disc, finder);
     QRELIEF_TRY(other);
   }
 
@@ -241,7 +248,8 @@ bool PlacementSearch::isAtCentre(Vec3 crossing) const {
 FittingSizes PlacementSearch::fittingSizes(Advice advice) {
   FittingSizes fitting{.hereMm = fitMm_, .everywhereMm = placement_.guaranteedMm};
   if (advice == Advice::None) return fitting;
-  const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square);
+  std::optional<SilhouetteFinder> finder;
+  const auto farthest = patchWithin(placement_.frame, halfDiagonalMm(largestMm()), GrowingRegion::Square, finder);
   const std::vector<Segment2>& silhouette = farthest ? farthest->silhouette : placement_.patch.silhouette;
   const double foundDeg = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
   fitting.turnedDeg = std::round(std::remainder(request_.rotateDeg + foundDeg, 360) * 10) / 10;
@@ -346,7 +354,8 @@ Status PlacementSearch::extend(Fit& fit) {
   const double radius = halfDiagonalMm(placed.symbolMm) + kNearnessFactor * request_.beyondMm;
   if (radius <= placed.patch.radiusMm) return {};
   const bool isForDisc = fit.turn == Fit::Turn::EveryRotation;
-  auto patch = patchWithin(placed.frame, radius, isForDisc ? GrowingRegion::Disc : GrowingRegion::Square);
+  std::optional<SilhouetteFinder> finder;
+  auto patch = patchWithin(placed.frame, radius, isForDisc ? GrowingRegion::Disc : GrowingRegion::Square, finder);
   QRELIEF_TRY(patch);
   placed.patch = std::move(*patch);
   return {};

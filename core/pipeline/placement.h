@@ -113,8 +113,10 @@ class PlacementSearch {
   bool isAtCentre(Vec3 crossing) const;
   Result<bool> refine();
   bool grow();
-  Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region);
-  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region);
+  Result<VisiblePatch> patchWithin(const ProjectionFrame& frame, double radiusMm, GrowingRegion region,
+                                   std::optional<SilhouetteFinder>& finder);
+  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region,
+                                     std::optional<SilhouetteFinder>& finder);
   double sizeWithin(std::span<const Segment2> silhouette, GrowingRegion region) const;
   double halfDiagonalMm(double symbolMm) const;
   double largestMm() const;

@@ -66,6 +66,9 @@ double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
 }
 
 bool isWithin(const Triangle2& image, double radius) {
+  const Vec2 low = glm::min(glm::min(image[0], image[1]), image[2]);
+  const Vec2 high = glm::max(glm::max(image[0], image[1]), image[2]);
+  if (low.x > radius || low.y > radius || high.x < -radius || high.y < -radius) return false;
   const double squared = radius * radius;
   for (const Vec2 p : image)
     if (glm::dot(p, p) <= squared) return true;
@@ -142,31 +145,74 @@ struct ObstructedFacet {
   std::vector<Segment2> occluders;
 };
 
+enum class State : std::uint8_t {
+  Excluded,  // does not face the eye, or lies outside the radius
+  Clear,     // not reached yet; certainly without occluders
+  Unseen,    // not reached yet
+  Waiting,   // has occluders; reached, perhaps several times, but not entered
+  Taken,
+  Dropped  // its image overlaps the image of a facet met earlier
+};
+
+std::vector<Triangle2> imagesOf(std::span<const ContourEdge> edges) {
+  std::vector<Triangle2> images;
+  images.reserve(edges.size());
+  for (const ContourEdge& edge : edges) images.push_back({edge.projected[0], edge.projected[1], edge.projected[1]});
+  return images;
+}
+
+}  // namespace
+
+/// What does not depend on the region.
+struct SilhouetteSurroundings {
+  const Mesh& mesh;
+  const Adjacency& adjacency;
+  ProjectionFrame frame;
+  double radius;
+  std::vector<std::uint32_t> facets;  // looked at, ascending: all that the patch and its occluders can belong to
+  EyeView view;
+  std::vector<ContourEdge> contours;
+  PlaneGrid bins;             // of the contours
+  std::vector<State> states;  // of all triangles, at first
+
+  SilhouetteSurroundings(const Mesh& ofMesh, const Adjacency& ofAdjacency, const ProjectionFrame& fromFrame,
+                         double radiusMm, const ClusteredTriangles* clusters)
+      : mesh(ofMesh),
+        adjacency(ofAdjacency),
+        frame(fromFrame),
+        radius(radiusMm),
+        facets(facetsAbout(mesh, clusters, frame, radius)),
+        view(viewFrom(mesh, frame, withNeighbours(facets, adjacency))),
+        contours(contourEdges(mesh, adjacency, frame, view, facets)),
+        bins(imagesOf(contours), 2 * radius),
+        states(mesh.triangles.size(), State::Excluded) {
+    // Goes in order of storage, not of the flood: on large meshes memory access, not arithmetic, dominates the time.
+    for (const std::uint32_t t : facets) {
+      if (view.facing[t] != Facing::Front) continue;
+      const Triangle2 image = view.triangle(mesh.triangles[t]);
+      if (isWithin(image, radius)) states[t] = bins.anyNear(image) ? State::Unseen : State::Clear;
+    }
+  }
+};
+
+namespace {
+
 class Flood {
  public:
-  /// @param clusters  see findSilhouette
-  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius, GrowingRegion region,
-        const ClusteredTriangles* clusters)
-      : mesh_(mesh),
-        adjacency_(adjacency),
-        frame_(frame),
-        eye_(frame.eye()),
-        radius_(radius),
+  Flood(SilhouetteSurroundings& around, GrowingRegion region)
+      : mesh_(around.mesh),
+        adjacency_(around.adjacency),
+        frame_(around.frame),
+        eye_(around.frame.eye()),
+        radius_(around.radius),
         region_(region),
-        facets_(facetsAbout(mesh, clusters, frame, radius)),
-        view_(viewFrom(mesh, frame, withNeighbours(facets_, adjacency))),
-        contours_(contourEdges(mesh, adjacency, frame, view_, facets_)),
-        bins_(imagesOf(contours_), 2 * radius),
-        maxLooks_(kMinLooks + kLooksPerTriangle * mesh.triangles.size()),
-        state_(mesh.triangles.size(), State::Excluded) {
-    // Goes in order of storage, not of the flood: on large meshes memory access, not arithmetic, dominates the time.
-    for (const std::uint32_t t : facets_)
-      if (view_.facing[t] == Facing::Front && isWithin(image(t), radius_))
-        state_[t] = bins_.anyNear(image(t)) ? State::Unseen : State::Clear;
-  }
-
-  const EyeView& view() const { return view_; }
-  std::span<const std::uint32_t> facets() const { return facets_; }
+        facets_(around.facets),
+        view_(around.view),
+        contours_(around.contours),
+        bins_(around.bins),
+        looksBefore_(around.bins.looked()),
+        maxLooks_(kMinLooks + kLooksPerTriangle * mesh_.triangles.size()),
+        state_(around.states) {}
 
   void run(std::uint32_t seed) {
     seed_ = seed;
@@ -195,7 +241,7 @@ class Flood {
     VisiblePatch result;
     result.radiusMm = radius_;
     result.partlyHidden = !obstructed_.empty();
-    result.looks = bins_.looked();
+    result.looks = looked();
     for (const std::uint32_t t : facets_) {
       if (state_[t] != State::Taken) continue;
       result.triangles.push_back(t);
@@ -212,15 +258,6 @@ class Flood {
   }
 
  private:
-  enum class State : std::uint8_t {
-    Excluded,  // does not face the eye, or lies outside the radius
-    Clear,     // not reached yet; certainly without occluders
-    Unseen,    // not reached yet
-    Waiting,   // has occluders; reached, perhaps several times, but not entered
-    Taken,
-    Dropped  // its image overlaps the image of a facet met earlier
-  };
-
   /// An entry point into an obstructed facet: the nearest first, ties by index.
   struct Entry {
     double reach;
@@ -232,13 +269,7 @@ class Flood {
     }
   };
 
-  static std::vector<Triangle2> imagesOf(std::span<const ContourEdge> edges) {
-    std::vector<Triangle2> images;
-    images.reserve(edges.size());
-    for (const ContourEdge& edge : edges) images.push_back({edge.projected[0], edge.projected[1], edge.projected[1]});
-    return images;
-  }
-
+  std::size_t looked() const { return bins_.looked() - looksBefore_; }
   Triangle2 image(std::uint32_t triangle) const { return view_.triangle(mesh_.triangles[triangle]); }
 
   Segment2 edgeOf(std::uint32_t triangle, std::size_t k) const {
@@ -253,7 +284,7 @@ class Flood {
   /// Offers a visible point of `triangle` on the edge over which the flood comes (in the seed: the centre).
   void offer(std::uint32_t triangle, Vec2 point) {
     State& state = state_[triangle];
-    if (state == State::Unseen && bins_.looked() > maxLooks_) state = State::Excluded;
+    if (state == State::Unseen && looked() > maxLooks_) state = State::Excluded;
     if (state == State::Unseen) {
       ObstructedFacet facet = occludersOf(triangle);
       if (facet.occluders.empty()) {
@@ -384,11 +415,11 @@ class Flood {
   Vec3 eye_;
   double radius_;
   GrowingRegion region_;
-  std::vector<std::uint32_t> facets_;  // looked at, ascending: all that the patch and its occluders can belong to
-  EyeView view_;
-  std::vector<ContourEdge> contours_;
-  PlaneGrid bins_;
-  std::size_t maxLooks_;
+  const std::vector<std::uint32_t>& facets_;
+  const EyeView& view_;
+  const std::vector<ContourEdge>& contours_;
+  PlaneGrid& bins_;
+  std::size_t looksBefore_, maxLooks_;
   std::uint32_t seed_ = 0;
   std::vector<State> state_;
   std::vector<std::uint32_t> open_;  // taken, without occluders, not yet left
@@ -398,14 +429,15 @@ class Flood {
 };
 
 /// Returns an error if no code can be placed at the centre.
-Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const Flood& flood, std::uint32_t seed) {
-  const EyeView& view = flood.view();
+Status checkCentre(const SilhouetteSurroundings& around, std::uint32_t seed) {
+  const EyeView& view = around.view;
+  const ProjectionFrame& frame = around.frame;
   if (view.facing[seed] == Facing::Away)
     return fail(ErrorKind::NoSolution, message<"centre-faces-away">(with::count<"triangle">(seed)));
   if (view.facing[seed] == Facing::FrontOutOfReach)
     return fail(ErrorKind::NoSolution, message<"centre-behind-eye">(with::count<"triangle">(seed),
                                                                     with::lengthMm<"distance">(frame.eyeDistance)));
-  if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view, flood.facets()))
+  if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(around.mesh, frame, view, around.facets))
     return fail(ErrorKind::NoSolution,
                 message<"centre-hidden">(with::count<"triangle">(obstruction->triangle),
                                          with::lengthMm<"fromEye">(obstruction->fromEyeMm),
@@ -416,12 +448,19 @@ Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const Flood& 
 
 }  // namespace
 
-Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                    std::uint32_t seed, double radiusMm, GrowingRegion region,
-                                    const ClusteredTriangles* clusters) {
-  assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
-  Flood flood(mesh, adjacency, frame, radiusMm, region, clusters);
-  QRELIEF_TRY(checkCentre(mesh, frame, flood, seed));
+SilhouetteFinder::SilhouetteFinder(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                   double radiusMm, const ClusteredTriangles* clusters) {
+  assert(adjacency.size() == mesh.triangles.size() && radiusMm > 0);
+  around_ = std::make_unique<SilhouetteSurroundings>(mesh, adjacency, frame, radiusMm, clusters);
+}
+SilhouetteFinder::~SilhouetteFinder() = default;
+
+double SilhouetteFinder::radiusMm() const { return around_->radius; }
+
+Result<VisiblePatch> SilhouetteFinder::find(std::uint32_t seed, GrowingRegion region) {
+  assert(seed < around_->mesh.triangles.size());
+  QRELIEF_TRY(checkCentre(*around_, seed));
+  Flood flood(*around_, region);
   flood.run(seed);
   return flood.patch();
 }

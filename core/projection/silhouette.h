@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/result.h"
@@ -60,15 +61,35 @@ struct VisiblePatch {
 /// bins, besides an array of a few bytes for each triangle and vertex. A search that has looked at 50 contour edges for
 /// each triangle, and at a million, enters no more facets that may have occluders: the patch stays right but may be
 /// smaller.
-/// @param seed      triangle under the centre
-/// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out,
-///                  and the edge towards them is not part of the silhouette
-/// @param region    the silhouette leaves this region as much room as possible; it may leave others less
-/// @param clusters  of the mesh, if it is closed, to look only at facets about the code; null: looks at all
-/// @returns NoSolution if the seed faces away from the eye, lies level with it or behind it, or something hides the
-///          centre (the message names the obstacle, its place, and how near the eye would have to come)
-Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                    std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc,
-                                    const ClusteredTriangles* clusters = nullptr);
+///
+/// Finds the silhouettes of several regions, or seeds, about one centre; what they share is found once.
+class SilhouetteFinder {
+ public:
+  /// @param mesh, adjacency  kept by reference
+  /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left
+  ///                  out, and the edge towards them is not part of the silhouette
+  /// @param clusters  of the mesh, if it is closed, to look only at facets about the code; null: looks at all
+  SilhouetteFinder(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radiusMm,
+                   const ClusteredTriangles* clusters = nullptr);
+  ~SilhouetteFinder();
+
+  double radiusMm() const;
+  /// @param seed    triangle under the centre
+  /// @param region  the silhouette leaves this region as much room as possible; it may leave others less
+  /// @returns NoSolution if the seed faces away from the eye, lies level with it or behind it, or something hides the
+  ///          centre (the message names the obstacle, its place, and how near the eye would have to come)
+  Result<VisiblePatch> find(std::uint32_t seed, GrowingRegion region);
+
+ private:
+  std::unique_ptr<struct SilhouetteSurroundings> around_;
+};
+
+/// Finds one silhouette, see SilhouetteFinder.
+inline Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                           std::uint32_t seed, double radiusMm,
+                                           GrowingRegion region = GrowingRegion::Disc,
+                                           const ClusteredTriangles* clusters = nullptr) {
+  return SilhouetteFinder(mesh, adjacency, frame, radiusMm, clusters).find(seed, region);
+}
 
 }  // namespace qrelief
