@@ -35,10 +35,10 @@ constexpr double kMapMayErr = 0.9;  // test spots whose size in the map is this 
                                     // as some spots fit at one rotation only
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
-constexpr std::size_t kLargestTried = 3;   // spots tried for the largest size if the requested size fits nowhere
-constexpr std::size_t kMoreForColour = 3;  // found spots for each requested one
-constexpr double kUnaskedShare = 0.1;      // least square of the map if no size is requested, of the diagonal
-constexpr std::size_t kMostTrials = 4;     // at the same time: each takes some MB on a large model
+constexpr std::size_t kLargestTried = 3;       // spots tried for the largest size if the requested size fits nowhere
+constexpr std::size_t kComparedForColour = 3;  // candidates whose layers are compared, for each requested spot
+constexpr double kUnaskedShare = 0.1;          // least square of the map if no size is requested, of the diagonal
+constexpr std::size_t kMostTrials = 4;         // at the same time: each takes some MB on a large model
 
 /// Returns the least square that the map must show if no size is requested.
 double unaskedLeastMm(const EngravableModel& model) {
@@ -53,6 +53,9 @@ Status checkRequest(const SpotSearchRequest& request) {
   return fail(ErrorKind::BadUsage,
               message<"place-count">(with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
 }
+
+/// Returns how often a number of layers has doubled: as a doubt about a spot, twice the layers count.
+int doublings(int layers) { return layers > 0 ? std::ilogb(layers) : 0; }
 
 bool isUneven(const Spot& spot) { return spot.unevenLight > kMostUnevenLight; }
 
@@ -87,7 +90,8 @@ struct SpotSearchJob::State {
   std::size_t recalled = 0;   // candidates before this one were recalled: tested until enough spots print
   std::vector<Trial> trials;  // of the next candidates
   std::size_t tooThin = 0;
-  double thickestMm = 0;        // the thickest of these walls
+  double thickestMm = 0;  // the thickest of these walls
+  bool isOrderedByLayers = false;
   bool meetsCrossings = false;  // true once crossing triangles kept a code away
   std::optional<Spot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
@@ -101,13 +105,11 @@ struct SpotSearchJob::State {
     return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
                                                   [](const Spot& spot) { return spot.prints && !spot.facesDown; }));
   }
-  /// Returns the number of spots to find: more than requested if their layers are to be compared.
-  std::size_t wantedSpots() const { return request.count * (request.coloured ? kMoreForColour : 1); }
   bool hasEnough() const {
-    const bool isEnough = result.spots.size() >= wantedSpots();
-    return goodSpots() >= wantedSpots() || (isEnough && (goodSpots() > 0 || candidate >= likely));
+    const bool isEnough = result.spots.size() >= request.count;
+    return goodSpots() >= request.count || (isEnough && (goodSpots() > 0 || candidate >= likely));
   }
-  std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * wantedSpots(); }
+  std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * request.count; }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   static JobStages<State> stagesOf();
   double mostInMap() const;
@@ -116,6 +118,9 @@ struct SpotSearchJob::State {
   void propose(double leastSizeMm);
   bool isDoubtful(const SpotCandidate& spot) const;
   bool screen(std::size_t at);
+  ProjectionFrame frameAt(const SpotCandidate& spot) const;
+  int doublingsAt(const SpotCandidate& spot) const;
+  void orderByLayers();
   bool recallDeferred();
   bool isEnough(std::size_t at, std::size_t moreSpots) const;
   std::size_t mostTrials() const;
@@ -170,15 +175,20 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   candidates = spotCandidates(*result.map, options);
   candidate = 0;
   screened = deferred = recalled = 0;
+  isOrderedByLayers = false;
   const double takes = fixed() && !findsLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
   const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
                                               [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
   likely = static_cast<std::size_t>(unlikely - candidates.begin());
 }
 
+/// Returns the frame of a code on a candidate, as the map has it.
+ProjectionFrame SpotSearchJob::State::frameAt(const SpotCandidate& spot) const {
+  return makeFrame(spot.position, spot.direction, request.placement.upHint, request.placement.eyeDistanceMm);
+}
+
 bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
-  const PlacementRequest& place = request.placement;
-  const ProjectionFrame frame = makeFrame(spot.position, spot.direction, place.upHint, place.eyeDistanceMm);
+  const ProjectionFrame frame = frameAt(spot);
   const double symbolMm = std::min(wantedMm(request), spot.sizeMm / outer);
   return facesDown(frame, request) || unevenLightOn(*model, frame, symbolMm, request) > kMostUnevenLight;
 }
@@ -196,6 +206,22 @@ bool SpotSearchJob::State::screen(std::size_t at) {
   std::rotate(doubtful, doubtful + 1, candidates.begin() + static_cast<std::ptrdiff_t>(likely));
   ++deferred;
   return true;
+}
+
+/// Estimates how often the layers of a code in a second colour double, see `doublings`.
+int SpotSearchJob::State::doublingsAt(const SpotCandidate& spot) const {
+  Placement placement;
+  placement.frame = frameAt(spot);
+  placement.moduleMm = std::min(wantedMm(request), spot.sizeMm / outer) / request.modules;
+  return doublings(layersOfCode(placement, request.modules, *request.coloured));
+}
+
+/// Puts those of the first candidates, screened before, first on which a code has few layers.
+void SpotSearchJob::State::orderByLayers() {
+  assert(candidate == 0);
+  isOrderedByLayers = true;
+  std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(screened),
+                   [&](const SpotCandidate& a, const SpotCandidate& b) { return doublingsAt(a) < doublingsAt(b); });
 }
 
 /// Puts the deferred candidates that are large enough to print before all others, if no spot so far is large enough.
@@ -218,8 +244,8 @@ bool SpotSearchJob::State::recallDeferred() {
 bool SpotSearchJob::State::isEnough(std::size_t at, std::size_t moreSpots) const {
   if (at >= candidates.size()) return true;
   if (findsLargest) return at >= kLargestTried;
-  if (at < recalled) return printableSpots() + moreSpots >= wantedSpots();
-  const bool mayBeEnough = moreSpots > 0 && result.spots.size() + moreSpots >= wantedSpots();
+  if (at < recalled) return printableSpots() + moreSpots >= request.count;
+  const bool mayBeEnough = moreSpots > 0 && result.spots.size() + moreSpots >= request.count;
   return mayBeEnough || hasEnough() || at >= mostTries();
 }
 
@@ -230,6 +256,10 @@ std::size_t SpotSearchJob::State::mostTrials() const { return model->renderer ==
 /// give. So the result does not depend on their number.
 /// @returns false if a candidate was screened instead
 bool SpotSearchJob::State::beginTrials() {
+  if (request.coloured && !isOrderedByLayers) {
+    if (screened < kComparedForColour * request.count && screen(screened)) return false;
+    orderByLayers();
+  }
   std::size_t count = 0;
   while (count < mostTrials() && (count == 0 || !isEnough(candidate + count, count))) {
     if (screen(candidate + count)) return false;
@@ -297,9 +327,8 @@ Result<StageStep> SpotSearchJob::State::finishTests() {
   };
   // Doubts in order of importance.
   const auto doubts = [](const Spot& spot) {
-    const int doublings = spot.colourLayers > 0 ? std::ilogb(spot.colourLayers) : 0;  // twice the layers count
-    return std::tuple(!spot.prints, !spot.takesPockets, spot.coversColours, spot.facesDown, isUneven(spot), doublings,
-                      spot.needsDirection);
+    return std::tuple(!spot.prints, !spot.takesPockets, spot.coversColours, spot.facesDown, isUneven(spot),
+                      doublings(spot.colourLayers), spot.needsDirection);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const Spot& a, const Spot& b) {
     return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
@@ -333,7 +362,7 @@ Error SpotSearchJob::State::nothingFound() const {
 
 double SpotSearchJob::State::testedShare() const {
   const std::size_t all = std::min(candidates.size(), mostTries());
-  return std::max(static_cast<double>(goodSpots()) / static_cast<double>(wantedSpots()),
+  return std::max(static_cast<double>(goodSpots()) / static_cast<double>(request.count),
                   static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
 }
 
