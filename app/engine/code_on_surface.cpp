@@ -94,14 +94,20 @@ Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, 
   code.rotationDeg = placement.rotationDeg;
   code.isForgiving = isForgiving(placement.bendMm, placement.moduleMm, request);
   code.isExact = true;
-  auto concerns = concernsAt(*model.engravable, placement, spotSearchFor(request, symbol));
-  QRELIEF_TRY(concerns);
-  code.concerns = std::move(concerns->reasons);
   auto reach = reachAround(model, code.decal);
   QRELIEF_TRY(reach);
   code.decal.reach = trusted(*reach);
   code.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
   return code;
+}
+
+Status findConcerns(CodeOnSurface& code, const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
+                    const Placement& placement) {
+  if (code.concerns) return {};
+  auto found = concernsAt(*model.engravable, placement, spotSearchFor(request, symbol));
+  QRELIEF_TRY(found);
+  code.concerns = std::move(found->reasons);
+  return {};
 }
 
 Result<Decal> visibleDecal(const LoadedModel& model, const Symbol& symbol, const ProjectionFrame& frame,

@@ -21,7 +21,8 @@ struct CodeOnSurface {
   double missingFraction = 0;  ///< see CodeEstimate
   bool isForgiving = true;     ///< flat enough to be read by a phone held without care, see kForgivingTiltDeg
   bool isExact = false;
-  std::vector<Message> concerns;  ///< why the code may not print or decode there (pipeline/spot_concerns.h), if exact
+  /// Why the code may not print or decode there (pipeline/spot_concerns.h); none: not known.
+  std::optional<std::vector<Message>> concerns;
   std::shared_ptr<const VisibilityMap> reach;  ///< coarse; the decal may have a finer one
 
   double moduleMm() const { return symbolMm / modules; }
@@ -40,9 +41,13 @@ SurfacePoint centreNear(const LoadedModel& model, const CodeInput& input, Vec3 s
 Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const CodeInput& input, Vec3 sceneUp,
                                     const SurfacePoint& at, std::optional<double> expectedMm = {});
 
-/// Returns the code at the exact place that was found.
+/// Returns the code at the exact place that was found. Its concerns are not known yet.
 Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
                                 const Placement& placement);
+
+/// Finds the concerns about a code at its exact place, if they are not known.
+Status findConcerns(CodeOnSurface& code, const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
+                    const Placement& placement);
 
 /// Returns the decal, shown on all of the surface that its frame's eye sees.
 Result<Decal> onVisibleSurface(const LoadedModel& model, Decal decal);

@@ -67,9 +67,11 @@ class Engine {
   /// Returns {construction: Construction}, how the placed code was placed; null if none is placed.
   std::string construction() const;
 
-  /// Shows the code about where it would lie. Returns HoverResult; its concerns are known once it is exact.
+  /// Shows the code about where it would lie. Returns HoverResult.
   /// @param at  [x, y]: screen position; null: nowhere, so that the code is hidden
   std::string hover(const std::string& at);
+  /// Returns {concerns: [message]}, why the hovered code may not print or decode there; none before it has settled.
+  std::string hoverConcerns();
   /// Previews a change of the placed code until placement(). Returns {hit, code}; BadUsage if no code is placed.
   /// @param change  {"at": [x, y]}: about another position, until setCentre, too; off the model, the code stays where
   ///                it is. {"rotateDeg", "symbolMm"}: turned and resized

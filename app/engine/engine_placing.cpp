@@ -70,7 +70,7 @@ std::string Engine::describePlacement() const {
                    {"moduleMm", placement.moduleMm},
                    {"largestMm", placement.largestMm},
                    {"sizeMode", sizeModeName(settings().placement.sizeMode)},
-                   {"concerns", jsonOf(std::span(preview_.code()->concerns))},
+                   {"concerns", jsonOf(std::span(preview_.code()->concerns.value()))},
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
                    {"forgiving", isForgiving},
                    {"rotationDeg", placement.rotationDeg},
@@ -92,7 +92,6 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
                    {"capitalMm", capitalMm ? Json(*capitalMm) : Json()},
                    {"missingShare", code.missingFraction},
                    {"forgiving", code.isForgiving},
-                   {"concerns", jsonOf(std::span(code.concerns))},
                    {"exact", code.isExact}}}});
 }
 
@@ -113,6 +112,12 @@ std::string Engine::hover(const std::string& at) {
   if (const Status hovered = preview_.hover(task(), *point); !hovered) return answer(hovered.error());
   scene_.setGhost(preview_.hovered());
   return describeCode(*preview_.hovered());
+}
+
+std::string Engine::hoverConcerns() {
+  const auto concerns = preview_.hoveredConcerns(task());
+  if (!concerns) return answer(concerns.error());
+  return textOf({{"ok", true}, {"concerns", jsonOf(std::span(*concerns))}});
 }
 
 void Engine::endHover() {

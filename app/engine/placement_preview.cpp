@@ -37,6 +37,7 @@ Status PlacementPreview::find(const PlacementTask& task, const EngraveRequest& r
 
 Status PlacementPreview::place(const PlacementTask& task) {
   const EngraveRequest request = task.wanted.request(task.sceneUp);
+  const Symbol& symbol = *task.wanted.symbol();
   if (const Status status = find(task, request); !status) {
     const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
     if (auto about =
@@ -44,9 +45,12 @@ Status PlacementPreview::place(const PlacementTask& task) {
       code_ = std::move(*about);
     return status;
   }
-  auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->place.placement);
+  const Placement& placement = found_->place.placement;
+  const bool isHovered = hoveredExact_ && hoveredRequest_ == request;
+  auto code = isHovered ? Result<CodeOnSurface>(*hoveredExact_) : exactCode(task.model, symbol, request, placement);
   QRELIEF_TRY(code);
-  placement_ = found_->place.placement;
+  QRELIEF_TRY(findConcerns(*code, task.model, symbol, request, placement));
+  placement_ = placement;
   code_ = std::move(*code);
   return {};
 }
@@ -74,7 +78,7 @@ Status PlacementPreview::hover(const PlacementTask& task, const SurfacePoint& at
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   QRELIEF_TRY(code);
   hoveredAt_ = at;
-  hoveredFound_.reset();
+  forgetSettled();
   hovered_ = std::move(*code);
   return {};
 }
@@ -89,7 +93,7 @@ bool PlacementPreview::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
   const SurfacePoint centre = centreNear(task.model, task.wanted, task.sceneUp, *hoveredAt_);
-  hoveredFound_.reset();
+  forgetSettled();
   hoveredRequest_ = task.wanted.requestAt(centre.position, task.sceneUp);
   const int modules = task.wanted.symbol()->size;
   settling_.emplace(model.prepared, *model.renderer, modules, searchedPlacement(hoveredRequest_, modules));
@@ -109,10 +113,22 @@ Result<bool> PlacementPreview::settle(const PlacementTask& task) {
                         : tl::unexpected(isSettled.error());
   std::optional<PlacementSearch> search = std::exchange(settling_, std::nullopt);
   QRELIEF_TRY(code);
-  hovered_ = std::move(*code);
+  hovered_ = hoveredExact_ = std::move(*code);
   const int modules = search->modules();
   hoveredFound_ = {searchedPlacement(hoveredRequest_, modules), modules, search->found()};
   return true;
+}
+
+Result<std::vector<Message>> PlacementPreview::hoveredConcerns(const PlacementTask& task) {
+  if (!hoveredRequest(task)) return std::vector<Message>();
+  QRELIEF_TRY(
+      findConcerns(*hoveredExact_, task.model, *task.wanted.symbol(), hoveredRequest_, hoveredFound_->place.placement));
+  return *hoveredExact_->concerns;
+}
+
+void PlacementPreview::forgetSettled() {
+  hoveredFound_.reset();
+  hoveredExact_.reset();
 }
 
 void PlacementPreview::forget() {
@@ -124,7 +140,7 @@ void PlacementPreview::forget() {
 void PlacementPreview::forgetFound() {
   forget();
   found_.reset();
-  hoveredFound_.reset();
+  forgetSettled();
 }
 
 }  // namespace qrelief

@@ -50,6 +50,8 @@ class PlacementPreview {
   void stopSettling() { settling_.reset(); }
   /// Does one bounded piece of work. @returns true once the hovered code is at its exact place
   Result<bool> settle(const PlacementTask& task);
+  /// Returns the concerns about the hovered code (CodeOnSurface); none before it has settled.
+  Result<std::vector<Message>> hoveredConcerns(const PlacementTask& task);
   /// Returns the request to engrave the hovered code where it has settled, and its place.
   /// @returns null if no code has settled, or for other settings
   const EngraveRequest* hoveredRequest(const PlacementTask& task) const;
@@ -71,10 +73,12 @@ class PlacementPreview {
     if (code && code->isExact) showSearch(code->decal, symbol, code->symbolMm, search);
   }
   Status find(const PlacementTask& task, const EngraveRequest& request);
+  void forgetSettled();
 
-  std::optional<Found> found_;         // by the last search
-  std::optional<Found> hoveredFound_;  // of the code that the pointer rested on last; a click places it there
-  EngraveRequest hoveredRequest_;      // to engrave the hovered code, or the one that is settling
+  std::optional<Found> found_;                 // by the last search
+  std::optional<Found> hoveredFound_;          // of the code that the pointer rested on last; a click places it there
+  std::optional<CodeOnSurface> hoveredExact_;  // that code, not as it will be carved
+  EngraveRequest hoveredRequest_;              // to engrave it, or the one that is settling
   std::optional<Placement> placement_;
   std::optional<CodeOnSurface> code_, hovered_;
   std::optional<SurfacePoint> hoveredAt_;

@@ -10,6 +10,7 @@
 #include <queue>
 #include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "math/round_down.h"
 #include "math/tolerance.h"
@@ -174,6 +175,8 @@ struct SilhouetteSurroundings {
   std::vector<ContourEdge> contours;
   PlaneGrid bins;             // of the contours
   std::vector<State> states;  // of all triangles, at first
+  /// The last seed, and whether a code can be placed there.
+  std::optional<std::pair<std::uint32_t, Status>> checked;
 
   SilhouetteSurroundings(const Mesh& ofMesh, const Adjacency& ofAdjacency, const ProjectionFrame& fromFrame,
                          double radiusMm, const ClusteredTriangles* clusters)
@@ -459,7 +462,9 @@ double SilhouetteFinder::radiusMm() const { return around_->radius; }
 
 Result<VisiblePatch> SilhouetteFinder::find(std::uint32_t seed, GrowingRegion region) {
   assert(seed < around_->mesh.triangles.size());
-  QRELIEF_TRY(checkCentre(*around_, seed));
+  auto& checked = around_->checked;
+  if (!checked || checked->first != seed) checked.emplace(seed, checkCentre(*around_, seed));
+  QRELIEF_TRY(checked->second);
   Flood flood(*around_, region);
   flood.run(seed);
   return flood.patch();

@@ -105,6 +105,28 @@ TEST_F(EnginePlacingTest, AClickGoesOnFromTheSearchOfTheCodeUnderThePointer) {
   EXPECT_NE(Json::parse(engine_->startJob("engrave"))["stage"]["code"], "measuring-surface");
 }
 
+TEST_F(EnginePlacingTest, TheConcernsUnderThePointerAreThoseOfThePlacedCode) {
+  const auto concerns = [&] { return Json::parse(engine_->hoverConcerns())["concerns"]; };
+  load(shapes::icosphere(30, 5));
+  engine_->configure(R"({"text": "a", "size": 8})");
+  EXPECT_EQ(concerns(), Json::array()) << "nothing is hovered";
+  engine_->hover("[200, 150]");
+  EXPECT_EQ(concerns(), Json::array()) << "it has not settled";
+  engine_->startJob("settling");
+  Json settled;
+  do settled = Json::parse(engine_->advanceJob("settling"));
+  while (settled["ok"] == true && settled["done"] == false);
+  ASSERT_EQ(settled["ok"], true) << settled;
+  const Json hovered = concerns();
+  ASSERT_EQ(hovered.size(), 1);
+  EXPECT_EQ(hovered[0]["code"], "spot-too-small-to-print");
+  engine_->setCentre(R"({"at": [200, 150]})");
+  engine_->hover("null");
+  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["concerns"], hovered);
+  engine_->configure(R"({"text": "a", "size": 20})");
+  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["concerns"], Json::array());
+}
+
 constexpr const char* kLabelled = R"({"text": "A", "size": "free", "label": "No 7", "frame": "rounded"})";
 
 TEST_F(EnginePlacingTest, ALabelTakesTheSameRoomUnderThePointerAsWherePlaced) {

@@ -81,7 +81,7 @@
 
 /**
  * @typedef {{ symbolMm: number, moduleMm: number, capitalMm: number | null, missingShare: number, forgiving: boolean,
- *   concerns: Message[], exact: boolean }} CodeFacts
+ *   exact: boolean }} CodeFacts
  *   `missingShare`: share of the required square, 0 … 1, that overhangs or is hidden; `forgiving`: flat enough to be
  *   read by a phone held without care
  * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult

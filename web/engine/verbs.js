@@ -59,6 +59,8 @@ export const kPageVerbs = {
   placement: { part: 'placement', draws: true },
   /** Returns how the placed code was placed; null: none is. @type {Verb<() => import('./types.js').Construction | null>} */
   construction: { part: 'construction' },
+  /** Returns why the hovered code may not print or decode; none before it has settled. @type {Verb<() => import('./types.js').Message[]>} */
+  hoverConcerns: { part: 'concerns' },
   /** Previews a change of the placed code. @type {Verb<(change: import('./types.js').CodeChange) => HoverResult>} */
   adjustCode: { draws: true },
   /**

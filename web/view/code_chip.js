@@ -24,7 +24,7 @@ export class CodeChip {
   }
 
   /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
-  show({ symbolMm, moduleMm, capitalMm, missingShare, forgiving, concerns, exact }, x, y) {
+  show({ symbolMm, moduleMm, capitalMm, missingShare, forgiving, exact }, x, y) {
     const isPossible = moduleMm >= kLeastModuleMm;
     this.size_.textContent = isPossible
       ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) })
@@ -41,13 +41,15 @@ export class CodeChip {
       : missingShare > 0
         ? text('view.chipMissing', { percent: missing })
         : forgiving
-          ? concerns
-              .slice(0, 1)
-              .map((concern) => sentenceOf(concern))
-              .join('')
+          ? ''
           : text('view.chipBent');
     this.element_.dataset.exact = String(exact);
     this.place_(x, y);
+  }
+
+  /** Adds the first reason why the code may not print or decode, unless a worse one is shown. @param {import('../engine/types.js').Message[]} concerns */
+  showConcerns([first]) {
+    if (first && !this.warning_.textContent) this.warning_.textContent = sentenceOf(first);
   }
 
   /** Adds about how deep the code will be on average. @param {import('../engine/types.js').FoundDepths} depths */

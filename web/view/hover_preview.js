@@ -7,7 +7,7 @@ import { NewestOnly } from './newest_only.js';
 /** @typedef {import('../engine/client.js').EngineClient} EngineClient */
 /** @typedef {import('./code_chip.js').CodeChip} CodeChip */
 
-const kRestMs = 120;
+const kRestMs = 60;
 
 export class HoverPreview {
   /** @param {EngineClient} client @param {CodeChip} chip @param {import('./live_view.js').LiveView} live */
@@ -72,14 +72,26 @@ export class HoverPreview {
       const result = await this.client_.settle();
       if (!result?.code || !isCurrent()) return;
       this.chip_.show(result.code, x, y);
-      if (!this.live_.isOn) return;
-      const depths = await this.live_.carve(
-        (untilShown) => this.client_.carvePreview(untilShown),
-        (rough) => isCurrent() && this.chip_.showDepthAbout(rough),
-      );
+      const depths = this.live_.isOn
+        ? await this.live_.carve(
+            (untilShown) => this.client_.carvePreview(untilShown),
+            async (rough) => {
+              if (isCurrent()) this.chip_.showDepthAbout(rough);
+              await this.showConcerns_(isCurrent);
+            },
+          )
+        : null;
       if (depths && isCurrent()) this.chip_.showDepths(depths);
+      else await this.showConcerns_(isCurrent);
     } catch (thrown) {
       if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);
     }
+  }
+
+  /** @param {() => boolean} isCurrent */
+  async showConcerns_(isCurrent) {
+    if (!isCurrent()) return;
+    const concerns = await this.client_.hoverConcerns();
+    if (isCurrent()) this.chip_.showConcerns(concerns);
   }
 }
