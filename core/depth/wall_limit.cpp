@@ -90,11 +90,14 @@ bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const P
   return distanceToTriangle(Vec2(0), image) > patch.radiusMm;
 }
 
-/// Returns true if the eye sees a facet of the patch nearly edge-on.
-bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame) {
+/// Returns true if the eye sees a facet of the patch nearly edge-on. A facet may be far larger than the code, so its
+/// middle is moved to the carved region: the eye is as far from the facet's plane there as anywhere.
+/// @param region  along the frame's axes
+bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame, const Box3& region) {
   const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
-  const Vec3 toEye = frame.eye() - (facet[0] + facet[1] + facet[2]) / 3.0;
-  return glm::dot(normal, toEye) < kGrazingCosine * glm::length(normal) * glm::length(toEye);
+  const Vec3 middle = glm::clamp(alongAxes(frame, (facet[0] + facet[1] + facet[2]) / 3.0), region.min, region.max);
+  const double distance = glm::length(alongAxes(frame, frame.eye()) - middle);
+  return glm::dot(normal, frame.eye() - facet[0]) < kGrazingCosine * glm::length(normal) * distance;
 }
 
 struct Sides {
@@ -117,7 +120,7 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
     const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));
     if (apart) continue;
     const FacetTree::Facet facet{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-    if (inPatch[t] != 0 && !isGrazing(facet, frame))
+    if (inPatch[t] != 0 && !isGrazing(facet, frame, region))
       surface.push_back(facet);
     else if (inPatch[t] != 0 || !isUnknown(facet, patch, frame))
       walls.push_back(facet);

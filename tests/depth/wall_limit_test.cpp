@@ -83,6 +83,13 @@ TEST(WallLimit, OfAThickBlockIsTheMaximumDepth) {
   for (const double limit : c.limits()) EXPECT_EQ(limit, 3);
 }
 
+TEST(WallLimit, OfAFaceFarLargerThanTheCodeIsTheMaximumDepth) {
+  // Seen from the eye, the middles of the two facets lie 3 m away.
+  Case c{.mesh = shapes::translated(shapes::box({20000, 20000, 40}), {0, 4000, 0})};
+  c.prepare();
+  for (const double limit : c.limits()) EXPECT_EQ(limit, c.maxDepthMm);
+}
+
 TEST(WallLimit, OfAPlateThinnerThanTheWallIsZero) {
   Case c{.mesh = shapes::plate({60, 60}, 0.7, 3, 3)};
   c.prepare();
