@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "base/unicode.h"
+
 namespace qrelief {
 namespace {
 
@@ -60,8 +62,10 @@ std::optional<SettingValue> valueFrom(const Setting& setting, std::span<const st
   const std::string& text = texts.front();
   if (setting.kind == Kind::Text) return text;
   if (setting.kind == Kind::Switch) {
-    if (text != "on" && text != "off") return {};
-    return text == "on";
+    const std::string word = caseFolded(text);
+    if (word == "on" || word == "true" || word == "yes") return true;
+    if (word == "off" || word == "false" || word == "no") return false;
+    return {};
   }
   if ((setting.takesChoice() || setting.kind == Kind::Mask) && checkValue(setting, text)) return text;
   if (const auto vector = vectorFrom(text); vector && setting.takesVector()) return *vector;

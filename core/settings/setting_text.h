@@ -9,8 +9,9 @@
 
 namespace qrelief {
 
-/// Parses a value as a person types it: a number with a decimal point, the name of a choice, `X,Y,Z`, `on` or `off`. A
-/// lamp is `AZIMUTH,ELEVATION[,STRENGTH]`, in the order of lampParts(), with one text per lamp.
+/// Parses a value as a person types it: a number with a decimal point, the name of a choice, `X,Y,Z`; `on`, `true` or
+/// `yes`, `off`, `false` or `no`, in capitals, too, as spreadsheets write them. A lamp is
+/// `AZIMUTH,ELEVATION[,STRENGTH]`, in the order of lampParts(), with one text per lamp.
 /// @param texts  a single text; for lamps, any number
 /// @returns BadUsage naming the setting, the value found and the expected kind; checkValue() checks ranges
 Result<SettingValue> valueFromText(const Setting& setting, std::span<const std::string> texts);

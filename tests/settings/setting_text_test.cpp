@@ -15,6 +15,10 @@ Result<SettingValue> valueOf(const char* key, const std::vector<std::string>& te
 TEST(SettingText, ReadsEveryKindFromTypedText) {
   EXPECT_EQ(valueOf("text", {"a, b"}).value(), SettingValue("a, b"));
   EXPECT_EQ(valueOf("quietZone", {"off"}).value(), SettingValue(false));
+  for (const char* on : {"on", "true", "TRUE", "Yes"})
+    EXPECT_EQ(valueOf("quietZone", {on}).value(), SettingValue(true)) << on;
+  for (const char* off : {"OFF", "false", "FALSE", "no"})
+    EXPECT_EQ(valueOf("quietZone", {off}).value(), SettingValue(false)) << off;
   EXPECT_EQ(valueOf("minWallMm", {"1.5"}).value(), SettingValue(1.5));
   EXPECT_EQ(valueOf("minWallMm", {"-3"}).value(), SettingValue(-3.0)) << "ranges are checked elsewhere";
   EXPECT_EQ(valueOf("pattern", {"thin-plus"}).value(), SettingValue("thin-plus"));
@@ -42,7 +46,7 @@ TEST(SettingText, RefusesAnythingElseAndQuotesIt) {
       {"direction", {"1,2,3,4"}, "setting-no-choice-or-vector"},
       {"direction", {"1,2,x"}, "setting-no-choice-or-vector"},
       {"up", {"z"}, "setting-no-vector"},
-      {"quietZone", {"no"}, "setting-no-switch"},
+      {"quietZone", {"1"}, "setting-no-switch"},
       {"light", {"90"}, "setting-no-lamps"},
       {"light", {"90,45", "1,2,3,4"}, "setting-no-lamps"},
       {"light", {"90,high"}, "setting-no-lamps"}};
