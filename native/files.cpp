@@ -19,6 +19,20 @@ namespace {
 
 constexpr std::size_t kWaitingBytes = 1 << 20;  // size of a write
 
+/// Reads what a pipe or a device holds; its size is not known before.
+Result<std::vector<std::uint8_t>> readToEnd(std::ifstream& stream) {
+  const std::size_t limit = ReadLimits{}.maxBytes;
+  std::vector<std::uint8_t> bytes;
+  std::vector<char> block(kWaitingBytes);
+  while (stream) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    bytes.insert(bytes.end(), block.begin(), block.begin() + stream.gcount());
+    if (bytes.size() > limit)
+      return badInput(message<"file-too-large">(with::count<"bytes">(bytes.size()), with::count<"limit">(limit)));
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::ifstream> openFile(const std::string& path) {
@@ -37,6 +51,7 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   Result<std::ifstream> stream = openFile(path);
   QRELIEF_TRY(stream);
   std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return readToEnd(*stream);
   const auto size = std::filesystem::file_size(path, error);
   std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
   stream->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The `qrelief` command. The README is the contract for its options.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <fmt/format.h>
@@ -139,6 +140,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     qrelief::keepFreedMemory();
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the user's limit (ulimit -f) then fails like one on a full disk
+#endif
     return qrelief::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("qrelief: error: there is not enough memory for this model\n", stderr);
