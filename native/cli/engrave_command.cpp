@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 #include "base/clock.h"
+#include "base/unicode.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "cli/file_flags.h"
@@ -49,6 +51,14 @@ struct EngraveOptions {
 std::string whyNotWritable(const std::string& path) {
   return isWritable(formatOfName(path)) ? std::string()
                                         : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
+}
+
+/// Returns a check that a name has the ending of its format.
+std::function<std::string(const std::string&)> endsIn(const char* ending) {
+  return [ending](const std::string& path) {
+    return caseFolded(path).ends_with(ending) ? std::string()
+                                              : fmt::format("{}: choose a name that ends in {}", path, ending);
+  };
 }
 
 Status checkFiles(const EngraveOptions& options) {
@@ -266,9 +276,11 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   o->flags.addAll(*c);
   o->file.add(*c);
   c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
-  c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG");
+  c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG")
+      ->check(endsIn(".png"));
   c->add_option("--maps", o->maps,
-                "write normal, height and luminance maps, and the depths of every pass, as NumPy arrays (.npz)");
+                "write normal, height and luminance maps, and the depths of every pass, as NumPy arrays (.npz)")
+      ->check(endsIn(".npz"));
   c->add_flag(
       "--try-prints", o->tryPrints,
       "if the print does not decode reliably, engrave for other orientations and finer processes and list the results");

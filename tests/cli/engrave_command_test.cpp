@@ -204,8 +204,8 @@ TEST_F(EngraveCommandTest, ChecksTheNamesOfItsFilesBeforeAnyWork) {
     return outcome;
   };
   EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("x.stl")}).status, 2);
-  EXPECT_EQ(refused({"-o", path("x.stl"), "--preview", path("./X.STL")}).status, 2);
-  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("r"), "--preview", path("r")}).status, 2);
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("./X.STL")}).status, 2);
+  EXPECT_EQ(refused({"-o", path("x.stl"), "--report", path("r.png"), "--preview", path("r.png")}).status, 2);
   EXPECT_EQ(refused({"-o", model}).status, 2);
   EXPECT_EQ(refused({"-o", path("x.stl"), "--report", model}).status, 2);
   const Outcome second = refused({"-o", path("box.stl"), "--mark", "inlay"});
