@@ -163,7 +163,10 @@ class CsvReader {
     for (std::uint32_t line = named ? 2 : 1; !text.empty(); ++line) {
       const std::string_view whole = firstLine(text);
       QRELIEF_TRY(checkLine(withoutEnd(whole), line));
-      if (parser_.pstate == kBetweenRows) rowLine_ = line;
+      if (parser_.pstate == kBetweenRows) {
+        rowLine_ = line;
+        if (holdsSpacesOnly(withoutEnd(whole)) && blanks_++ == 0) firstBlank_ = line;
+      }
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
       if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
@@ -176,11 +179,28 @@ class CsvReader {
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
       return badInput(message<"list-quote-open">(with::count<"line">(rowLine_)));
     if (problem_) return badInput(std::move(*problem_));
+    warnOfBlanks();
     return std::move(list_);
   }
 
  private:
   static constexpr int kBetweenRows = 0;  // ROW_NOT_BEGUN in libcsv's source
+
+  /// Returns true for a line of spaces and tabs. libcsv takes it for an empty line, unless a tab separates cells.
+  bool holdsSpacesOnly(std::string_view line) const {
+    const std::string_view spaces = parser_.delim_char == '\t' ? " " : " \t";
+    return !line.empty() && line.find_first_not_of(spaces) == line.npos;
+  }
+
+  void warnOfBlanks() {
+    if (blanks_ == 0) return;
+    Message blank = message<"row-of-spaces">();
+    if (blanks_ == 1)
+      list_.warn(message<"list-line">(with::count<"line">(firstBlank_), with::cause<"problem">(std::move(blank))));
+    else
+      list_.warn(message<"list-lines">(with::count<"line">(firstBlank_), with::count<"count">(blanks_ - 1),
+                                       with::cause<"problem">(std::move(blank))));
+  }
 
   static void takeCell(void* bytes, std::size_t size, void* self) {
     static_cast<CsvReader*>(self)->addCell({static_cast<const char*>(bytes), size});
@@ -203,7 +223,9 @@ class CsvReader {
 
   void endRow() {
     const bool isEmpty = std::all_of(cells_.begin(), cells_.end(), [](const std::string& c) { return c.empty(); });
-    if (!problem_ && !isEmpty) take();
+    // An empty line is no row at all; in a list of one column, a cell that is empty has quotation marks.
+    const bool isQuoted = cells_.size() == 1 && columnCount_ == 1;
+    if (!problem_ && (!isEmpty || isQuoted)) take();
     cells_.clear();
   }
 
@@ -275,6 +297,7 @@ class CsvReader {
   std::size_t columnCount_ = 0;     // with those without names
   std::vector<std::string> cells_;
   std::uint32_t rowLine_ = 1;
+  std::uint32_t blanks_ = 0, firstBlank_ = 0;  // lines of spaces
   std::optional<Message> problem_;
 };
 

@@ -64,10 +64,10 @@ struct BatchListOptions {
 ///   the others: the column of its first link, or the only column, is called `text`, and the others `column1`,
 ///   `column2` and so on.
 /// - JSON lines, with one object per line, or a JSON array of objects. Keys are columns, and values are texts, numbers,
-///   switches or lists of numbers; a missing key gives an empty cell. A number keeps its characters.
+///   switches or lists of numbers; null or a missing key gives an empty cell. A number keeps its characters.
 ///
 /// UTF-8, with or without a byte order mark, or UTF-16. CSV may be in Windows-1252 if nothing beyond ASCII in it is
-/// valid UTF-8. Skips spaces around cells and empty lines.
+/// valid UTF-8. Skips spaces around cells, empty lines and rows of empty cells; warns of lines that hold only spaces.
 ///
 /// Cost: linear.
 /// @returns BadInput, with line and column, for a malformed list; for cells that hold a formula instead of its value;

@@ -203,6 +203,16 @@ void BatchPlan::add(std::uint32_t line, Message problem) {
     problems_.push_back(message<"list-line">(with::count<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
+/// Counts a warning about another row. @param line  of the row
+void BatchPlan::addTrace(std::vector<TextTrace>& traces, Message message, std::uint32_t line) {
+  const auto same =
+      std::find_if(traces.begin(), traces.end(), [&](const TextTrace& trace) { return trace.message == message; });
+  if (same == traces.end())
+    traces.push_back({std::move(message), line, 1});
+  else
+    ++same->count;
+}
+
 /// Adds one warning of each kind about the texts of rows, with the first line that it concerns.
 void BatchPlan::warnOfTexts(const std::vector<TextTrace>& traces) {
   for (const TextTrace& trace : traces)
@@ -213,8 +223,19 @@ void BatchPlan::warnOfTexts(const std::vector<TextTrace>& traces) {
                                                 with::cause<"problem">(trace.message)));
 }
 
+/// Adds traces of columns without a value in a row whose text or label uses them.
+void BatchPlan::noteEmptyCells(std::size_t index, const BatchRow& row, std::vector<TextTrace>& traces) const {
+  const auto note = [&](const TextTemplate& pattern) {
+    for (const std::string& name : pattern.names())
+      if (const auto column = list_.find(name); column && list_.cell(index, *column).empty())
+        addTrace(traces, message<"cell-empty">(with::quoted<"name">(list_.columns()[*column])), row.line);
+  };
+  note(text_);
+  if (!row.request.code.label.text.empty()) note(label_);
+}
+
 void BatchPlan::checkRows() {
-  std::vector<TextTrace> traces;
+  std::vector<TextTrace> traces, emptyCells;
   std::map<std::pair<ErrorCorrection, EciUse>, VersionsByLength> versions;
   int largest = 1;
   const auto checkCode = [&](const BatchRow& row) {
@@ -222,15 +243,14 @@ void BatchPlan::checkRows() {
       if (advice.severity != TextAdvice::Severity::Warning) continue;
       const auto same = std::find_if(traces.begin(), traces.end(),
                                      [&](const TextTrace& trace) { return trace.message.code == advice.message.code; });
-      if (same == traces.end())
-        traces.push_back({std::move(advice.message), row.line, 1});
-      else
-        ++same->count;
+      addTrace(traces, same == traces.end() ? std::move(advice.message) : same->message, row.line);
     }
     const SymbolOptions& symbol = row.request.code.symbol;
     const auto [known, isNew] =
         versions.try_emplace({symbol.errorCorrection, symbol.eci}, symbol.errorCorrection, symbol.eci);
-    const int needed = known->second.smallest(row.request.code.text);
+    const std::string& text = row.request.code.text;
+    const bool isRefused = isBlank(text) || text.find('\0') != text.npos;  // encodeSymbol() says why
+    const int needed = isRefused ? 0 : known->second.smallest(text);
     if (needed == 0 || (symbol.version && needed > *symbol.version)) {
       const auto encoded = encodeSymbol(row.request.code.text, symbol);
       if (!encoded) add(row.line, encoded.error().message);
@@ -244,6 +264,7 @@ void BatchPlan::checkRows() {
       add(list_.line(i), row.error().message);
       continue;
     }
+    noteEmptyCells(i, *row, emptyCells);
     if (!row->request.code.isText())
       checkCode(*row);
     else if (const auto letters = requestedSymbol(row->request.code); !letters)
@@ -255,6 +276,7 @@ void BatchPlan::checkRows() {
     if (!settings_.empty() || i == 0)
       if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
   }
+  warnOfTexts(emptyCells);
   warnOfTexts(traces);
   if (!problems_.empty()) return;
   if (!all_.code.symbol.version) all_.code.symbol.version = largest;

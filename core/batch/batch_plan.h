@@ -65,7 +65,7 @@ class BatchPlan {
   const std::vector<std::string>& textNames() const { return text_.names(); }
 
   /// Returns warnings about what the list's reader had to guess (BatchList), about cells that a spreadsheet has changed
-  /// (batch/spreadsheet_traces.h), and about links (qr/link_advice.h).
+  /// (batch/spreadsheet_traces.h), about empty cells in texts and labels, and about links (qr/link_advice.h).
   const std::vector<Message>& warnings() const { return warnings_; }
 
   std::size_t size() const { return list_.size(); }
@@ -95,6 +95,8 @@ class BatchPlan {
   Status prepare();
   void warnOfSpreadsheets();
   void findModels();
+  static void addTrace(std::vector<TextTrace>& traces, Message message, std::uint32_t line);
+  void noteEmptyCells(std::size_t index, const BatchRow& row, std::vector<TextTrace>& traces) const;
   void warnOfTexts(const std::vector<TextTrace>& traces);
   Status checkNames(const TextTemplate& pattern) const;
   Result<BatchRow> made(std::size_t index) const;

@@ -124,6 +124,12 @@ struct CarveJob::State {
     result.timingsMs.size = placed.sizeMs;
   }
 
+  Status checkPlace() const {
+    if (hasTwinSurface(model->prepared.mesh, result.placement))
+      return fail(ErrorKind::NoSolution, message<"shell-in-same-place">());
+    return {};
+  }
+
   /// Measures the place, if it is not the one measured before.
   Status measurePlace(bool withLight) {
     const Placement& placement = result.placement;
@@ -143,6 +149,7 @@ struct CarveJob::State {
   }
 
   Result<StageStep> mapLight() {
+    QRELIEF_TRY(checkPlace());
     QRELIEF_TRY(measurePlace(true));
     const Placement& placement = result.placement;
     CarvableSubmodules carvable =
@@ -160,6 +167,7 @@ struct CarveJob::State {
 
   /// Chooses the modules to mark, and the depth of an inlay. Neither needs light.
   Result<StageStep> mapMark() {
+    QRELIEF_TRY(checkPlace());
     const Placement& placement = result.placement;
     const Mesh& mesh = model->prepared.mesh;
     result.depths = noPockets(result.symbol, placement.symbolMm);
@@ -174,9 +182,15 @@ struct CarveJob::State {
     InlayPockets pockets =
         inlayPockets(result.symbol, placement.symbolMm,
                      depthLimits(mesh, placement, wholeModules, measured->thicknessMm(), walls), walls.maxDepthMm);
-    if (pockets.depthMm == 0)
-      return fail(ErrorKind::NoSolution, message<"inlay-needs-walls">(with::lengthMm<"depth">(walls.maxDepthMm),
-                                                                      with::lengthMm<"wall">(walls.minWallMm)));
+    if (pockets.depthMm == 0) {
+      const auto depth = with::lengthMm<"depth">(walls.maxDepthMm);
+      const auto wall = with::lengthMm<"wall">(walls.minWallMm);
+      const auto below =
+          model->prepared.shells < 2 ? std::nullopt : shellBelowMm(mesh, placement, walls.maxDepthMm + walls.minWallMm);
+      if (!below) return fail(ErrorKind::NoSolution, message<"inlay-needs-walls">(depth, wall));
+      return fail(ErrorKind::NoSolution,
+                  message<"inlay-needs-walls-over-shell">(depth, wall, with::lengthMm<"below">(*below)));
+    }
     result.markDepthMm = pockets.depthMm;
     result.modulesLeftOut = pockets.leftOut;
     result.depths = std::move(pockets.depths);

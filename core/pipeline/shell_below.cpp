@@ -2,6 +2,7 @@
 #include "pipeline/shell_below.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/tolerance.h"
 #include "mesh/ray.h"
@@ -47,18 +48,42 @@ std::optional<double> shellBelow(const Mesh& mesh, Vec3 eye, Vec3 direction) {
   return staysInside ? std::optional(belowMm) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<double> shellBelowMm(const Mesh& mesh, const Placement& placement, double reachMm) {
-  const ProjectionFrame& frame = placement.frame;
-  std::optional<double> least;
+/// Calls the function with the direction of each ray through the symbol.
+template <class Function>
+void forEachRay(const Placement& placement, Function follow) {
   for (int k = 0; k < kRaysPerEdge * kRaysPerEdge; ++k) {
     const Vec2 cell(k % kRaysPerEdge, k / kRaysPerEdge);
     const Vec2 onPlane = ((cell + 0.5) / static_cast<double>(kRaysPerEdge) - 0.5) * placement.symbolMm;
-    const auto below = shellBelow(mesh, frame.eye(), frame.rayDirection(onPlane));
-    if (below && *below <= reachMm) least = std::min(*below, least.value_or(*below));
+    follow(placement.frame.rayDirection(onPlane));
   }
+}
+
+}  // namespace
+
+std::optional<double> shellBelowMm(const Mesh& mesh, const Placement& placement, double reachMm) {
+  std::optional<double> least;
+  forEachRay(placement, [&](Vec3 direction) {
+    const auto below = shellBelow(mesh, placement.frame.eye(), direction);
+    if (below && *below <= reachMm) least = std::min(*below, least.value_or(*below));
+  });
   return least;
+}
+
+bool hasTwinSurface(const Mesh& mesh, const Placement& placement) {
+  if (mesh.bodyOf.empty()) return false;
+  const std::uint32_t carved = mesh.body(placement.seed);
+  Mesh own, others;  // with all positions
+  own.positions = others.positions = mesh.positions;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    (mesh.body(t) == carved ? own : others).triangles.push_back(mesh.triangles[t]);
+  if (others.triangles.empty()) return false;
+  int twins = 0;
+  forEachRay(placement, [&](Vec3 direction) {
+    const auto hit = firstHit(own, placement.frame.eye(), direction),
+               other = firstHit(others, placement.frame.eye(), direction);
+    if (hit && other && std::abs(hit->distance - other->distance) <= kOnSurfaceMm) ++twins;
+  });
+  return 2 * twins > kRaysPerEdge * kRaysPerEdge;
 }
 
 }  // namespace qrelief

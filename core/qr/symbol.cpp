@@ -29,7 +29,8 @@ using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
 using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
 
 Status checkCharacters(std::string_view text) {
-  if (text.size() <= kMostCharacters && isBlank(text)) return badInput(message<"text-empty">());
+  if (text.empty()) return badInput(message<"text-empty">());
+  if (text.size() <= kMostCharacters && isBlank(text)) return badInput(message<"text-unseen">());
   const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
   if (nul < broken) return badInput(message<"text-holds-nul">(with::count<"byte">(nul + 1)));
   if (broken != text.npos) return badInput(message<"text-no-utf8">(with::count<"byte">(broken + 1)));

@@ -129,8 +129,13 @@ std::size_t firstRowOf(const BatchPlan& plan, const std::string& model) {
 
 /// Checks that each model that the rows need can be opened.
 int checkModels(const BatchOptions& options, const BatchPlan& plan) {
-  if (options.model.path.empty() && plan.needsModel())
-    return printError({ErrorKind::BadUsage, message<"model-missing">()});
+  if (options.model.path.empty() && plan.needsModel()) {
+    if (plan.models().empty()) return printError({ErrorKind::BadUsage, message<"model-missing">()});
+    const std::uint32_t line = plan.row(firstRowOf(plan, "")).line;
+    return printError(
+        {ErrorKind::BadUsage,
+         message<"list-line">(with::count<"line">(line), with::cause<"problem">(message<"row-without-model">()))});
+  }
   if (options.perPlate > 0 && !plan.models().empty())
     return printError({ErrorKind::BadUsage, message<"models-on-plate">()});
   int status = kEngraved;
@@ -183,12 +188,32 @@ Status checkFileFlags(const BatchOptions& options, const BatchPlan& plan) {
   return options.fileFlags.check(output);
 }
 
+/// Returns the setting whose flag a column has as its name; null if there is none. Columns are named by keys.
+const Setting* settingOfFlag(std::string_view column) {
+  std::string flag = caseFolded(column);
+  std::replace_if(
+      flag.begin(), flag.end(), [](char c) { return c == '_' || c == ' '; }, '-');
+  if (!flag.starts_with("--")) flag.insert(0, "--");
+  const auto of = std::find_if(settings().begin(), settings().end(),
+                               [&](const Setting& setting) { return flagOf(setting.key) == flag; });
+  return of == settings().end() ? nullptr : &*of;
+}
+
+/// Warns of columns that nothing uses, and says what a setting's column is called.
+void warnOfUnused(const BatchPlan& plan) {
+  std::vector<std::string> unused;
+  for (const std::string& column : plan.unusedColumns()) {
+    const Setting* setting = settingOfFlag(column);
+    unused.push_back(setting ? fmt::format("{} (the setting is called {})", column, setting->key) : column);
+  }
+  if (!unused.empty()) fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(unused, ", "));
+}
+
 int runRows(const BatchOptions& options, const GivenShard& share, const BatchRequest& request, BatchList list) {
   const BatchPlan plan = BatchPlan::make(std::move(list), request);
   for (const Message& warning : plan.warnings()) printWarning(warning, options.list);
   if (!plan.problems().empty()) return printProblems(plan, options.list);
-  if (!plan.unusedColumns().empty())
-    fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(plan.unusedColumns(), ", "));
+  warnOfUnused(plan);
   if (options.merge) return merge(options, plan);
   if (const int status = checkModels(options, plan); status != kEngraved) return status;
   if (const Status writable = checkFileFlags(options, plan); !writable) return printError(writable.error());
@@ -236,6 +261,7 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
                        std::set<std::string>& warned) {
   auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   QRELIEF_TRY(list);
+  if (list->size() > 1) return badInput(message<"list-no-object">(with::count<"line">(1)));  // an array of several
   request.firstNumber = number;
   const BatchPlan plan = BatchPlan::make(std::move(*list), request);
   if (!plan.problems().empty()) return badInput(plan.problems().front());
@@ -274,6 +300,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
         if (same == known.end()) same = known.find(file);
     if (same != known.end() && (same->second.text != row->request.code.text || same->second.file != row->file))
       row = badInput(message<"name-taken">(with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
+    if (row && row->model.empty() && options.model.path.empty()) row = badInput(message<"row-without-model">());
     if (!row) {
       ManifestEntry refused;
       refused.number = next;
@@ -282,8 +309,6 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       std::cout << manifestLine(refused) << std::endl;
       continue;
     }
-    if (row->model.empty() && options.model.path.empty())
-      return printError({ErrorKind::BadUsage, message<"model-missing">()});
     const Status used = run.use(row->model, row->request);
     if (!used && row->model.empty()) return printError(used.error(), options.model.path);
     if (same != known.end())

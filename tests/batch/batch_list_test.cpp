@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using namespace std::string_literals;
 
 Result<BatchList> read(const std::string& text, const BatchListOptions& options = {}) {
@@ -52,6 +55,32 @@ TEST(BatchList, IgnoresSpacesAroundCellsAndEmptyRows) {
   ASSERT_EQ(list->size(), 2u);
   EXPECT_THAT(row(list, 0), ElementsAre("7", "a"));
   EXPECT_THAT(row(list, 1), ElementsAre("8", ""));
+}
+
+/// Returns the warnings about a list, in words.
+std::vector<std::string> warningsOf(const std::string& text) {
+  const auto list = read(text);
+  if (!list) return {list.error().message.code};
+  std::vector<std::string> warnings;
+  for (const Message& warning : list->warnings()) warnings.push_back(sentence(warning));
+  return warnings;
+}
+
+TEST(BatchList, WarnsOfLinesOfSpaces) {
+  EXPECT_THAT(warningsOf("text\na\n  \nb\n"), ElementsAre("Line 3: There are only spaces, so this is not a row"));
+  EXPECT_THAT(warningsOf("text\na\n \t\n\nb\n   "),
+              ElementsAre("Line 3 and 1 more: There are only spaces, so this is not a row"));
+  EXPECT_THAT(warningsOf("id\ttext\n1\ta\n\t\n"), IsEmpty()) << "an empty row of a spreadsheet";
+  EXPECT_THAT(warningsOf("text\n\na\n\"b\n \nc\"\n\n"), IsEmpty()) << "empty lines, and one within a cell";
+}
+
+TEST(BatchList, KeepsAQuotedEmptyCellOfOneColumn) {
+  const auto list = read("text\na\n\"\"\n\" \"\n\n");
+  ASSERT_TRUE(list) << list.error().message.code;
+  ASSERT_EQ(list->size(), 3u);
+  EXPECT_THAT(row(list, 1), ElementsAre(""));
+  EXPECT_THAT(row(list, 2), ElementsAre(" "));
+  EXPECT_EQ(list->line(1), 3u);
 }
 
 TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {

@@ -244,7 +244,7 @@ TEST(BatchPlan, WarnsOfValuesThatASpreadsheetHasChanged) {
 
 TEST(BatchPlan, DoesNotWarnOfOrdinaryValues) {
   for (const char* value : {"12E5", "E+12", "4006381333931", "8949020000123456789", "1.5", "2026-03-01", "MARCH1",
-                            "may-be", "3-4", "00123", "", "1000000000000001"})
+                            "may-be", "3-4", "00123", "1000000000000001"})
     EXPECT_THAT(warningsOf({value}), IsEmpty()) << value;
   EXPECT_THAT(warningsOf({"99998", "99999", "100000", "100001", "100002", "100003"}), IsEmpty()) << "a count";
   EXPECT_THAT(warningsOf({"1", "22", "333", "22", "1"}), IsEmpty()) << "short numbers";
@@ -262,6 +262,38 @@ TEST(BatchPlan, WarnsOnceOfEachKindOfFaultyLink) {
                                     "Line 5: The link is in quotation marks or brackets, which become part of it",
                                     "Line 6: Many phones open this as a link only if it begins with https://"));
   EXPECT_EQ(plan.row(0).request.code.text, "https://example.com/1\u00A0") << "the text stays";
+}
+
+TEST(BatchPlan, WarnsOfEmptyCellsThatATextOrLabelUses) {
+  const auto warnings = [](const std::string& list, const std::string& text, const std::string& label = "") {
+    BatchRequest request;
+    request.all = defaultRequest();
+    request.all.code.text = text;
+    request.all.code.label.text = label;
+    auto rows = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(list.data()), list.size()));
+    const BatchPlan plan = BatchPlan::make(std::move(*rows), request);
+    EXPECT_THAT(problemsOf(plan), IsEmpty());
+    std::vector<std::string> sentences;
+    for (const Message& warning : plan.warnings()) sentences.push_back(sentence(warning));
+    return sentences;
+  };
+  const std::string table = "id,Lot,serial\n1,a,\n2,,\n3,b,7\n";
+  EXPECT_THAT(warnings(table, "{lot} {serial} {id}"),
+              ElementsAre("Line 2 and 1 more: The column \"serial\" is empty there, but the text or label uses it",
+                          "Line 3: The column \"Lot\" is empty there, but the text or label uses it"));
+  EXPECT_THAT(warnings(table, "{id}"), IsEmpty()) << "unused";
+  EXPECT_THAT(warnings(table, "{id}", "{lot}"), IsEmpty()) << "a row without a label";
+  EXPECT_THAT(warnings(table, "{id}", "Lot {lot}"), testing::SizeIs(1));
+  EXPECT_THAT(warnings("{\"id\": 1, \"lot\": null}\n{\"id\": 2}\n", "{lot} {id}"),
+              ElementsAre("Line 1 and 1 more: The column \"lot\" is empty there, but the text or label uses it"));
+}
+
+TEST(BatchPlan, RefusesATextOfNullAndOneThatNobodySees) {
+  EXPECT_THAT(problemsOf(planOf("{\"text\": null}\n{\"text\": \"b\"}\n{\"lot\": 7}\n")),
+              ElementsAre("1 row-without-text", "3 row-without-text"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,\u200B\n2,\"  \"\n3,\u00A0\n4,a\n")),
+              ElementsAre("2 text-unseen", "3 text-unseen", "4 text-unseen"));
+  EXPECT_THAT(problemsOf(planOf("{\"text\": \"a\\u0000b\"}\n")), ElementsAre("1 text-holds-nul"));
 }
 
 TEST(BatchPlan, RefusesTheErrorsOfASpreadsheet) {

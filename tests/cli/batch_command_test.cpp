@@ -220,7 +220,10 @@ TEST_F(BatchCommandTest, ARowMayHaveItsOwnModel) {
   EXPECT_THAT(absent.err, HasSubstr("Line 3: The model \"absent.stl\""));
   EXPECT_THAT(filesIn("none"), IsEmpty());
   EXPECT_EQ(run(arguments({"--list", list, "--per-plate", "2"}, "none")).status, 2);
-  EXPECT_EQ(run({"batch", "--list", list, "-o", path("none")}).status, 2) << "row 2 has no model";
+  const Outcome without = run({"batch", "--list", list, "-o", path("none")});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_THAT(without.err, HasSubstr("Line 3: The row names no model"));
+  EXPECT_THAT(without.err, HasSubstr("hint: Fill in its column"));
 }
 
 TEST_F(BatchCommandTest, TheModelAndTheListAreNotOverwritten) {
@@ -392,6 +395,31 @@ nonsense
   EXPECT_EQ(answers[4]["status"], "refused");
   EXPECT_THAT(answers[4]["reason"].get<std::string>(), HasSubstr("already exists"));
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"a.stl", "manifest.jsonl"}));
+}
+
+TEST_F(BatchCommandTest, AColumnNamedLikeAFlagGetsAHint) {
+  const std::string list = writeText("l.csv", "text,Min-Wall,--size,note\na,2,10,x\n");
+  const Outcome outcome = run(arguments({"--list", list}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("unused columns: Min-Wall (the setting is called minWallMm), --size (the setting "
+                                     "is called size), note\n"));
+}
+
+TEST_F(BatchCommandTest, AStreamAnswersRequestsWithoutAModelAndSeveralInOneLine) {
+  writeText("requests", R"({"text": "a"}
+[{"text": "b", "model": "plate.stl"}, {"text": "c", "model": "plate.stl"}]
+{"text": "d", "model": "absent.stl"}
+)");
+  const Outcome outcome = run({"batch", "--stream", "--quiet", "-o", path("out"), "--size",
+                               "21' <'" + path("requests")});  // the fixture puts quotes around it
+  EXPECT_EQ(outcome.status, 1) << "the last one failed: " << outcome.err;
+  const std::vector<Json> answers = linesOf(outcome.out);
+  ASSERT_EQ(answers.size(), 3u);
+  EXPECT_EQ(answers[0]["status"], "refused");
+  EXPECT_THAT(answers[0]["reason"].get<std::string>(), HasSubstr("names no model"));
+  EXPECT_EQ(answers[1]["status"], "refused");
+  EXPECT_THAT(answers[1]["reason"].get<std::string>(), HasSubstr("not a JSON object"));
+  EXPECT_EQ(answers[2]["status"], "failed");
 }
 
 }  // namespace

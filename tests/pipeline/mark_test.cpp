@@ -205,6 +205,18 @@ TEST_F(MarkTest, ThinWallsLimitAnInlayButNotPaint) {
   EXPECT_TRUE(engraved(plate, request).solidity.solid());
 }
 
+TEST_F(MarkTest, AnInlayOverAnotherShellNamesTheShell) {
+  const Mesh sheet = shapes::box({60, 60, 0.7}), block = shapes::box({60, 60, 20});
+  const auto layered = upload(shapes::together(shapes::translated(block, {0, 0, -10.3}), sheet));
+  const auto refused = engrave(layered, requestFor(Mark::Inlay, {0, 0, 0.35}));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().message.code, "inlay-needs-walls-over-shell");
+  EXPECT_THAT(sentence(refused.error().message), testing::HasSubstr("lies 0.65 mm below the surface"));
+  const auto alone = engrave(upload(sheet), requestFor(Mark::Inlay, {0, 0, 0.35}));
+  ASSERT_FALSE(alone.has_value());
+  EXPECT_EQ(alone.error().message.code, "inlay-needs-walls");
+}
+
 TEST_F(MarkTest, ColoursThatAreTooAlikeAreRefused) {
   EngraveRequest request = requestFor(Mark::Paint);
   request.marking.darkReflectance = 0.5;

@@ -335,7 +335,7 @@ TEST(Symbol, RefusesAnEmptyText) {
 
 TEST(Symbol, RefusesATextOfCharactersThatNobodySees) {
   for (const char* text : {" ", " \t\n", "\u00A0", "\u200B\u2060", "\u3164", "\uFEFF \u00AD"})
-    EXPECT_EQ(sentence(refused(text).message), "The text is empty") << text;
+    EXPECT_EQ(sentence(refused(text).message), "The text has only characters that nobody sees, such as spaces") << text;
 }
 
 TEST(Symbol, RefusesNulAndReportsItsPlace) {
