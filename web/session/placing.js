@@ -177,7 +177,9 @@ export class Placing {
   /** Says why no spot is proposed, and what helps. @param {import('../engine/message.js').Message} problem */
   explain(problem) {
     this.panel_.explain(problem);
-    this.messages_.say(() => `${asSentence(sentenceOf(problem))} ${text('page.askForCentre')}`);
+    // A click helps only where nothing better is known: it does not make a model larger or a wall thicker.
+    const help = () => asSentence(hintOf(problem)) || text('page.askForCentre');
+    this.messages_.say(() => `${asSentence(sentenceOf(problem))} ${help()}`);
   }
 
   /** @param {Placement | undefined} placement */

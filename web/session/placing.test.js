@@ -58,6 +58,15 @@ test('After a search without a spot, the status says why and what to do', async 
   );
 });
 
+test('A search without a spot gives the hint of its reason, not the advice to click', async () => {
+  await messageWords.load();
+  placing.explain({ code: 'nothing-can-be-carved', values: { wall: { lengthMm: 0.8 } } });
+  assert.equal(
+    messages.said.at(-1),
+    'The wall is too thin here: engraving would leave less than 0.8\u00A0mm of material. Choose a thicker spot, or use a second colour (“Made by”).',
+  );
+});
+
 test('A model without a centre starts at the module’s proposal', async () => {
   await placing.begin();
   assert.deepEqual(store.work.centreMm, [1, 2, 3]);
