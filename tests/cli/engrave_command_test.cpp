@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
+#include <sys/stat.h>
+#include <thread>
 
 #include "cli/command_fixture.h"
 #include "io/three_mf/write_3mf.h"
@@ -190,6 +192,36 @@ TEST_F(EngraveCommandTest, CarvesALabelAndAFrame) {
   EXPECT_NEAR(labelled["label"]["capitalMm"].get<double>(), 25.0 / 8, 1e-9);
   EXPECT_LT(labelled["mesh"]["volumeMm3"].get<double>(), plain["mesh"]["volumeMm3"].get<double>() - 20);
   EXPECT_EQ(labelled["colour"]["changes"], 0);
+}
+
+TEST_F(EngraveCommandTest, NamesABodyThatLiesInThePlaceOfAnother) {
+  const std::string item = "<item objectid=\"1\"/>";
+  const std::string model =
+      writeBytes("twice.3mf", zip_file::threeMf(zip_file::modelPart(zip_file::boxObject(1, 40, 40, 10), item + item)));
+  for (const char* mark : {"shadow", "paint"}) {
+    const Outcome outcome = run({"engrave", model, "--text", "x", "-o", path("x.3mf"), "--mark", mark, "--quiet"});
+    EXPECT_EQ(outcome.status, 4) << mark;
+    EXPECT_NE(outcome.err.find("Another shell of the model has its surface in the same place"), std::string::npos)
+        << outcome.err;
+  }
+}
+
+TEST_F(EngraveCommandTest, ReadsAModelFromAPipe) {
+  const std::string bytes = contentOf(writeModel("box.stl", shapes::box({40, 40, 8})));
+  ASSERT_EQ(mkfifo(path("pipe.stl").c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(path("pipe.stl"), std::ios::binary) << bytes; });
+  const Outcome outcome = run({"info", path("pipe.stl")});
+  writer.join();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("12 triangles"), std::string::npos) << outcome.out;
+}
+
+TEST_F(EngraveCommandTest, RefusesPicturesOfAnotherFormat) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const Outcome outcome =
+      run({"engrave", model, "--text", "x", "-o", path("x.stl"), "--preview", path("x.jpg"), "--quiet"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("choose a name that ends in .png"), std::string::npos) << outcome.err;
 }
 
 TEST_F(EngraveCommandTest, ChecksTheNamesOfItsFilesBeforeAnyWork) {
