@@ -6,6 +6,7 @@
 
 #include "math/tolerance.h"
 #include "mesh/ray.h"
+#include "mesh/triangle_clusters.h"
 
 namespace qrelief {
 namespace {
@@ -74,8 +75,12 @@ bool hasTwinSurface(const Mesh& mesh, const Placement& placement) {
   const std::uint32_t carved = mesh.body(placement.seed);
   Mesh own, others;  // with all positions
   own.positions = others.positions = mesh.positions;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    (mesh.body(t) == carved ? own : others).triangles.push_back(mesh.triangles[t]);
+  const ViewPyramid seen(placement.frame, placement.symbolMm);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Box3 box;
+    for (int k = 0; k < 3; ++k) box.add(mesh.corner(t, k));
+    if (seen.mayMeet(box)) (mesh.body(t) == carved ? own : others).triangles.push_back(mesh.triangles[t]);
+  }
   if (others.triangles.empty()) return false;
   int twins = 0;
   forEachRay(placement, [&](Vec3 direction) {

@@ -18,7 +18,8 @@ namespace qrelief {
 std::optional<double> shellBelowMm(const Mesh& mesh, const Placement& placement, double reachMm);
 
 /// Returns true if another body has its surface in the same place under most of a code, as a copy has that nobody
-/// moved: it fills the pockets, whichever body they are carved into. Follows the same rays. Cost: as above.
+/// moved: it fills the pockets, whichever body they are carved into. Follows the same rays. Cost: O(T), and O(facets
+/// seen about the code) for each ray.
 bool hasTwinSurface(const Mesh& mesh, const Placement& placement);
 
 }  // namespace qrelief
