@@ -31,6 +31,24 @@ bool isKeywordOfFacets(std::string_view word) {
   return false;
 }
 
+/// Skips the name of a solid: to the end of the line or, in a file of one line, to its first facet.
+/// @returns true if it stopped before a facet
+bool skipName(TextScanner& scanner) {
+  for (TextScanner before = scanner;; before = scanner) {
+    const std::string_view word = scanner.wordOnLine();
+    if (word.empty()) break;
+    if (!equalsIgnoringCase(word, "facet")) continue;
+    TextScanner after = scanner;
+    if (!equalsIgnoringCase(after.wordOnLine(), "normal")) continue;
+    for (int axis = 0; axis < 3; ++axis) after.wordOnLine();
+    if (!equalsIgnoringCase(after.wordOnLine(), "outer")) continue;
+    scanner = before;
+    return true;
+  }
+  scanner.restOfLine();
+  return false;
+}
+
 bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
@@ -133,13 +151,12 @@ class AsciiReader {
     for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
       if (equalsIgnoringCase(word, "solid")) {
         unended_ += insideSolid;
-        scanner_.restOfLine();
+        skipName(scanner_);
         insideSolid = true;
       } else if (!insideSolid) {
         return unexpected(word, wantsKeyword("solid"));
       } else if (equalsIgnoringCase(word, "endsolid")) {
-        scanner_.restOfLine();
-        insideSolid = false;
+        insideSolid = skipName(scanner_);
       } else if (equalsIgnoringCase(word, "facet")) {
         QRELIEF_TRY(readFacet());
       } else if (isKeywordOfFacets(word)) {
@@ -239,7 +256,7 @@ class AsciiReader {
 bool looksLikeAsciiStl(std::span<const std::uint8_t> bytes) {
   TextScanner scanner(textOf(bytes));
   if (!equalsIgnoringCase(scanner.word(), "solid")) return false;
-  scanner.restOfLine();
+  skipName(scanner);
   for (std::size_t line = 0; line < kLinesLookedAt; ++line) {
     const std::string_view word = scanner.word();
     if (word.empty()) return line == 0;

@@ -47,14 +47,22 @@ TEST(StlReader, ReadsBinaryFacetsBitForBit) {
 
 TEST(StlReader, ReadsAsciiWithEveryLineEnding) {
   for (const char* lineEnd : {"\n", "\r\n", "\r", " "}) {
-    // With blanks for line ends, the solid's name would swallow the file, so the name gets a line of its own.
-    std::string text = model_files::asciiStl(shapes::tetrahedron(2), lineEnd);
-    if (*lineEnd == ' ') text.replace(text.find("  facet"), 2, "\n");
-    const auto soup = readStl(bytesOf(text), {});
+    const auto soup = readStl(bytesOf(model_files::asciiStl(shapes::tetrahedron(2), lineEnd)), {});
     ASSERT_TRUE(soup) << soup.error().message;
     EXPECT_EQ(soup->format, "STL (ASCII)");
     expectSameFacets(*soup, shapes::tetrahedron(2));
   }
+}
+
+TEST(StlReader, ReadsSolidsOnOneLineWhateverTheirNames) {
+  const std::string facet = "facet normal nan 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+  const auto one = readStl(bytesOf("solid the facet normal to us " + facet + facet + "endsolid the facet"), {});
+  ASSERT_TRUE(one) << sentence(one.error().message);
+  EXPECT_EQ(one->triangles.size(), 2);
+  EXPECT_TRUE(one->warnings.empty());
+  const auto two = readStl(bytesOf("solid a " + facet + "endsolid a solid b " + facet + "endsolid b"), {});
+  ASSERT_TRUE(two) << sentence(two.error().message);
+  EXPECT_EQ(two->triangles.size(), 2) << "nothing is lost";
 }
 
 TEST(StlReader, DetectsBinaryBySizeEvenIfTheHeaderSaysSolid) {
