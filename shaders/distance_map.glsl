@@ -66,6 +66,12 @@ vec3 directionAcross(SightFrame sight, float angle) {
   return sight.side * cos(angle) + sight.upward * sin(angle);
 }
 
+// Returns the unit vector perpendicular to the line of sight, in the slice through a lamp.
+vec3 acrossTo(vec3 toLamp, SightFrame sight) {
+  vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);
+  return across / max(length(across), 1e-6);
+}
+
 // Returns the direction in the map in which the projection of a point moves when the point moves by `along`: where the
 // slice meets the QR plane.
 vec2 onPlane(vec3 along, vec3 ray) {

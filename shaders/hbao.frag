@@ -50,6 +50,12 @@ float horizonOfSurface(vec2 texel, float angle) {
   return mix(first, second, fract(sector));
 }
 
+// Returns the same towards a lamp.
+float horizonToLamp(vec2 texel, int lamp) {
+  ivec2 place = ivec2(texel * u_horizonSamples / u_mapTexels);
+  return texelFetch(u_horizon, ivec2(4 * int(u_horizonSamples) + place.x, place.y), 0)[lamp];
+}
+
 // A march from cell border to cell border.
 struct March {
   vec2 start;
@@ -110,17 +116,20 @@ float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, fl
 
 // Returns the fraction of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge
 // is as wide as a texel, so that cell means do not jump, but not so wide that a plane shades itself.
-vec2 lampReaches(vec2 start, vec3 toLamp, vec3 normal, vec3 origin, SightFrame sight, float pocketMm) {
-  vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);
-  float sine = length(across);
+vec2 lampReaches(vec2 start, int lamp, vec3 normal, vec3 origin, SightFrame sight, float pocketMm) {
+  vec3 toLamp = u_lamps[lamp].xyz;
+  float cosine = dot(toLamp, sight.toEye);
+  float sine = length(toLamp - sight.toEye * cosine);
   if (sine < 1e-3) return vec2(1.0);  // next to the eye, which sees the texel
-  vec3 along = across / sine;
-  float cotangent = dot(toLamp, sight.toEye) / sine;
-  float surfaceHorizon = horizonOfSurface(start, atan(dot(along, sight.upward), dot(along, sight.side)));
+  vec3 along = acrossTo(toLamp, sight);
+  float cotangent = cosine / sine;
+  float surfaceHorizon = horizonToLamp(start, lamp);
   if (cotangent <= surfaceHorizon) return vec2(0.0);
+  float tangent = tangentCotangent(normal, along, sight.toEye);
+  surfaceHorizon = max(surfaceHorizon, tangent);
   March march = marchFrom(start, onPlane(along, sight.ray));
   float edgeMm = u_texelMm * max(cotangent, 0.05);
-  float overOwnPlane = max(cotangent - tangentCotangent(normal, along, sight.toEye), 1e-3);
+  float overOwnPlane = max(cotangent - tangent, 1e-3);
   float lit = 1.0;
   for (int i = 0; i < 256 && !isSettled(march, cotangent, surfaceHorizon, pocketMm); ++i) {
     vec3 towards;
@@ -191,7 +200,7 @@ void main() {
   vec2 lamps = vec2(0.0);
   for (int i = 0; i < u_lampCount; ++i) {
     float facing = max(dot(surface.xyz, u_lamps[i].xyz), 0.0);
-    if (facing > 0.0) lamps += u_lamps[i].w * facing * lampReaches(texel, u_lamps[i].xyz, surface.xyz, origin, sight, pocketMm);
+    if (facing > 0.0) lamps += u_lamps[i].w * facing * lampReaches(texel, i, surface.xyz, origin, sight, pocketMm);
   }
   o_received = vec4(visibility, lamps);
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
+#include "light/directional_light.h"
 #include "light/height_map.h"
 
 namespace qrelief {
@@ -14,15 +17,22 @@ struct FarHorizon {
 
   int places = 0;  ///< along the map's edge
   /// Cotangents of the angle between the line of sight and the horizon, by direction, then by place, row-major from the
-  /// lower left. Never below the surface's own plane.
+  /// lower left. Never below the surface's own plane. After the directions come the lamps', without that plane: the
+  /// edge of a shadow would be lost between directions, and each patch of a place faces a lamp by itself.
   std::vector<float> cotangents;
+
+  bool hasLamps() const {
+    return cotangents.size() > static_cast<std::size_t>(kDirections) * static_cast<std::size_t>(places * places);
+  }
 };
 
 /// Finds the far horizon of a surface.
-/// Cost: places² · 16 steps of growing length, up to the edge of `around`.
+/// Cost: places² · 16 steps of growing length, up to the edge of `around`; for each lamp about as many again.
 /// @param map      the uncarved surface around the code
 /// @param around   the surroundings from the same eye, in a wider window with larger patches; null: there are none
 /// @param startMm  nearer surface is ignored, > 0
-FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double startMm, int places);
+/// @param lamps    find the horizon towards each of them, too, by finer steps: at most kMaxLights
+FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double startMm, int places,
+                        std::span<const DirectionalLight> lamps = {});
 
 }  // namespace qrelief

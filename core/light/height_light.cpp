@@ -256,13 +256,20 @@ void HeightLight::measure(const LightOptions& options, std::span<const std::uint
     forEachPoint([&](const LightRow& in, Vec2 inPatch) {
       for (const auto& [begin, end] : parts) {
         addSky(in, begin, end, sums.sky.data(), sums.pastWalls.data());
-        for (const DirectionalLight& lamp : options.lamps)
-          for (int from = begin; from < end; from += kStretch) {
-            const int to = std::min(from + kStretch, end);
+        // Stretches begin at fixed patches, so that light does not depend on the other patches of the mask.
+        for (std::size_t lamp = 0; lamp < options.lamps.size(); ++lamp)
+          for (int from = begin / kStretch * kStretch; from < end; from += kStretch) {
+            const int to = std::min(from + kStretch, size_);
             const Vec2 middle(static_cast<double>(in.firstX) + (from + to - 1) / 2.0 * patchMm_,
                               static_cast<double>(in.y));
-            addLamp(in, stretchOf(lamp, options.lampRadiusDeg, middle, inPatch, points, eyeDistance_, reach), from, to,
-                    sums.lamps.data(), sums.lampsUncarved.data());
+            LampStretch stretch =
+                stretchOf(options.lamps[lamp], options.lampRadiusDeg, middle, inPatch, points, eyeDistance_, reach);
+            if (far_ && far_->hasLamps()) {
+              stretch.direction.farSector = FarHorizon::kDirections + static_cast<int>(lamp);
+              stretch.direction.farFraction = 0;
+            }
+            addLamp(in, stretch, std::max(from, begin), std::min(to, end), sums.lamps.data(),
+                    sums.lampsUncarved.data());
           }
       }
     });

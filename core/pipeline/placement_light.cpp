@@ -68,7 +68,8 @@ class LightByProcessor final : public PlacementLight {
  public:
   LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options)
       : options_(options),
-        light_(map, farHorizonOf(map, &around, options.moduleMm, horizonsPerModule(options) * options.modules)),
+        light_(map, farHorizonOf(map, &around, options.moduleMm, horizonsPerModule(options) * options.modules,
+                                 options.lamps)),
         size_(map.size),
         luminance_(map.height.size(), 0.0f),
         depthsMm_(map.height.size(), 0.0f) {

@@ -13,7 +13,8 @@
 namespace qrelief {
 namespace {
 
-constexpr int kHorizonDirections = 16;  // as in horizon.frag
+constexpr int kHorizonDirections = 16;                      // as in horizon.frag
+constexpr int kHorizonTexels = kHorizonDirections / 4 + 1;  // of a place: the last one is of the lamps
 
 Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width, int height, gl::Format format) {
   texture = gl::Texture(width, height, format);
@@ -127,11 +128,20 @@ void LuminancePass::setMap(const gl::Program& program, const gl::Texture& depths
   program.set("u_horizonSamples", static_cast<float>(options_.horizonSamples));
 }
 
+void LuminancePass::setLamps(const gl::Program& program) const {
+  std::array<glm::vec4, kMaxLights> lamps{};
+  for (std::size_t i = 0; i < options_.lights.size(); ++i)
+    lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
+  program.set("u_lampCount", static_cast<int>(options_.lights.size()));
+  program.set("u_lamps[0]", lamps[0]);
+  program.set("u_lamps[1]", lamps[1]);
+}
+
 Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   const gl::TimedPass timed("horizon");
   const gl::Program& program = programs_->horizon;
   gl::Framebuffer target;
-  QRELIEF_TRY(makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples, options_.horizonSamples,
+  QRELIEF_TRY(makeTarget(horizon_, target, kHorizonTexels * options_.horizonSamples, options_.horizonSamples,
                          gl::Format::RGBA32F));
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
@@ -140,6 +150,7 @@ Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   program.setTexture("u_surroundings", 2, surroundings ? surroundings->surface : maps_->surface);
   program.set("u_surroundingsTexels", surroundings ? static_cast<float>(surroundings->window.texels) : 0.0f);
   program.set("u_surroundingsTexelMm", surroundings ? static_cast<float>(surroundings->window.texelMm()) : 1.0f);
+  setLamps(program);
   program.set("u_startTexels", static_cast<float>(options_.horizonStartMm / maps_->window.texelMm()));
   gl::drawFullscreen();
   return {};
@@ -169,12 +180,7 @@ void LuminancePass::run(const gl::Texture& depths, bool onlyDue) {
   occlusion.set("u_listed", listed());
   occlusion.set("u_onlyDue", onlyDue ? 1 : 0);
   occlusion.setTexture("u_list", 3, listed() ? list_ : horizon_);
-  std::array<glm::vec4, kMaxLights> lamps{};
-  for (std::size_t i = 0; i < options_.lights.size(); ++i)
-    lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
-  occlusion.set("u_lampCount", static_cast<int>(options_.lights.size()));
-  occlusion.set("u_lamps[0]", lamps[0]);
-  occlusion.set("u_lamps[1]", lamps[1]);
+  setLamps(occlusion);
   gl::drawFullscreen();
 
   timed.emplace("reduction");

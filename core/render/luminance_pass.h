@@ -85,6 +85,7 @@ class LuminancePass {
   Status findHorizon(const SurfaceMaps* surroundings);
   void run(const gl::Texture& depths, bool onlyDue);
   void setMap(const gl::Program& program, const gl::Texture& depths) const;
+  void setLamps(const gl::Program& program) const;
   int computedTexels() const;  // along a cell's edge
   int listed() const { return selected_ == cells_ * cells_ ? 0 : selected_; }
   int listRows() const { return (selected_ + cells_ - 1) / cells_; }

@@ -209,5 +209,21 @@ TEST(HeightLight, MissingSurfaceHidesNothing) {
   for (const Received& r : measured(HeightLight(map), {})) ASSERT_NEAR(r.sky, 1, 1e-4);
 }
 
+TEST(HeightLight, TheLightOfALampOnAPatchDoesNotDependOnTheOtherPatchesMeasured) {
+  const int size = 160;
+  HeightLight light(planeMap(size, 0.25, 250));
+  std::vector<float> depths(static_cast<std::size_t>(size * size), 0);
+  for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = i * 7919 % 13 < 5 ? 0.8f : 0.0f;
+  light.carve(depths);
+  const LightOptions options{
+      .sampling = {2, 12}, .reachMm = 10, .lamps = {{.azimuthDeg = 70, .elevationDeg = 25, .strength = 1}}};
+  std::vector<Received> all, some;
+  light.measure(options, {}, all);
+  std::vector<std::uint8_t> mask(depths.size(), 0);
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % static_cast<std::size_t>(size) >= 48;
+  light.measure(options, mask, some);
+  for (std::size_t i = 0; i < mask.size(); ++i) EXPECT_TRUE(!mask[i] || some[i] == all[i]) << i;
+}
+
 }  // namespace
 }  // namespace qrelief
