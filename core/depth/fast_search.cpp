@@ -31,6 +31,30 @@ void forEachFloor(std::size_t count, const Work& work) {
 
 }  // namespace
 
+void DepthBounds::measured(double depthMm, double fraction, double asked) {
+  if (fraction <= asked) {
+    darkMm = depthMm;
+    darkFraction = fraction;
+    return;
+  }
+  brightMm = depthMm;
+  brightFraction = fraction;
+  if (darkMm <= brightMm) darkMm = 0;
+}
+
+double DepthBounds::neededMm(double asked) const {
+  assert(isClosed());
+  if (brightFraction <= asked || darkFraction >= asked) return darkMm;
+  return brightMm + (darkMm - brightMm) * (brightFraction - asked) / (brightFraction - darkFraction);
+}
+
+double DepthBounds::nextMm(double asked) const {
+  const double width = darkMm - brightMm;
+  if (width < 2.5 * kDepthQuantumMm) return darkMm;
+  // The edge of a shadow darkens a floor in a small part of a step: then the line is far off, and halves are safer.
+  return std::clamp(neededMm(asked), brightMm + width / 4, darkMm - width / 4);
+}
+
 FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before)
     : target_(std::move(target)),
       options_(options),
@@ -54,10 +78,13 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
   states_.assign(count, State::TooBright);
   isDue_.assign(count, 1);
   isStale_.assign(count, 1);
+  bounds_.resize(count);
   if (before) {
     assert(before->difference_.size() == count);
     solvedMm_ = before->solvedMm_;
     difference_ = before->difference_;
+    bounds_ = before->bounds_;
+    for (DepthBounds& bounds : bounds_) bounds.returns = 0;
   }
   if (before && options_.hasLamps)
     depths_ = before->depths_;
@@ -80,11 +107,20 @@ void FastSearch::solve() {
     const double most = options_.hasLamps ? depth + std::max(kLampStepMm, kLampGrowth * depth) : limitMm_[k];
     const double next = quantisedDepth(std::clamp(solvedMm_[k], kDepthQuantumMm, most), limitMm_[k]);
     const bool isFree = iterations_ < freePasses_;
-    if (!isFree && states_[k] == State::TooBright)
+    if (options_.hasLamps && bounds_[k].isClosed() && states_[k] != State::Done && states_[k] != State::Limited)
+      depth =
+          quantisedDepth(mayReturn(iterations_) ? bounds_[k].nextMm(aimedFraction(k)) : bounds_[k].darkMm, limitMm_[k]);
+    else if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + leastGrowthMm(options_, iterations_)), limitMm_[k]);
     else if (isFree || (next > depth && expectedFraction(k, solved.fraction(k, depth)) > fractionAsked_[k]))
       depth = next;
   });
+}
+
+/// Returns true if a floor that is dark enough at a depth should go back.
+bool FastSearch::isTooDeepUnderLamps(std::size_t k, double depthMm) const {
+  return mayReturn(iterations_ + 1) && bounds_[k].isClosed() && bounds_[k].returns < kLampReturns &&
+         depthMm - bounds_[k].neededMm(aimedFraction(k)) > kLampSlackMm;
 }
 
 /// Returns the expected LS/AL of a floor: the plane's prediction corrected by the measured difference.
@@ -152,15 +188,18 @@ void FastSearch::update(const Grid<double>& luminance) {
     const double difference = darkness(fraction) - darkness(onPlane.fraction(k, depths[k]));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
     difference_[k] = difference;
+    if (options_.hasLamps) bounds_[k].measured(depths[k], fraction, fractionAsked_[k]);
     if (fraction > fractionAsked_[k]) {
       states_[k] =
           quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;
     } else {
       const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
       const double less = std::max(depths[k] - options_.slackMm, 0.0);
-      const bool couldBeLess =
-          iterations_ + 1 < freePasses_ && less > 0 && darkness(onPlane.fraction(k, less)) + difference_[k] > aim;
+      const bool couldBeLess = options_.hasLamps ? isTooDeepUnderLamps(k, depths[k])
+                                                 : iterations_ + 1 < freePasses_ && less > 0 &&
+                                                       darkness(onPlane.fraction(k, less)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
+      if (couldBeLess) ++bounds_[k].returns;
     }
   });
   ++iterations_;

@@ -23,6 +23,11 @@ inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.1;
 /// Under lamps, a floor that is still too bright after so many passes gets deeper by at least this in each.
 inline constexpr int kLampPatience = 15;
 inline constexpr double kLampLeastStepMm = 0.05;
+/// Under lamps, a floor goes back if its last step took it deeper than it needs by more than this. Otherwise the depth
+/// of a pocket would be that of a step, and a small difference in the light would shift it by a whole step.
+inline constexpr double kLampSlackMm = 0.02;
+/// Under lamps, a floor goes back so often, but not in the last passes.
+inline constexpr int kLampReturns = 4, kLampLastPasses = 10;
 /// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
 inline constexpr double kAimFraction = 0.003;
 inline constexpr double kMaxAimFraction = 0.2;
@@ -45,8 +50,9 @@ struct FastSearchOptions {
   std::vector<double> contrastOfModule = {};
   double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
   float albedo = 0.7f;    ///< albedo of the material, 0 … 1: first estimate of interreflection
-  /// Lamps add to the sky: depths then start small and only grow, little by little. The plane's prediction knows the
-  /// sky alone, and would jump to depths that the lamp's shadow does not need.
+  /// Lamps add to the sky: depths then start small and grow little by little. The plane's prediction knows the sky
+  /// alone, and would jump to depths that the lamp's shadow does not need. A floor whose last step was longer than it
+  /// needs goes back a part of that step (DepthBounds).
   bool hasLamps = false;
   int maxIterations = 24;
   int sweepsPerPass = 3;  ///< of the solver on the plane; more come closer to its solution
@@ -56,6 +62,21 @@ struct FastSearchOptions {
 inline double leastGrowthMm(const FastSearchOptions& options, int iterations) {
   return options.hasLamps && iterations >= kLampPatience ? kLampLeastStepMm : kDepthQuantumMm;
 }
+
+/// Depths between which a floor becomes dark enough under lamps, by linear interpolation of its luminance.
+struct DepthBounds {
+  double brightMm = 0, brightFraction = 1;  ///< where it was last too bright, and its LS/AL there
+  double darkMm = 0, darkFraction = 0;      ///< a greater depth since then where it was dark enough; 0: none
+  int returns = 0;                          ///< how often the floor went back, which ends the search
+
+  bool isClosed() const { return darkMm > 0; }
+  /// Takes a measurement. @param asked  greatest LS/AL
+  void measured(double depthMm, double fraction, double asked);
+  /// Returns the depth at which the floor should see `asked`, brightMm … darkMm. Call it if isClosed().
+  double neededMm(double asked) const;
+  /// Returns a depth to try next, well inside the bounds; darkMm if there are fewer than two depths between.
+  double nextMm(double asked) const;
+};
 
 /// Reaches the same target as the paper's search (PaperStepSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
 /// rendering and no greater depths.
@@ -70,7 +91,7 @@ inline double leastGrowthMm(const FastSearchOptions& options, int iterations) {
 class FastSearch final : public DepthSolver {
  public:
   /// @param before  a search for the same target with other contrasts, whose result is the start; null: start from the
-  ///                plane. With lamps, depths only grow from there, so no contrast may be lower than before
+  ///                plane. With lamps, depths hardly shrink from there, so no contrast may be lower than before
   FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
   void update(const Grid<double>& luminance) override;
@@ -95,6 +116,9 @@ class FastSearch final : public DepthSolver {
   void markStale(const std::vector<double>& depthsBefore);
   void chooseStale();
   bool allAreDue() const { return dueInMask_.empty(); }
+  bool mayReturn(int pass) const { return pass + kLampLastPasses < options_.maxIterations; }
+  bool isTooDeepUnderLamps(std::size_t k, double depthMm) const;
+  double aimedFraction(std::size_t k) const { return fractionAsked_[k] * (1 - kAimFraction); }
 
   CarvingTarget target_;
   FastSearchOptions options_;
@@ -107,6 +131,7 @@ class FastSearch final : public DepthSolver {
   std::vector<double> difference_;        // measured minus predicted by the plane
   std::vector<double> differenceChange_;  // change of that at the last measurement
   std::vector<double> seenFraction_;      // LS/AL at the last measurement
+  std::vector<DepthBounds> bounds_;       // under lamps
   std::vector<State> states_;
   std::vector<char> isDue_;
   std::vector<char> isStale_;             // something in its sight has moved since its last measurement

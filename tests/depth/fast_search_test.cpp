@@ -151,6 +151,44 @@ TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanNecessary) {
   EXPECT_LE(tooDeep, static_cast<int>(sky_.carved().size()) / 100);
 }
 
+TEST(DepthBounds, InterpolateTheDepthBetweenTooBrightAndDarkEnough) {
+  DepthBounds bounds;
+  bounds.measured(0.5, 0.8, 0.7);
+  EXPECT_FALSE(bounds.isClosed());
+  bounds.measured(0.6, 0.6, 0.7);
+  ASSERT_TRUE(bounds.isClosed());
+  EXPECT_NEAR(bounds.neededMm(0.7), 0.55, 1e-12);
+  EXPECT_NEAR(bounds.nextMm(0.7), 0.55, 1e-12);
+  // The edge of a shadow: the line is far off.
+  bounds.measured(0.6, 0.1, 0.7);
+  EXPECT_NEAR(bounds.neededMm(0.7), 0.5 + 0.1 / 7, 1e-12);
+  EXPECT_NEAR(bounds.nextMm(0.7), 0.525, 1e-12);
+  bounds.measured(0.58, 0.75, 0.7);
+  EXPECT_EQ(bounds.nextMm(0.7), 0.6);
+  bounds.measured(0.6, 0.71, 0.7);  // a neighbour became deeper
+  EXPECT_FALSE(bounds.isClosed());
+}
+
+TEST_F(FastSearchTest, UnderLampsASmallDifferenceInTheLightShiftsNoPocketByAStep) {
+  const auto found = [&](double brighter) {
+    FastSearch search(target(5), {.contrast = 0.6, .hasLamps = true, .maxIterations = 60});
+    while (!search.finished()) {
+      Grid<double> all = luminances(search.depths());
+      for (const std::uint32_t i : sky_.carved())
+        all.at(static_cast<int>(i) / mask_.rows() + kQuietZoneSubmodules,
+               static_cast<int>(i) % mask_.rows() + kQuietZoneSubmodules) *= brighter;
+      search.update(all);
+    }
+    EXPECT_EQ(search.limitedCount(), 0u);
+    EXPECT_LT(search.iterations(), 40);
+    return search.depths();
+  };
+  const DepthField one = found(1), other = found(1.004);
+  int shifted = 0;
+  for (const std::uint32_t i : sky_.carved()) shifted += std::abs(one.depthMm[i] / other.depthMm[i] - 1) > 0.05;
+  EXPECT_LE(shifted, static_cast<int>(sky_.carved().size()) / 200);
+}
+
 TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsSubmodulesThatStayTooBright) {
   FastSearch fast(target(0.123), {.contrast = kContrast});
   run(fast);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "native/zxing_decoder.h"
 #include "pipeline/engrave.h"
@@ -105,8 +106,34 @@ TEST_F(DevicesTest, CarveTheSameCodeUnderLamps) {
   }
   EngraveRequest curved = request({0, 0, 40});
   curved.depth.lights = {{.azimuthDeg = 45, .elevationDeg = 45, .strength = 1}};
-  expectSameCode(engraveBy(Device::Gpu, Device::Gpu, sphere, curved),
-                 engraveBy(Device::Processor, Device::Processor, sphere, curved), 0.1);
+  const EngraveResult byGpu = engraveBy(Device::Gpu, Device::Gpu, sphere, curved);
+  const EngraveResult byProcessor = engraveBy(Device::Processor, Device::Processor, sphere, curved);
+  expectSameCode(byGpu, byProcessor, 0.1);
+  const double deepestMm = summarise(byProcessor.depths).maxMm;
+  EXPECT_NEAR(summarise(byGpu.depths).maxMm, deepestMm, 0.05 * deepestMm);
+}
+
+TEST_F(DevicesTest, SeeTheShadowOfANarrowTowerBesideTheCode) {
+  // A tower of 2 by 3 mm and 12 mm high stands at (20.5, 0). The lamp's rays that meet it pass x = 0 at y = −2.9.
+  const auto isInTower = [](double x, double y) { return x > 19.5 && x < 21.5 && std::abs(y) < 1.5; };
+  const Mesh mesh =
+      shapes::plate({60, 60}, 20, 60, 60, [&](double x, double y) { return isInTower(x, y) ? 12.0 : 0.0; });
+  EngraveRequest engraving = request({0, 0, 0});
+  engraving.placement.maxSizeMm = 20;
+  engraving.depth.lights = {{.azimuthDeg = 8, .elevationDeg = 25, .strength = 1}};
+  for (const Device device : {Device::Gpu, Device::Processor}) {
+    const EngraveResult engraved = engraveBy(device, device, mesh, engraving);
+    ASSERT_EQ(engraved.received.rows(), 145);
+    const auto lampAt = [&](double x, double y) {
+      const double cellMm = engraved.depths.submoduleMm();
+      const auto lamp = engraved.received.at(static_cast<int>(std::floor(72.5 - y / cellMm)),
+                                             static_cast<int>(std::floor(72.5 + x / cellMm)));
+      return static_cast<double>(lamp.lampsUncarved);
+    };
+    EXPECT_EQ(lampAt(0, -2.9), 0);
+    EXPECT_NEAR(lampAt(0, 2.9), std::sin(25 * std::numbers::pi / 180), 0.002);
+    EXPECT_NEAR(lampAt(-10, 6), std::sin(25 * std::numbers::pi / 180), 0.002);
+  }
 }
 
 TEST(WithoutGl, AModelHasNoGpuAndIsEngravedWhereASpotWasFound) {
