@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "math/triangle_bands.h"
 
@@ -33,23 +32,23 @@ void PlaneGrid::visitCells(const Triangle2& shape, Visit&& visit) const {
   const int lastRow = row(high.y);
   const int firstColumn = column(low.x);
   const int lastColumn = column(high.x);
-  const bool isWithinOneLine = firstRow == lastRow || firstColumn == lastColumn;
-  const auto bands =
-      isWithinOneLine ? std::nullopt : std::optional(TriangleBands<double>(shape[0], shape[1], shape[2]));
-  for (int j = firstRow; j <= lastRow; ++j) {
-    int from = firstColumn;
-    int to = lastColumn;
-    if (bands) {
-      // The outermost rows extend to infinity.
-      const double bottom = j == 0 ? low.y : min_.y + j * cell_.y - slack.y;
-      const double top = j == size_ - 1 ? high.y : min_.y + (j + 1) * cell_.y + slack.y;
-      const auto [least, greatest] = bands->between(bottom, top);
-      if (least > greatest) continue;
-      from = column(least - slack.x);
-      to = column(greatest + slack.x);
-    }
+  const auto visitRow = [&](int j, int from, int to) {
     for (int i = from; i <= to; ++i)
-      if (!visit(static_cast<std::size_t>(j * size_ + i))) return;
+      if (!visit(static_cast<std::size_t>(j * size_ + i))) return false;
+    return true;
+  };
+  if (firstRow == lastRow || firstColumn == lastColumn) {
+    for (int j = firstRow; j <= lastRow; ++j)
+      if (!visitRow(j, firstColumn, lastColumn)) return;
+    return;
+  }
+  const TriangleBands<double> bands(shape[0], shape[1], shape[2]);
+  for (int j = firstRow; j <= lastRow; ++j) {
+    // The outermost rows extend to infinity.
+    const double bottom = j == 0 ? low.y : min_.y + j * cell_.y - slack.y;
+    const double top = j == size_ - 1 ? high.y : min_.y + (j + 1) * cell_.y + slack.y;
+    const auto [least, greatest] = bands.between(bottom, top);
+    if (least <= greatest && !visitRow(j, column(least - slack.x), column(greatest + slack.x))) return;
   }
 }
 
