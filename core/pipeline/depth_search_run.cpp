@@ -146,6 +146,13 @@ namespace {
 constexpr double kDepthStepMm = 0.1;  // the published step; thicker layers need no coarser step
 constexpr int kPassesBeforePrint = 4;
 constexpr int kPassesUnderLamps = 60;  // depths grow little by little
+/// Under lamps, a code for a print is carved darker than asked by this fraction, as shallower ones read less often
+/// (docs/decisions/0052).
+constexpr double kDarkerForPrint = 0.05;
+
+double contrastUnderLamps(const EngraveRequest& request, double asked) {
+  return request.isForPrint() ? 1 - (1 - asked) * (1 - kDarkerForPrint) : asked;
+}
 
 }  // namespace
 
@@ -159,9 +166,10 @@ FastSearchOptions fastSearchOptions(const EngraveRequest& request) {
   options.slackMm = std::min(request.print.printer.layerMm, kDepthStepMm) / 2;
   options.albedo = static_cast<float>(request.marking.surfaceAlbedo());
   options.hasLamps = !request.lamps().empty();
-  if (options.hasLamps)
+  if (options.hasLamps) {
     options.maxIterations = kPassesUnderLamps;
-  else if (request.isForPrint())
+    options.contrast = contrastUnderLamps(request, options.contrast);
+  } else if (request.isForPrint())
     options.maxIterations = kPassesBeforePrint;
   return options;
 }
@@ -169,7 +177,10 @@ FastSearchOptions fastSearchOptions(const EngraveRequest& request) {
 FastSearchOptions fastSearchOptionsAfterPrint(const EngraveRequest& request, std::vector<double> contrastOfModule) {
   assert(request.isForPrint());
   FastSearchOptions options = fastSearchOptions(request);
-  if (!options.hasLamps) options.maxIterations = FastSearchOptions{}.maxIterations;
+  if (options.hasLamps)
+    for (double& contrast : contrastOfModule) contrast = contrastUnderLamps(request, contrast);
+  else
+    options.maxIterations = FastSearchOptions{}.maxIterations;
   options.contrastOfModule = std::move(contrastOfModule);
   return options;
 }
