@@ -5,6 +5,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 
+#include "depth/fast_search.h"
 #include "pipeline/engrave.h"
 #include "pipeline/printed_view.h"
 #include "qr/module_pattern.h"
@@ -129,15 +130,16 @@ TEST_F(CarvedForPrintTest, ThePrintReachesMoreOfTheContrastAtLittleMoreDepth) {
     EXPECT_EQ(forPrint.depths.depthMm[i] > 0, forDesign.depths.depthMm[i] > 0);
 }
 
-TEST_F(CarvedForPrintTest, UnderALampDepthsGrowFromThoseOfTheDesign) {
+TEST_F(CarvedForPrintTest, UnderALampDepthsGrowAndHardlyShrinkFromThoseOfTheDesign) {
   request_.depth.lights = {{30, 45, 1}};
   const EngraveResult forDesign = carved(request_);
   request_.depth.carveFor = CarveFor::Print;
   const EngraveResult forPrint = carved(request_);
   EXPECT_LT(lacks(forPrint), lacks(forDesign));
   EXPECT_TRUE(forPrint.solidity.solid());
-  for (std::size_t i = 0; i < forPrint.depths.depthMm.size(); ++i)
-    EXPECT_GE(forPrint.depths.depthMm[i], forDesign.depths.depthMm[i]);
+  EXPECT_GT(summarise(forPrint.depths).meanMm, 1.05 * summarise(forDesign.depths).meanMm);
+  for (std::size_t i = 0; i < forPrint.depths.depthMm.size(); ++i)  // deeper neighbours darken a floor
+    EXPECT_GE(forPrint.depths.depthMm[i], forDesign.depths.depthMm[i] - 2 * kLampSlackMm);
 }
 
 TEST_F(CarvedForPrintTest, SimulatesARoughPrintAndThenSearchesDepthsAgain) {
