@@ -223,7 +223,7 @@ class CsvReader {
 
   void endRow() {
     const bool isEmpty = std::all_of(cells_.begin(), cells_.end(), [](const std::string& c) { return c.empty(); });
-    // An empty line is no row at all; in a list of one column, a cell that is empty has quotation marks.
+    // libcsv skips empty lines. So in a list of one column an empty cell was written as "".
     const bool isQuoted = cells_.size() == 1 && columnCount_ == 1;
     if (!problem_ && (!isEmpty || isQuoted)) take();
     cells_.clear();

@@ -23,10 +23,10 @@ inline constexpr double kLampStepMm = 0.1, kLampGrowth = 0.1;
 /// Under lamps, a floor that is still too bright after so many passes gets deeper by at least this in each.
 inline constexpr int kLampPatience = 15;
 inline constexpr double kLampLeastStepMm = 0.05;
-/// Under lamps, a floor goes back if its last step took it deeper than it needs by more than this. Otherwise the depth
-/// of a pocket would be that of a step, and a small difference in the light would shift it by a whole step.
+/// Under lamps, a floor goes back if its last step made it deeper than necessary by more than this. Otherwise a small
+/// difference in the light could change the depth by a whole step.
 inline constexpr double kLampSlackMm = 0.02;
-/// Under lamps, a floor goes back so often, but not in the last passes.
+/// Greatest number of times that a floor goes back under lamps, and number of last passes in which none does.
 inline constexpr int kLampReturns = 4, kLampLastPasses = 10;
 /// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
 inline constexpr double kAimFraction = 0.003;

@@ -12,16 +12,17 @@ namespace qrelief {
 namespace {
 
 constexpr double kGrowth = 1.15;  // growth of a step: surface narrower than a seventh of its distance may be missed
-// The same towards a lamp, but the step is at least a patch: a narrow part of the model has a dark shadow.
+// Growth of a step towards a lamp, of at least a patch: a narrow part of the model already hides the whole lamp.
 constexpr double kGrowthToLamp = 1.02;
-// So many small steps meet many patches at silhouettes, which would lie far off their steep planes. As in
-// shaders/distance_map.glsl.
+// Patches at silhouettes have steep planes that lead far off the surface. Such a patch counts as level (as in
+// shaders/distance_map.glsl).
 constexpr float kSteepestPlane = 10;
 constexpr double kSteepest = 100;
 constexpr float kNowhere = 2 * HeightMap::kNothing;
 
 /// Returns the height of the surface over a point of the plane; kNothing on a patch without surface, kNowhere outside
-/// the map. Steeper patches are level.
+/// the map.
+/// @param steepestPlane  slope from which a patch counts as level
 float heightAt(const HeightMap& map, Vec2 point, float steepestPlane) {
   const Vec2 place = point / map.patchMm + Vec2(map.size / 2.0);
   const Vec2 patch = glm::floor(place);

@@ -17,8 +17,8 @@ struct FarHorizon {
 
   int places = 0;  ///< along the map's edge
   /// Cotangents of the angle between the line of sight and the horizon, by direction, then by place, row-major from the
-  /// lower left. Never below the surface's own plane. After the directions come the lamps', without that plane: the
-  /// edge of a shadow would be lost between directions, and each patch of a place faces a lamp by itself.
+  /// lower left. Never below the surface's own plane. The lamps follow the directions; their horizons ignore that
+  /// plane, because each patch of a place has its own angle to a lamp.
   std::vector<float> cotangents;
 
   bool hasLamps() const {

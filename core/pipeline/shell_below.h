@@ -17,8 +17,8 @@ namespace qrelief {
 /// @returns the least distance from the surface, mm along the rays; none: no such shell is within reach
 std::optional<double> shellBelowMm(const Mesh& mesh, const Placement& placement, double reachMm);
 
-/// Returns true if another body has its surface in the same place under most of a code, as a copy has that nobody
-/// moved: it fills the pockets, whichever body they are carved into. Follows the same rays. Cost: O(T), and O(facets
+/// Returns true if another body has its surface in the same place under most of a code, such as a copy that was not
+/// moved. It would fill the pockets. Follows the same rays. Cost: O(T), and O(facets
 /// seen about the code) for each ray.
 bool hasTwinSurface(const Mesh& mesh, const Placement& placement);
 

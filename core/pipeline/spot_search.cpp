@@ -54,7 +54,7 @@ Status checkRequest(const SpotSearchRequest& request) {
               message<"place-count">(with::count<"count">(request.count), with::count<"max">(kMaxSpots)));
 }
 
-/// Returns how often a number of layers has doubled: as a doubt about a spot, twice the layers count.
+/// Returns the binary logarithm of a number of layers, rounded down: only twice as many layers make a spot worse.
 int doublings(int layers) { return layers > 0 ? std::ilogb(layers) : 0; }
 
 bool isUneven(const Spot& spot) { return spot.unevenLight > kMostUnevenLight; }
@@ -208,7 +208,7 @@ bool SpotSearchJob::State::screen(std::size_t at) {
   return true;
 }
 
-/// Estimates how often the layers of a code in a second colour double, see `doublings`.
+/// Estimates doublings() of the layers that a code in a second colour has on a candidate.
 int SpotSearchJob::State::doublingsAt(const SpotCandidate& spot) const {
   Placement placement;
   placement.frame = frameAt(spot);
@@ -216,7 +216,7 @@ int SpotSearchJob::State::doublingsAt(const SpotCandidate& spot) const {
   return doublings(layersOfCode(placement, request.modules, *request.coloured));
 }
 
-/// Puts those of the first candidates, screened before, first on which a code has few layers.
+/// Sorts the screened candidates by the layers that a code in a second colour has there, fewest first.
 void SpotSearchJob::State::orderByLayers() {
   assert(candidate == 0);
   isOrderedByLayers = true;

@@ -133,7 +133,7 @@ NodeSet complement(NodeSet set) {
   return set;
 }
 
-/// Returns the nodes of a set that a line of an ellipse's outline covers without leaving the set [opening].
+/// Returns the nodes of a set that an elliptical line covers without leaving the set [opening].
 NodeSet opened(const NodeSet& set, const std::vector<int>& halfWidths) {
   return complement(eroded(complement(eroded(set, halfWidths)), halfWidths));  // dilation of the erosion
 }

@@ -164,7 +164,7 @@ std::vector<Triangle2> imagesOf(std::span<const ContourEdge> edges) {
 
 }  // namespace
 
-/// What does not depend on the region.
+/// Facets and contour edges about the centre, and their images. Regions and seeds share them.
 struct SilhouetteSurroundings {
   const Mesh& mesh;
   const Adjacency& adjacency;

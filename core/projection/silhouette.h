@@ -62,7 +62,7 @@ struct VisiblePatch {
 /// each triangle, and at a million, enters no more facets that may have occluders: the patch stays right but may be
 /// smaller.
 ///
-/// Finds the silhouettes of several regions, or seeds, about one centre; what they share is found once.
+/// Finds the silhouettes of several regions, or seeds, about one centre. It projects the facets about the centre once.
 class SilhouetteFinder {
  public:
   /// @param mesh, adjacency  kept by reference

@@ -25,7 +25,7 @@ export class LiveView {
   /**
    * Searches the depths of a code. It is shown with them twice: roughly after the search's first pass, and at its end.
    * @param {(untilShown: boolean) => Promise<FoundDepths | null>} search  true: only until the code is shown with them
-   * @param {(depths: FoundDepths) => unknown} [onRough]  gets those of the first pass; the search goes on after it
+   * @param {(depths: FoundDepths) => unknown} [onRough]  gets the depths of the first pass; the search waits for it
    * @returns {Promise<FoundDepths | null>}  those at the end; null: nothing is shown
    */
   async carve(search, onRough = () => {}) {
