@@ -27,7 +27,8 @@ constexpr int kTurnsOfSinglePoints = 4;
 constexpr float kAround = 0.67f, kBeforeWall = 0.8f, kDarkFraction = 0.3f, kWallFraction = 0.45f;
 constexpr double kLowestClimb = 0.05;  // least climb of a ray to a lamp: shadows of lower rays have wider edges
 
-/// Returns the position of one of `points`² points in its patch, 0 … 1: two by two points form a turned grid.
+/// Returns the position of one of `points`² points in its patch, 0 … 1: two by two points form a turned grid, one in
+/// each quarter.
 Vec2 pointInPatch(int points, int column, int row) {
   if (points == 2) return {(2 * column + row + 0.5) / 4, (2 * row + (1 - column) + 0.5) / 4};
   return {(column + 0.5) / points, (row + 0.5) / points};
@@ -150,7 +151,7 @@ std::vector<std::array<int, 2>> wantedParts(std::span<const std::uint8_t> mask, 
 
 }  // namespace
 
-HeightLight::HeightLight(const HeightMap& map, std::optional<FarHorizon> far)
+HeightLight::HeightLight(const HeightMap& map, std::optional<FarHorizon> far, const std::optional<HeightMap>& quarters)
     : size_(map.size),
       stride_(map.size + 2 * kPad),
       patchMm_(map.patchMm),
@@ -158,36 +159,67 @@ HeightLight::HeightLight(const HeightMap& map, std::optional<FarHorizon> far)
       isContinuous_(map.isContinuous),
       far_(std::move(far)) {
   assert(!far_ || far_->places > 0);
-  const auto padded = [&](const std::vector<float>& values, float beyond) {
-    std::vector<float> rows(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(size_), beyond);
-    for (int row = 0; row < size_; ++row)
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(row) * size_, size_,
-                  rows.begin() + static_cast<std::ptrdiff_t>(row) * stride_ + kPad);
-    return rows;
-  };
-  uncarved_ = padded(map.height, HeightMap::kNothing);
-  height_ = uncarved_;
-  slopeX_ = padded(map.slopeX, 0);
-  slopeY_ = padded(map.slopeY, 0);
-  highest_ = *std::max_element(height_.begin(), height_.end());
+  patches_ = piecesOf(map, Vec2(0.5), [&](int row, int column) { return row * size_ + column; });
+  highest_ = *std::max_element(map.height.begin(), map.height.end());
+  if (!quarters) return;
+  assert(quarters->size == 2 * size_);
+  for (int k = 0; k < 4; ++k) {
+    const int right = k % 2, up = k / 2;
+    Pieces quarter = piecesOf(*quarters, {0.25 + 0.5 * right, 0.25 + 0.5 * up}, [&](int row, int column) {
+      return (2 * row + up) * quarters->size + 2 * column + right;
+    });
+    for (std::size_t at = 0; at < quarter.height.size(); ++at) {
+      if (quarter.height[at] > HeightMap::kNothing) continue;
+      quarter.uncarved[at] = quarter.height[at] = patches_.height[at];  // beyond the model's rim
+      quarter.slopeX[at] = patches_.slopeX[at];
+      quarter.slopeY[at] = patches_.slopeY[at];
+    }
+    quarters_.push_back(std::move(quarter));
+  }
+}
+
+/// @param middle   of the pieces in their patches
+/// @param pieceOf  index in `map` of the piece in a patch (row, column)
+template <class Piece>
+HeightLight::Pieces HeightLight::piecesOf(const HeightMap& map, Vec2 middle, const Piece& pieceOf) const {
+  const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(size_);
+  Pieces pieces{middle,
+                std::vector<float>(count, HeightMap::kNothing),
+                {},
+                std::vector<float>(count, 0.0f),
+                std::vector<float>(count, 0.0f)};
+  for (int row = 0; row < size_; ++row)
+    for (int column = 0; column < size_; ++column) {
+      const auto from = static_cast<std::size_t>(pieceOf(row, column));
+      const auto at = static_cast<std::size_t>(row * stride_ + kPad + column);
+      pieces.uncarved[at] = map.height[from];
+      pieces.slopeX[at] = map.slopeX[from];
+      pieces.slopeY[at] = map.slopeY[from];
+    }
+  pieces.height = pieces.uncarved;
+  return pieces;
 }
 
 void HeightLight::carve(std::span<const float> depthsMm) {
-  const auto count = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
-  assert(depthsMm.size() == count);
-  isCarved_.assign(count, 0);
+  assert(depthsMm.size() == static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_));
+  isCarved_.clear();
+  for (const float depth : depthsMm) isCarved_.push_back(depth > 0 ? 1 : 0);
+  carve(patches_, depthsMm);
+  for (Pieces& quarter : quarters_) carve(quarter, depthsMm);
+}
+
+void HeightLight::carve(Pieces& pieces, std::span<const float> depthsMm) const {
   for (int row = 0; row < size_; ++row)
     for (int column = 0; column < size_; ++column) {
-      const auto patch = static_cast<std::size_t>(row * size_ + column);
       const auto at = static_cast<std::size_t>(row * stride_ + kPad + column);
-      const double depth = static_cast<double>(depthsMm[patch]);
-      height_[at] = uncarved_[at];
-      if (depth <= 0 || uncarved_[at] <= HeightMap::kNothing) continue;
-      isCarved_[patch] = 1;
-      const Vec2 plane = Vec2(column + 0.5 - size_ / 2.0, row + 0.5 - size_ / 2.0) * patchMm_;
+      const auto depth = static_cast<double>(depthsMm[static_cast<std::size_t>(row * size_ + column)]);
+      const float uncarved = pieces.uncarved[at];
+      pieces.height[at] = uncarved;
+      if (depth <= 0 || uncarved <= HeightMap::kNothing) continue;
+      const Vec2 plane = (Vec2(column, row) + pieces.middle - size_ / 2.0) * patchMm_;
       const double way = std::sqrt(glm::dot(plane, plane) + eyeDistance_ * eyeDistance_);  // to the QR plane
-      const double share = eyeDistance_ / (static_cast<double>(uncarved_[at]) + eyeDistance_) + depth / way;
-      height_[at] = static_cast<float>(eyeDistance_ / share - eyeDistance_);
+      const double share = eyeDistance_ / (static_cast<double>(uncarved) + eyeDistance_) + depth / way;
+      pieces.height[at] = static_cast<float>(eyeDistance_ / share - eyeDistance_);
     }
 }
 
@@ -215,11 +247,14 @@ void HeightLight::forEachRow(const LightOptions& options, std::span<const std::u
     visit(row, parts, [&](const auto& with) {
       for (int point = 0; point < points * points; ++point) {
         const PointClass& at = classes[points == 1 ? row % kTurnsOfSinglePoints : point];
-        const Vec2 fromMiddle = (at.inPatch - 0.5) * patchMm_;
+        const Pieces& receivers = points == 2 && !quarters_.empty() ? quarters_[point] : patches_;
+        const Vec2 fromMiddle = (at.inPatch - receivers.middle) * patchMm_;
+        const auto rowOf = [&](const Pieces& pieces) {
+          return PieceRow{&pieces.height[first], &pieces.slopeX[first], &pieces.slopeY[first]};
+        };
         LightRow in;
-        in.height = &height_[first];
-        in.slopeX = &slopeX_[first];
-        in.slopeY = &slopeY_[first];
+        in.patches = rowOf(patches_);
+        in.receivers = rowOf(receivers);
         in.row = row;
         in.size = size_;
         in.patchMm = static_cast<float>(patchMm_);
@@ -279,7 +314,7 @@ void HeightLight::measure(const LightOptions& options, std::span<const std::uint
         const auto patch = static_cast<std::size_t>(row * size_ + column);
         const auto i = static_cast<std::size_t>(column);
         if (!mask.empty() && !mask[patch]) continue;
-        if (height_[static_cast<std::size_t>(row * stride_ + kPad) + i] <= HeightMap::kNothing) {
+        if (patches_.height[static_cast<std::size_t>(row * stride_ + kPad) + i] <= HeightMap::kNothing) {
           light[patch] = {};
           continue;
         }
@@ -298,7 +333,7 @@ std::vector<float> HeightLight::luminance(const LightOptions& options, std::span
   assert(light.size() == count);
   const auto open = static_cast<float>(openIrradiance(options.lamps));
   // Luminance of the surface that hides the sky, from an estimate of the light it receives itself.
-  std::vector<float> seen(height_.size(), 0.0f);
+  std::vector<float> seen(patches_.height.size(), 0.0f);
   const auto again = static_cast<float>(albedo) * (hasWalls ? kBeforeWall : kAround);
   for (std::size_t patch = 0; patch < count; ++patch) {
     const Received& received = light[patch];

@@ -36,8 +36,11 @@ struct LightOptions {
 /// Cost: patches × points² × directions × patch borders within reach.
 class HeightLight {
  public:
-  /// @param far  horizon of the surface beyond reach; none: no surface there
-  explicit HeightLight(const HeightMap& map, std::optional<FarHorizon> far = std::nullopt);
+  /// @param far       horizon of the surface beyond reach; none: no surface there
+  /// @param quarters  the same surface in patches half as wide, on which points receive light if there are two by two
+  ///                  in a patch. None: points lie on the patches
+  explicit HeightLight(const HeightMap& map, std::optional<FarHorizon> far = std::nullopt,
+                       const std::optional<HeightMap>& quarters = std::nullopt);
 
   int size() const { return size_; }
 
@@ -57,6 +60,14 @@ class HeightLight {
   std::vector<float> luminance(const LightOptions& options, std::span<const Received> light, double albedo) const;
 
  private:
+  // Pieces of the surface, one in each patch, in rows padded on both sides.
+  struct Pieces {
+    Vec2 middle{0.5};  // in the patch, 0 … 1
+    std::vector<float> uncarved, height, slopeX, slopeY;
+  };
+  template <class Piece>
+  Pieces piecesOf(const HeightMap& map, Vec2 middle, const Piece& pieceOf) const;
+  void carve(Pieces& pieces, std::span<const float> depthsMm) const;
   template <class Visit>
   void forEachRow(const LightOptions& options, std::span<const std::uint8_t> mask, const Visit& visit) const;
 
@@ -64,7 +75,8 @@ class HeightLight {
   double patchMm_ = 0, eyeDistance_ = 250;
   bool isContinuous_ = false;
   std::optional<FarHorizon> far_;
-  std::vector<float> uncarved_, height_, slopeX_, slopeY_;  // padded on both sides of each row
+  Pieces patches_;
+  std::vector<Pieces> quarters_;  // row-major from the lower left; four or none
   float highest_ = 0;
   std::vector<std::uint8_t> isCarved_;
 };

@@ -54,15 +54,15 @@ struct Points {
   Floats x, y, height;
   Floats perSlope;        // A·L of LightRow: (eyeDistance² + x² + y²)/(height + eyeDistance)
   Floats sightSquare;     // eyeDistance² + x² + y²
-  Floats slopeX, slopeY;  // of their patches
+  Floats slopeX, slopeY;  // of their receivers
 };
 
 HWY_INLINE Points pointsOf(const LightRow& row, int column) {
   const Lanes lanes;
   Points points;
-  points.slopeX = hn::LoadU(lanes, row.slopeX + column);
-  points.slopeY = hn::LoadU(lanes, row.slopeY + column);
-  points.height = hn::Add(hn::LoadU(lanes, row.height + column),
+  points.slopeX = hn::LoadU(lanes, row.receivers.slopeX + column);
+  points.slopeY = hn::LoadU(lanes, row.receivers.slopeY + column);
+  points.height = hn::Add(hn::LoadU(lanes, row.receivers.height + column),
                           timesPlus(points.slopeX, number(row.rightMm), hn::Mul(points.slopeY, number(row.upMm))));
   points.x = timesPlus(hn::Iota(lanes, static_cast<float>(column)), number(row.patchMm), number(row.firstX));
   points.y = number(row.y);
@@ -76,7 +76,7 @@ HWY_INLINE Points pointsOf(const LightRow& row, int column) {
 struct OnLine {
   Floats forward;   // s of LightRow
   Floats perAside;  // 1/L
-  Floats ownSlope;  // of the points' own patches
+  Floats ownSlope;  // of the points' own receivers
 };
 
 HWY_INLINE OnLine onLine(const LightRow& row, const Points& points, float cosine, float sine) {
@@ -98,19 +98,19 @@ template <bool Continuous>
 class Borders {
  public:
   HWY_INLINE Borders(const LightRow& row, int column)
-      : row_(row), column_(column), before_(hn::LoadU(Lanes(), row.height + column)) {}
+      : row_(row), column_(column), before_(hn::LoadU(Lanes(), row.patches.height + column)) {}
 
   HWY_INLINE Floats heightAt(const HorizonStep& step) {
     const Lanes lanes;
     const int at = column_ + step.patch;
-    const Floats middle = hn::LoadU(lanes, row_.height + at);
+    const Floats middle = hn::LoadU(lanes, row_.patches.height + at);
     if constexpr (Continuous) {
       const Floats border = timesPlus(hn::Sub(middle, before_), number(step.fromBefore), before_);
       before_ = middle;
       return border;
     } else {
-      const Floats right = hn::Mul(hn::LoadU(lanes, row_.slopeX + at), number(step.rightMm));
-      const Floats up = hn::Mul(hn::LoadU(lanes, row_.slopeY + at), number(step.upMm));
+      const Floats right = hn::Mul(hn::LoadU(lanes, row_.patches.slopeX + at), number(step.rightMm));
+      const Floats up = hn::Mul(hn::LoadU(lanes, row_.patches.slopeY + at), number(step.upMm));
       return hn::Add(middle, hn::Add(right, up));
     }
   }

@@ -32,16 +32,22 @@ struct LampStretch {
   std::vector<float> perShadowEdge;  ///< 1 / width of the edge of each step's shadow, 1/mm
 };
 
-/// Receiving points in a row of patches. Heights are those of HeightMap.
+/// A flat piece of the surface in each patch of a row. Heights and slopes are those of HeightMap.
+struct PieceRow {
+  const float *height = nullptr, *slopeX = nullptr, *slopeY = nullptr;  ///< from the row's first patch on
+};
+
+/// Receiving points in a row of patches.
 ///
 /// In the plane through the eye and a line of the map, a slope of heights along the line corresponds to a cotangent of
 /// the angle from the line of sight. With the point's position s on the line (0 next to the eye) and the distance L of
 /// the eye from the line, cot = (A·slope − s)/L, where A = (s² + L²)/(height + eyeDistance).
 struct LightRow {
-  const float *height = nullptr, *slopeX = nullptr, *slopeY = nullptr;  ///< from the row's first patch on
+  PieceRow patches;       ///< what hides light
+  PieceRow receivers;     ///< what the points lie on: the patches, or one quarter of each
   int row = 0, size = 0;  ///< number of the row; number of rows and columns of the map
   float patchMm = 0, eyeDistance = 250;
-  float rightMm = 0, upMm = 0;  ///< from a patch's middle to its point
+  float rightMm = 0, upMm = 0;  ///< from the middle of a receiver to its point
   float firstX = 0, y = 0;      ///< position of the first patch's point on the QR plane
   float highest = 0;            ///< greatest height of the map
   bool isContinuous = false;    ///< true if the surface is the same on both sides of every border

@@ -66,10 +66,13 @@ class LightByShaders final : public PlacementLight {
 
 class LightByProcessor final : public PlacementLight {
  public:
-  LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options)
+  LightByProcessor(const HeightMap& map, const HeightMap& around, const PlacementLightOptions& options,
+                   const std::optional<HeightMap>& quarters)
       : options_(options),
-        light_(map, farHorizonOf(map, &around, options.moduleMm, horizonsPerModule(options) * options.modules,
-                                 options.lamps)),
+        light_(
+            map,
+            farHorizonOf(map, &around, options.moduleMm, horizonsPerModule(options) * options.modules, options.lamps),
+            quarters),
         size_(map.size),
         luminance_(map.height.size(), 0.0f),
         depthsMm_(map.height.size(), 0.0f) {
@@ -132,8 +135,9 @@ Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, 
 }
 
 std::unique_ptr<PlacementLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
-                                                 const PlacementLightOptions& options) {
-  return std::make_unique<LightByProcessor>(map, around, options);
+                                                 const PlacementLightOptions& options,
+                                                 const std::optional<HeightMap>& quarters) {
+  return std::make_unique<LightByProcessor>(map, around, options, quarters);
 }
 
 }  // namespace qrelief

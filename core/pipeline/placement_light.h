@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,9 +76,11 @@ Result<std::unique_ptr<PlacementLight>> lightByShaders(const SurfaceMaps& maps, 
                                                        std::shared_ptr<const LuminancePrograms> programs);
 
 /// Makes a PlacementLight that uses the CPU [HeightLight].
-/// @param map     the uncarved surface, one patch per cell
-/// @param around  the surface around it, in a wider window
+/// @param map       the uncarved surface, one patch per cell
+/// @param around    the surface around it, in a wider window
+/// @param quarters  see HeightLight
 std::unique_ptr<PlacementLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
-                                                 const PlacementLightOptions& options);
+                                                 const PlacementLightOptions& options,
+                                                 const std::optional<HeightMap>& quarters = std::nullopt);
 
 }  // namespace qrelief

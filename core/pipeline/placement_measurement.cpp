@@ -117,8 +117,11 @@ void PlacementMeasurement::measureByProcessor() {
   });
   measureThickness(rayDistances(surface, frame, map), back, texelsPerCell);
   if (!request_.withLight) return;
-  light_ =
-      lightByProcessor(coarser(heights(surface, map), texelsPerCell), heights(surroundings, around), lightOptions());
+  std::optional<HeightMap> fine = heights(surface, map);
+  const HeightMap cells = coarser(*fine, texelsPerCell);
+  // A lamp's light on a cell across an edge of the model differs from that on its mean plane.
+  if (request_.lights.empty() || texelsPerCell != 2) fine.reset();
+  light_ = lightByProcessor(cells, heights(surroundings, around), lightOptions(), fine);
 }
 
 void PlacementMeasurement::measureThickness(std::span<const float> front, std::span<const float> back,

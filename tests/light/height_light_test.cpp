@@ -209,6 +209,33 @@ TEST(HeightLight, MissingSurfaceHidesNothing) {
   for (const Received& r : measured(HeightLight(map), {})) ASSERT_NEAR(r.sky, 1, 1e-4);
 }
 
+TEST(HeightLight, QuartersOfAPatchAcrossAnEdgeAreLitByTheirOwnFacets) {
+  const double tilt = toRadians(35), patchMm = 0.5;
+  const auto ridge = [&](int size, double edgeMm) {  // along the middle column
+    HeightMap map = planeMap(size, edgeMm, kFar);
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column) {
+        const double x = (column + 0.5 - size / 2.0) * edgeMm;
+        const auto at = static_cast<std::size_t>(row * size + column);
+        map.height[at] = static_cast<float>(-std::abs(x) * std::tan(tilt));
+        map.slopeX[at] = x == 0 ? 0 : static_cast<float>(x < 0 ? std::tan(tilt) : -std::tan(tilt));
+      }
+    return map;
+  };
+  const int size = 21, middle = size / 2 * size + size / 2;
+  const LightOptions options{.lamps = {{.azimuthDeg = 0, .elevationDeg = 30, .strength = 1}}};
+  const HeightMap patches = ridge(size, patchMm), quarters = ridge(2 * size, patchMm / 2);
+  const double right = std::sin(toRadians(30) + tilt);  // the left facet is turned away from the lamp
+  HeightLight light(patches, {}, quarters);
+  EXPECT_NEAR(measured(light, options)[middle].lamps, right / 2, 0.01);
+  EXPECT_NEAR(measured(HeightLight(patches), options)[middle].lamps, std::sin(toRadians(30)), 0.01);
+
+  std::vector<float> depths(patches.height.size(), 0);
+  depths[middle] = 1e-3f;  // as good as uncarved
+  light.carve(depths);
+  EXPECT_NEAR(measured(light, options)[middle].lamps, right / 2, 0.01);
+}
+
 TEST(HeightLight, TheLightOfALampOnAPatchDoesNotDependOnTheOtherPatchesMeasured) {
   const int size = 160;
   HeightLight light(planeMap(size, 0.25, 250));
