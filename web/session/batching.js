@@ -158,7 +158,10 @@ export class Batching {
 
   /** Opens a list. @param {File} file */
   async openList(file) {
-    if (this.isLocked_()) return;
+    if (this.isLocked_()) {
+      this.messages_.showError({ found: () => text('batch.locked'), help: () => '' });
+      return;
+    }
     if (file.size > kMostListBytes) {
       const values = { file: file.name, size: Math.round(file.size / 2 ** 20), limit: kMostListBytes / 2 ** 20 };
       this.messages_.showError({

@@ -152,10 +152,11 @@ test('Without a list the module is not called', async () => {
   assert.equal(plannedWords(planned[0]), 'Open, drop or paste a list');
 });
 
-test('A list does not change while its parts are carved', async () => {
+test('A list does not change while its parts are carved, and the page says why', async () => {
   locked = true;
   await batching.openList(new File(['text\nA\n'], 'b.csv'));
   assert.equal(panel.taken, undefined);
+  assert.equal(messages.problem.found(), 'You can change the list once you discard its parts.');
   locked = false;
   await batching.openList(new File(['text\nA\n'], 'b.csv'));
   assert.deepEqual(panel.taken, [7, 'b.csv']);

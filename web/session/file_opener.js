@@ -49,9 +49,14 @@ export class FileOpener {
   async openFile(file) {
     this.fileChosen = true;
     if (!(await this.started)) return; // the page shows why
-    if (looksLikeSettings(file)) await this.useSettings_(file);
-    else if (looksLikeList(file)) await this.batching_.openList(file);
-    else await this.openModel_(file);
+    const isList = looksLikeList(file) || (await holdsArray(file));
+    if (!isList && !looksLikeSettings(file)) {
+      await this.openModel_(file);
+      return;
+    }
+    if (!this.model_.source) await this.model_.openSample();
+    if (isList) await this.batching_.openList(file);
+    else await this.useSettings_(file);
   }
 
   /** Opens the user's model. A sample's own text does not follow to it. @param {File} file */
@@ -66,7 +71,6 @@ export class FileOpener {
 
   /** @param {File} file */
   async useSettings_(file) {
-    if (!this.model_.source) await this.model_.openSample();
     this.undo_.recordNow();
     await this.undo_.asOne(() => this.exporter_.useSettings(file));
   }
@@ -82,3 +86,9 @@ export class FileOpener {
     });
   }
 }
+
+const kStartBytes = 1024; // of a file, to tell what it holds
+
+/** Tells whether a JSON file holds an array: a list of parts, and no settings. @param {File} file */
+const holdsArray = async (file) =>
+  looksLikeSettings(file) && (await file.slice(0, kStartBytes).text()).trimStart().startsWith('[');

@@ -43,10 +43,16 @@ test('The name of a file decides how it is opened', async () => {
   assert.deepEqual(opened, ['model', 'list', 'settings']);
 });
 
-test('Settings without a model open the first sample', async () => {
+test('A JSON file with an array is a list, after a byte order mark and spaces, too', async () => {
+  for (const json of ['[{"id": "A1"}]', '\ufeff\n ["https://example.org"]', '{"kind": "qrelief-settings"}'])
+    await opener.openFile(new File([json], 'a.json'));
+  assert.deepEqual(opened, ['list', 'list', 'settings']);
+});
+
+test('Settings and lists without a model open the first sample', async () => {
   parts.model.answers.source = undefined;
-  await opener.openFile(new File([''], 'a.json'));
-  assert.deepEqual(opened, ['sample', 'settings']);
+  for (const name of ['a.json', 'a.csv']) await opener.openFile(new File([''], name));
+  assert.deepEqual(opened, ['sample', 'settings', 'sample', 'list']);
 });
 
 test('An early file waits for the module; without a module it is not opened', async () => {

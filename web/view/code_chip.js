@@ -21,6 +21,7 @@ export class CodeChip {
     this.element_.hidden = true;
     this.element_.setAttribute('aria-hidden', 'true'); // the panel announces the size, but not for every pixel
     overlay.append(this.element_);
+    /** The pointer or handle. @type {[number, number]} */ this.at_ = [0, 0];
   }
 
   /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
@@ -49,18 +50,22 @@ export class CodeChip {
 
   /** Adds the first reason why the code may not print or decode, unless a worse one is shown. @param {import('../engine/types.js').Message[]} concerns */
   showConcerns([first]) {
-    if (first && !this.warning_.textContent) this.warning_.textContent = sentenceOf(first);
+    if (!first || this.warning_.textContent) return;
+    this.warning_.textContent = sentenceOf(first);
+    this.placeAgain_();
   }
 
   /** Adds about how deep the code will be on average. @param {import('../engine/types.js').FoundDepths} depths */
   showDepthAbout({ meanMm }) {
     this.depths_.textContent = text('view.chipDepthAbout', { mean: millimetres(meanMm) });
+    this.placeAgain_();
   }
 
   /** Adds how deep the code will be. @param {import('../engine/types.js').FoundDepths} depths */
   showDepths({ meanMm, maxMm }) {
     const depths = { mean: millimetres(meanMm, 2), deepest: millimetres(maxMm, 2) };
     this.depths_.textContent = text('view.chipDepths', depths);
+    this.placeAgain_();
   }
 
   /** @param {number} x @param {number} y */
@@ -78,7 +83,14 @@ export class CodeChip {
 
   /** Puts the label next to the point, on the side that has room. @param {number} x @param {number} y */
   place_(x, y) {
+    this.at_ = [x, y];
     this.element_.hidden = false;
+    this.placeAgain_();
+  }
+
+  /** Finds the side that has room again: more lines make the label larger. */
+  placeAgain_() {
+    const [x, y] = this.at_;
     const { offsetWidth, offsetHeight } = this.element_;
     const { clientWidth, clientHeight } = this.overlay_;
     const left = x + kOffsetPx + offsetWidth <= clientWidth ? x + kOffsetPx : x - kOffsetPx - offsetWidth;
