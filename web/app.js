@@ -175,7 +175,7 @@ function connect(notices) {
   const undo = new Undo({ ...carved, spots, editor, autosave });
   new ViewControl({ ...carved, ...panels, tools, live, inspectorControl, editor });
   faceNewCodes({ client, carving, tools, prefersStill: () => matchMedia('(prefers-reduced-motion: reduce)').matches });
-  const session = new Session({ ...carved, ...panels, spots, undo, code, tools });
+  const session = new Session({ ...carved, ...panels, spots, undo, code, tools, live });
   const opener = new FileOpener({ ...carved, editor, exporter, undo, code, tools, panel: panels.modelPanel });
   const { view, toolbar } = panels;
   const parts = { view, toolbar, theme, inspectorControl, batchCarving, exporter, autosave, opener, session };

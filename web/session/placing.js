@@ -195,9 +195,9 @@ export class Placing {
     this.messages_.showError({
       found: () =>
         blocking
-          .map((finding) => sentenceOf(finding))
+          .map((finding) => asSentence(sentenceOf(finding)))
           .filter(Boolean)
-          .join('; ') || text('page.notEngravable'),
+          .join(' ') || text('page.notEngravable'),
       help: () => blocking.map((finding) => hintOf(finding)).find((hint) => hint !== '') ?? '',
     });
     this.messages_.say(() => text('page.notEngravable'));

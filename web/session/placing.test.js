@@ -195,14 +195,15 @@ test('A model that cannot be engraved says why, in the chosen language', async (
     findings: [
       { severity: 'note', ...message('untold', { text: { term: 'a note' } }) },
       { severity: 'blocking', ...message('no-such-spot', { index: { count: 7 } }) },
+      { severity: 'blocking', ...message('no-such-spot', { index: { count: 8 } }) },
     ],
   };
   await messageWords.load();
   await placing.begin();
-  assert.equal(problem().found(), 'The spot index 7 is out of range');
+  assert.equal(problem().found(), 'The spot index 7 is out of range. The spot index 8 is out of range.');
   await setLanguage('de');
   await messageWords.load();
-  assert.equal(problem().found(), 'Der Index 7 einer Stelle ist zu groß');
+  assert.equal(problem().found(), 'Der Index 7 einer Stelle ist zu groß. Der Index 8 einer Stelle ist zu groß.');
 });
 
 test('Nothing moves during a job or beside the model', async () => {

@@ -15,6 +15,7 @@
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'reveal'>} batchPanel
  * @property {import('../ui/work_panel.js').WorkPanel} workPanel
  * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {Pick<import('../view/live_view.js').LiveView, 'reset'>} live
  * @property {Pick<import('../ui/face_picker.js').FacePicker, 'setDisabled'>} picker
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
@@ -30,7 +31,8 @@ export class Session {
 
   /** Begins with a newly loaded model. @returns {Promise<void>} */
   useModel() {
-    const { undo, carving, store } = this.options_;
+    const { undo, carving, store, live } = this.options_;
+    live.reset();
     return undo.asOne(async () => {
       await carving.drop();
       store.applied.emit(undefined);

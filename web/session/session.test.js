@@ -5,6 +5,7 @@ import { BatchPanel } from '../ui/batch_panel.js';
 import { CodePanel } from '../ui/code_panel.js';
 import { FacePicker } from '../ui/face_picker.js';
 import { WorkPanel } from '../ui/work_panel.js';
+import { LiveView } from '../view/live_view.js';
 import { ViewTools } from '../view/view_tools.js';
 import { Batching } from './batching.js';
 import { Carving } from './carving.js';
@@ -39,6 +40,7 @@ beforeEach(() => {
     batchPanel: fake(BatchPanel),
     workPanel: fake(WorkPanel, { listen: (/** @type {any} */ listener) => void (user = listener) }),
     tools: fake(ViewTools),
+    live: fake(LiveView),
     picker: fake(FacePicker),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
@@ -49,6 +51,11 @@ test('A new model drops the carving before placing the code', async () => {
   await session.useModel();
   assert.deepEqual(order, ['dropped', 'applied', 'placed']);
   assert.deepEqual(parts.spots.calls, ['setDisabled ', 'clear', 'begin']);
+});
+
+test('A code on a new model is shown as carved again, however long that took on the last model', async () => {
+  await session.useModel();
+  assert.deepEqual(parts.live.calls, ['reset']);
 });
 
 test('Engraving is disabled without a model, during jobs and on unsuitable models, and says why', () => {

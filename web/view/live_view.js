@@ -16,7 +16,8 @@ export class LiveView {
     return this.isWanted_() && !this.isSlow_;
   }
 
-  /** Notes that the user has switched it on or off: the next code is shown so however long the last one took. */
+  /** Notes that the user has switched it on or off, or opened a model: the next code is shown so however long the last
+   *  one took. */
   reset() {
     this.isSlow_ = false;
     this.resetAt_ = performance.now();

@@ -124,6 +124,7 @@ export class ViewTools {
     this.busy_ = busy;
     this.carved_ = carved;
     this.placed_ = placed;
+    if (!placed) this.reader.leave(); // a phone sees no code
     this.enable_();
   }
 
