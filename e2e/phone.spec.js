@@ -74,6 +74,24 @@ test('On a phone, fingers place, move and turn the code, and the result is reach
     expect((await app.download()).bytes.length).toBeGreaterThan(84);
   });
 
+  await test.step('in the phone view, sideways too, the switch to the print lies above the code', async () => {
+    const change = page.getByRole('group', { name: 'The engraved model or its print' });
+    for (const size of [
+      { width: 360, height: 740 },
+      { width: 740, height: 360 },
+    ]) {
+      await page.setViewportSize(size);
+      await page.getByRole('button', { name: 'Phone view' }).tap();
+      await expect(change).toBeVisible();
+      const [over, frame] = await Promise.all([change, page.locator('.finder')].map((one) => one.boundingBox()));
+      if (!over || !frame) throw new Error('The phone view has no size');
+      expect(over.y + over.height).toBeLessThanOrEqual(frame.y + frame.height / 8); // the quiet zone's part of it
+    }
+    await page.setViewportSize({ width: 360, height: 740 });
+    await page.getByRole('button', { name: 'Fit' }).tap();
+    await expect(change).toBeHidden();
+  });
+
   await test.step('the inspector opens beside the buttons, and its tabs can be tapped', async () => {
     const inspector = new Inspector(page);
     await inspector.open();

@@ -22,6 +22,17 @@ test('The view shows every side, a section, the carving, and the phone’s view'
     await expect(app.moveHandle).toBeVisible();
   });
 
+  await test.step('a new model is not seen from the phone', async () => {
+    await reader.click();
+    await expect(view).toBeVisible();
+    await app.sample.selectOption('Vase');
+    await expect(view).toBeHidden();
+    await app.expectReady();
+    await expect(view).toBeHidden();
+    await app.sample.selectOption('Saddle');
+    await app.expectReady();
+  });
+
   await test.step('a section opens the model across the code, and its position can be moved', async () => {
     const section = page.getByRole('button', { name: 'Section' });
     const position = page.getByRole('slider', { name: 'Position of the section' });
