@@ -67,8 +67,7 @@ export function storedWork(work) {
  * @returns {WorkSettings}
  */
 export function changeByHandles({ rotateDeg, symbolMm }, now) {
-  if (symbolMm !== undefined)
-    return { size: symbolMm, maxSizeMm: symbolMm, ...(rotateDeg !== undefined && { rotateDeg }) };
+  if (symbolMm !== undefined) return { size: symbolMm, ...(rotateDeg !== undefined && { rotateDeg }) };
   if (rotateDeg === undefined) return {};
   return { rotateDeg, ...(now.size === 'best' && { size: 'oriented' }) }; // 'best' would rotate it back
 }

@@ -60,8 +60,8 @@ test('A file is stored with its bytes, a sample by its id, and a proposed centre
 test('The handles set rotation and size', () => {
   assert.deepEqual(changeByHandles({ rotateDeg: 15 }, { size: 'free' }), { rotateDeg: 15 });
   assert.deepEqual(changeByHandles({ rotateDeg: 15 }, { size: 'best' }), { rotateDeg: 15, size: 'oriented' });
-  assert.deepEqual(changeByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 21.5, maxSizeMm: 21.5 });
-  assert.deepEqual(changeByHandles({ rotateDeg: 3, symbolMm: 9 }, {}), { size: 9, maxSizeMm: 9, rotateDeg: 3 });
+  assert.deepEqual(changeByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 21.5 });
+  assert.deepEqual(changeByHandles({ rotateDeg: 3, symbolMm: 9 }, {}), { size: 9, rotateDeg: 3 });
 });
 
 test('The changes that the engine proposes are of the text or of settings', () => {

@@ -110,7 +110,7 @@ test('A complete edit of a setting changes its dependent settings', async () => 
 
 test('The handles set the size and drop the suggested spots', async () => {
   await editor.adjust({ symbolMm: 21.5 });
-  assert.deepEqual([store.work.settings.size, store.work.settings.maxSizeMm], [21.5, 21.5]);
+  assert.deepEqual([store.work.settings.size, store.work.settings.maxSizeMm], [21.5, 40]);
   assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget', 'proposeAgain'], ['place']]);
 });
 

@@ -46,7 +46,7 @@ export function fieldChange(key, text, settings, placedMm = settings.maxSizeMm) 
     [key]: fieldValue(key, text),
     ...(key === 'pattern' && { patternMask: undefined }),
   };
-  return key === 'maxSizeMm' && isSizeFixed(settings) ? { ...change, size: change.maxSizeMm } : change;
+  return key === 'maxSizeMm' && isSizeFixed(settings) ? { size: change.maxSizeMm } : change;
 }
 
 /**

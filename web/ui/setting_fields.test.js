@@ -47,7 +47,7 @@ test('A fixed size is a choice and the number beside it, which else limits the s
   assert.deepEqual(fieldChange('size', 'fixed', free, 28.31), { size: 28.31 });
   assert.deepEqual(fieldChange('size', 'free', fixed), { size: 'free' });
   assert.deepEqual(fieldChange('maxSizeMm', '21', free), { maxSizeMm: 21 });
-  assert.deepEqual(fieldChange('maxSizeMm', '21', fixed), { maxSizeMm: 21, size: 21 });
+  assert.deepEqual(fieldChange('maxSizeMm', '21', fixed), { size: 21 }); // the largest size stays known
 });
 
 test('A pattern of one’s own is a choice and the grid below it', () => {
