@@ -5,7 +5,7 @@ import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { chosenCentre, sameCentre } from './work.js';
 
-const kLooking = () => text('page.lookingForSpots');
+const kLooking = () => text('page.working', { stage: text('page.lookingForSpots') });
 const kPicturePx = 84; // height of a spot's picture
 const kPictureAspect = 1.5;
 
