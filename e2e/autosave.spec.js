@@ -2,7 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
-import { saddleFile } from './support/models.js';
+import { saddleFile, truncatedFile } from './support/models.js';
 import { poll } from './support/poll.js';
 
 test('Work is offered and restored after a reload, but not if nothing changed or it was discarded', async ({
@@ -25,6 +25,22 @@ test('Work is offered and restored after a reload, but not if nothing changed or
     await untilKept(page, (work) => work?.sampleId === 'star' && !JSON.stringify(work).includes('secret'));
     await page.reload();
     await expect(offer).toHaveText('Continue with star.stl?');
+    await app.expectReady();
+    await app.file.setInputFiles(truncatedFile);
+    await expect(app.alert).toBeVisible();
+    for (const size of [
+      { width: 1024, height: 640 },
+      { width: 740, height: 360 },
+      { width: 360, height: 740 },
+    ]) {
+      await page.setViewportSize(size);
+      const [error, notice] = await Promise.all(
+        [page.locator('#alert'), page.locator('.notice')].map((one) => one.boundingBox()),
+      );
+      if (!error || !notice) throw new Error('An error or the offer has no size');
+      expect(notice.y + notice.height).toBeLessThanOrEqual(error.y); // neither covers the other
+    }
+    await page.setViewportSize({ width: 1024, height: 640 });
     await page.getByRole('button', { name: 'Discard' }).click();
     await expect(offer).toHaveCount(0);
     await untilKept(page, (work) => work === undefined);
