@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "math/angle.h"
 #include "qr/module_pattern.h"
+#include "shaders.h"
 
 namespace qrelief::study {
 namespace {
@@ -24,7 +25,76 @@ double noise(int pixel, int which) {
   return (order % kCount + 0.5) / kCount;
 }
 
+/// HbaoLight::skyAt() of all pixels of a cell, a fragment a cell. It stands here because the page does not need it.
+constexpr const char* kSkyShader = R"(#version 300 es
+precision highp float;
+precision highp int;        // the defaults are mediump and lowp, for which Mesa takes 16 bits
+precision highp sampler2D;
+
+uniform sampler2D u_surface;  // slope to the right and up of each cell
+uniform sampler2D u_height;   // height of each carved cell's middle, mm
+uniform sampler2D u_samples;  // from a pixel's middle, mm; its direction. A row is a pixel of the tile
+uniform float u_cells, u_cellMm;
+uniform int u_pixels, u_tile;  // along the edge of a cell, of the tile
+uniform int u_directions, u_steps;
+uniform float u_radiusMm, u_bias;
+uniform int u_isAttenuated;
+
+layout(location = 0) out vec4 o_sky;
+
+const float kNothing = -1e6, kSteepest = 1.57;
+
+float heightAt(vec2 plane) {
+  float cornerMm = -u_cells * u_cellMm / 2.0, pixelMm = u_cellMm / float(u_pixels);
+  vec2 pixel = floor((plane - cornerMm) / pixelMm);
+  vec2 cell = floor((pixel + 0.5) / float(u_pixels));
+  if (any(lessThan(cell, vec2(0.0))) || any(greaterThanEqual(cell, vec2(u_cells)))) return kNothing;
+  vec2 offset = (pixel + 0.5) * pixelMm - (cell + 0.5) * u_cellMm;
+  return texelFetch(u_height, ivec2(cell), 0).r + dot(texelFetch(u_surface, ivec2(cell), 0).rg, offset);
+}
+
+float skyAt(vec2 plane, vec2 slope, int pattern) {
+  float own = heightAt(plane), hidden = 0.0;
+  for (int k = 0; k < u_directions; ++k) {
+    vec2 along = texelFetch(u_samples, ivec2(k * u_steps, pattern), 0).ba;
+    float tangent = atan(dot(slope, along)) + u_bias;
+    float highest = tan(min(tangent, kSteepest)), sine = sin(tangent);  // tangent and sine of h
+    for (int i = 0; i < u_steps; ++i) {
+      vec2 offset = texelFetch(u_samples, ivec2(k * u_steps + i, pattern), 0).rg;
+      float rise = heightAt(plane + offset) - own, run = length(offset);
+      if (rise <= highest * run) continue;
+      float distance = length(vec2(rise, run));
+      if (distance >= u_radiusMm) continue;
+      hidden += (u_isAttenuated == 1 ? 1.0 - distance / u_radiusMm : 1.0) * (rise / distance - sine);
+      highest = rise / run;
+      sine = rise / distance;
+    }
+  }
+  return 1.0 - hidden / float(u_directions);
+}
+
+void main() {
+  ivec2 cell = ivec2(gl_FragCoord.xy);
+  vec2 slope = texelFetch(u_surface, cell, 0).rg;
+  float sum = 0.0;
+  for (int y = cell.y * u_pixels; y < (cell.y + 1) * u_pixels; ++y)
+    for (int x = cell.x * u_pixels; x < (cell.x + 1) * u_pixels; ++x) {
+      vec2 plane = (vec2(x, y) + 0.5) * (u_cellMm / float(u_pixels)) - u_cells * u_cellMm / 2.0;
+      sum += skyAt(plane, slope, y % u_tile * u_tile + x % u_tile);
+    }
+  o_sky = vec4(sum / float(u_pixels * u_pixels), 0.0, 0.0, 1.0);
+}
+)";
+
 }  // namespace
+
+struct HbaoLight::Shader {
+  gl::Program program;
+  gl::Texture surface, height, samples, sky;
+  gl::Framebuffer target;
+};
+
+HbaoLight::~HbaoLight() = default;
 
 HbaoLight::HbaoLight(HeightMap map, PlacementLightOptions options, const HbaoOptions& hbao)
     : map_(std::move(map)), options_(std::move(options)), hbao_(hbao), height_(map_.height) {
@@ -108,6 +178,52 @@ double HbaoLight::skyAt(Vec2 plane, std::size_t cell, const std::vector<Directio
   return 1 - hidden / static_cast<double>(directions.size());
 }
 
+Status HbaoLight::useShader() {
+  auto shader = std::make_unique<Shader>();
+  auto program = gl::Program::create("hbao-sky", shaders::fullscreen_vert, kSkyShader);
+  QRELIEF_TRY(program);
+  shader->program = std::move(*program);
+  std::vector<glm::vec4> surface, samples;
+  for (std::size_t cell = 0; cell < map_.height.size(); ++cell)
+    surface.emplace_back(map_.slopeX[cell], map_.slopeY[cell], 0, 0);
+  for (const std::vector<Direction>& directions : patterns_)
+    for (const Direction& direction : directions)
+      for (const Vec2& sample : direction.samples) samples.emplace_back(sample, direction.along);
+  shader->surface = {map_.size, map_.size, gl::Format::RGBA32F, surface.data()};
+  shader->height = {map_.size, map_.size, gl::Format::R32F};
+  shader->samples = {hbao_.directions * hbao_.steps, kTile * kTile, gl::Format::RGBA32F, samples.data()};
+  shader->sky = {map_.size, map_.size, gl::Format::R32F};
+  const gl::Texture* const colours[] = {&shader->sky};
+  auto target = gl::Framebuffer::create(colours, false);
+  QRELIEF_TRY(target);
+  shader->target = std::move(*target);
+  shader_ = std::move(shader);
+  return {};
+}
+
+void HbaoLight::measureSkyByShader(std::span<const std::uint32_t> cells) {
+  const gl::Program& program = shader_->program;
+  shader_->height.upload(height_.data());
+  shader_->target.bind();
+  program.use();
+  program.setTexture("u_surface", 0, shader_->surface);
+  program.setTexture("u_height", 1, shader_->height);
+  program.setTexture("u_samples", 2, shader_->samples);
+  program.set("u_cells", static_cast<float>(map_.size));
+  program.set("u_cellMm", static_cast<float>(map_.patchMm));
+  program.set("u_pixels", hbao_.pixelsPerSubmodule);
+  program.set("u_tile", kTile);
+  program.set("u_directions", hbao_.directions);
+  program.set("u_steps", hbao_.steps);
+  program.set("u_radiusMm", static_cast<float>(hbao_.radiusModules * options_.moduleMm));
+  program.set("u_bias", static_cast<float>(toRadians(hbao_.angleBiasDeg)));
+  program.set("u_isAttenuated", hbao_.isAttenuated ? 1 : 0);
+  gl::drawFullscreen();
+  const std::vector<float> sky = shader_->target.readRed();
+  for (const std::uint32_t cell : cells)
+    if (map_.isSurface(cell)) received_[cell].sky = received_[cell].pastWalls = sky[cell];
+}
+
 void HbaoLight::measureSky(std::size_t cell) {
   const int pixels = hbao_.pixelsPerSubmodule;
   const int column = static_cast<int>(cell) % map_.size, row = static_cast<int>(cell) / map_.size;
@@ -124,12 +240,16 @@ std::vector<float> HbaoLight::luminance(std::span<const std::uint32_t> cells, st
                                         double reachMm) {
   carve(depthsMm);
   depthsMm_.assign(depthsMm.begin(), depthsMm.end());
-  constexpr std::size_t kChunk = 256;
-  parallelFor((cells.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-    const std::size_t end = std::min(cells.size(), (chunk + 1) * kChunk);
-    for (std::size_t k = chunk * kChunk; k < end; ++k)
-      if (map_.isSurface(cells[k])) measureSky(cells[k]);
-  });
+  if (shader_) {
+    measureSkyByShader(cells);
+  } else {
+    constexpr std::size_t kChunk = 256;
+    parallelFor((cells.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+      const std::size_t end = std::min(cells.size(), (chunk + 1) * kChunk);
+      for (std::size_t k = chunk * kChunk; k < end; ++k)
+        if (map_.isSurface(cells[k])) measureSky(cells[k]);
+    });
+  }
   if (lamps_) {
     std::vector<std::uint8_t> isMeasured(received_.size(), 0);
     for (const std::uint32_t cell : cells) isMeasured[cell] = 1;

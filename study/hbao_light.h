@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "light/height_light.h"
@@ -35,6 +36,12 @@ class HbaoLight final : public PlacementLight {
   /// @param map      the uncarved surface, one patch per cell
   /// @param options  albedo is not used
   HbaoLight(HeightMap map, PlacementLightOptions options, const HbaoOptions& hbao);
+  ~HbaoLight() override;
+
+  /// From now on, computes the light of the sky by a shader in the current GL context, for all cells at a time: the
+  /// same light but for rounding.
+  /// @returns Internal if the context refuses the shader
+  Status useShader();
 
   std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,
                                double reachMm) override;
@@ -52,10 +59,13 @@ class HbaoLight final : public PlacementLight {
     std::vector<Vec2> samples;  // from a pixel's middle, mm
   };
 
+  struct Shader;
+
   void carve(std::span<const float> depthsMm);
   double heightAt(Vec2 plane) const;
   double skyAt(Vec2 plane, std::size_t cell, const std::vector<Direction>& directions) const;
   void measureSky(std::size_t cell);
+  void measureSkyByShader(std::span<const std::uint32_t> cells);
   std::vector<float> luminancesOf(const std::vector<Received>& received) const;
   gl::Texture textureOf(const std::vector<float>& values) const;
 
@@ -65,6 +75,7 @@ class HbaoLight final : public PlacementLight {
   double pixelMm_ = 1;
   std::vector<std::vector<Direction>> patterns_;  // of a tile of pixels
   std::vector<float> height_;                     // w of the carved cells' middles
+  std::unique_ptr<Shader> shader_;                // null: the CPU computes the sky
   std::optional<HeightLight> lamps_;              // none: no lamps
   std::vector<Received> uncarved_, received_;
   std::vector<float> depthsMm_;

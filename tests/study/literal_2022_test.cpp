@@ -64,6 +64,40 @@ class HbaoPit : public GlTest {
   }
 };
 
+/// The shader computes the same light as the CPU, with its defaults and without noise and fading, on sloping ground
+/// with pockets of many depths.
+TEST_F(HbaoPit, IsTheSameByShader) {
+  const HbaoOptions plain{.radiusModules = 1.6,
+                          .angleBiasDeg = 10,
+                          .directions = 6,
+                          .steps = 5,
+                          .isAttenuated = false,
+                          .isJittered = false,
+                          .pixelsPerSubmodule = 2};
+  for (const HbaoOptions& options : {HbaoOptions(), plain}) {
+    const auto count = static_cast<std::size_t>(kSize * kSize);
+    HeightMap map{kSize, 0.37, 250, {}, std::vector<float>(count, 0.2f), std::vector<float>(count, -0.1f)};
+    std::vector<float> depths;
+    std::vector<std::uint32_t> cells;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      map.height.push_back(0.37f * (0.2f * static_cast<float>(i % kSize) - 0.1f * static_cast<float>(i / kSize)));
+      depths.push_back(i % 7 < 4 ? 0.1f * static_cast<float>(i % 11) : 0.0f);
+      cells.push_back(i);
+    }
+    HbaoLight light(std::move(map), {kSize / 5, 1.85, 0.7f, {}}, options);
+    const std::vector<float> own = light.luminance(cells, depths, 1);
+    ASSERT_TRUE(light.useShader().has_value());
+    const std::vector<float> byShader = light.luminance(cells, depths, 1);
+    double difference = 0, darkest = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      difference += std::abs(static_cast<double>(own[i] - byShader[i])) / static_cast<double>(count);
+      darkest = std::min(darkest, static_cast<double>(own[i]));
+    }
+    EXPECT_LT(darkest, 0.7);
+    EXPECT_LT(difference, 1e-3);
+  }
+}
+
 /// Without bias and fading the light is 1 − mean of sin h, with tan h = depth / distance of the wall.
 TEST_F(HbaoPit, MatchesTheClosedFormOfHorizons) {
   HbaoOptions options{.radiusModules = 4,
