@@ -313,7 +313,7 @@ Result<BatchList> readCsv(std::string_view text, std::optional<bool> hasNames) {
 std::optional<std::string> cellOf(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_binary()) return numberText(value);
   if (!value.is_array()) return std::nullopt;
   std::string list;
@@ -337,8 +337,7 @@ class JsonRows {
     for (const auto& [key, value] : parsed->items()) {
       const auto at = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), key) - columns_.begin());
       if (at == kMostColumns) return badInput(tooManyColumns());
-      if (key.empty())
-        return badInput(message<"list-column-unnamed">(with::count<"line">(line), with::count<"column">(at + 1)));
+      if (key.empty()) return badInput(message<"list-name-empty">(with::count<"line">(line)));
       if (at == columns_.size()) columns_.push_back(key), cells.emplace_back();
       const auto cell = cellOf(value);
       if (!cell) return badInput(message<"list-value-kind">(with::count<"line">(line), with::quoted<"name">(key)));

@@ -9,6 +9,7 @@
 #include "carving/inlay.h"
 #include "carving/lift.h"
 #include "carving/needle.h"
+#include "math/float_step.h"
 #include "mesh/collinear.h"
 #include "message_codes/place.h"
 
@@ -153,7 +154,8 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are only a risk, which the final check judges. Collinear ones always do harm.
       if (low.collinear == 0) return carving;
-      return fail(ErrorKind::NoSolution, message<"facets-too-fine">(with::count<"count">(low.collinear)));
+      return fail(ErrorKind::NoSolution,
+                  whyTooFine(frame.centre, message<"facets-too-fine">(with::count<"count">(low.collinear))));
     }
     clearance.placeAgain(low.nodes);
   }
@@ -252,6 +254,13 @@ DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
 }
 
 }  // namespace
+
+Message whyTooFine(Vec3 at, Message facets) {
+  const double farthestMm = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+  const double stepMm = floatStepMm(farthestMm);
+  if (stepMm <= kCoarseStepMm) return facets;
+  return message<"coordinates-too-coarse">(with::lengthMm<"distance">(farthestMm), with::lengthMm<"step">(stepMm));
+}
 
 Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,
                                     std::span<const std::uint32_t> patch, const DepthField& depths,

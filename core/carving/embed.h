@@ -73,4 +73,8 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options = {});
 
+/// Returns the reason why 32-bit floats cannot hold a carving: its place, where they are too coarse, or else `facets`.
+/// @param at  a point of the carving
+Message whyTooFine(Vec3 at, Message facets);
+
 }  // namespace qrelief

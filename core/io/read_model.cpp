@@ -48,13 +48,21 @@ std::string listed(const std::vector<const ZipEntry*>& files) {
   return names + (files.size() > kNamesListed ? ", ..." : "");
 }
 
+/// Returns true for a path with a hidden file or folder. "." and ".." are steps on the way, not hidden.
+bool isHidden(std::string_view path) {
+  while (!path.empty()) {
+    const std::string_view step = path.substr(0, path.find_first_of("/\\"));
+    if (step.starts_with('.') && step != "." && step != "..") return true;
+    path.remove_prefix(std::min(step.size() + 1, path.size()));
+  }
+  return false;
+}
+
 /// Returns the files of an archive that people put there. macOS adds others, and hidden files.
 std::vector<const ZipEntry*> filesIn(const ZipArchive& archive) {
   std::vector<const ZipEntry*> files = archive.files();
-  std::erase_if(files, [](const ZipEntry* file) {
-    const std::string_view name = file->name;
-    return name.starts_with("__MACOSX/") || name.starts_with('.') || name.find("/.") != std::string_view::npos;
-  });
+  std::erase_if(files,
+                [](const ZipEntry* file) { return file->name.starts_with("__MACOSX/") || isHidden(file->name); });
   return files;
 }
 

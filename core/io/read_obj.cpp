@@ -21,13 +21,17 @@
 namespace qrelief {
 namespace {
 
-/// Returns the kind of a statement: 'v', 'f', 'g' for the start of a group or an object, or 0 for everything else.
+/// Returns the kind of a statement: 'v', 'f', 'g' for the start of a group or an object, 'c' for a free-form curve or
+/// surface, or 0 for everything else.
 char kindOf(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  if (first == std::string_view::npos || first + 1 >= line.size()) return 0;
-  const char next = line[first + 1];
-  const char c = line[first] == 'o' ? 'g' : line[first];
-  return (c == 'v' || c == 'f' || c == 'g') && (next == ' ' || next == '\t') ? c : static_cast<char>(0);
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  const std::size_t end = line.find_first_of(" \t");
+  if (end == std::string_view::npos) return 0;
+  const std::string_view word = line.substr(0, end);
+  if (word == "v" || word == "f" || word == "g") return word[0];
+  if (word == "o") return 'g';
+  if (word == "fo") return 'f';  // of the first versions of the format
+  return word == "curv" || word == "surf" ? 'c' : static_cast<char>(0);
 }
 
 /// A group or an object of the file: its faces end at the next one's first.
@@ -51,6 +55,7 @@ class VettedStatements : public std::streambuf {
   std::size_t vertices() const { return vertices_; }  ///< number of vertices in the whole file
   const std::vector<Group>& groups() const { return groups_; }
   const std::vector<Colour>& colours() const { return colours_; }  ///< of the vertices that have one
+  bool hasCurves() const { return hasCurves_; }                    ///< or exact surfaces
   const Status& status() const { return status_; }
   void stop(Error error) { status_ = tl::unexpected(std::move(error)); }
 
@@ -68,8 +73,11 @@ class VettedStatements : public std::streambuf {
       const std::string_view text = scanner_.restOfLine();
       const char kind = kindOf(text);
       if (kind == 'g') groups_.push_back({std::string(nameIn(text)), facesSoFar_});
+      if (kind == 'c') hasCurves_ = true;
       if (kind != 'v' && kind != 'f') continue;
       statement_ = text;
+      if (const std::size_t old = statement_.find("fo"); kind == 'f' && old != std::string::npos)
+        statement_[old + 1] = ' ';
       while (isContinued() && !scanner_.atEnd()) {
         statement_.back() = ' ';
         statement_ += scanner_.restOfLine();
@@ -158,6 +166,7 @@ class VettedStatements : public std::streambuf {
   std::size_t verticesSoFar_ = 0, facesSoFar_ = 0;
   std::vector<Group> groups_;
   std::vector<Colour> colours_;
+  bool hasCurves_ = false;
   std::size_t line_ = 1;
   std::string statement_;
   Status status_;
@@ -246,6 +255,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
   if (!statements.status()) return tl::unexpected(statements.status().error());
   if (!parsed || collector.list.positions.size() != statements.vertices()) return badInput(message<"obj-not-parsed">());
+  if (collector.firstTriangles.empty() && statements.hasCurves()) return badInput(message<"obj-only-curves">());
   const std::size_t triangles = collector.list.triangles;
   collector.list.colours = statements.colours();
   Result<PolygonSoup> soup = triangulated(std::move(collector.list), "OBJ");

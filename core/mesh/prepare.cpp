@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "math/float_step.h"
 #include "mesh/report_findings.h"
 #include "mesh/upright.h"
 #include "mesh/weld.h"
@@ -16,14 +16,10 @@ namespace {
 
 constexpr double kImplausibleMm = 1e7;  // 10 km
 constexpr double kHugeMm = 2000;
-constexpr double kTinyMm = 10;       // no printable code fits
-constexpr double kCoarseMm = 0.001;  // a hundredth of a layer: coarser coordinates become visible
+constexpr double kTinyMm = 10;                               // no printable code fits
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;  // half-edges are numbered in 32 bits
 constexpr double kCollinearFraction = 1e-9;  // height of a triangle / its longest side, from rounding alone
 constexpr double kMmPerKm = 1e6;
-
-/// Returns the largest distance between neighbouring 32-bit floats up to there.
-double floatStepMm(double farthestMm) { return farthestMm * std::numeric_limits<float>::epsilon(); }
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   if (!(options.scaleToMm > 0) || !std::isfinite(options.scaleToMm))
@@ -96,7 +92,7 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
   const double step = floatStepMm(farthest);
-  if (step > kCoarseMm && farthest > 4 * largest)
+  if (step > kCoarseStepMm && farthest > 4 * largest)
     findings.warn(message<"far-away">(with::lengthMm<"distance">(farthest), with::lengthMm<"step">(step)));
 }
 

@@ -62,7 +62,9 @@ Result<SolidityReport> checkCarved(const Mesh& mesh, std::span<const FacetOrigin
   SolidityReport added = *solidity;
   if (before.crossesItself) added.selfIntersections = 0;
   if (added.solid()) return solidity;
-  return fail(ErrorKind::NoSolution, message<"carved-not-solid">(with::cause<"problem">(added.problems().front())));
+  Message notSolid = message<"carved-not-solid">(with::cause<"problem">(added.problems().front()));
+  if (newTriangles.empty()) return fail(ErrorKind::NoSolution, std::move(notSolid));
+  return fail(ErrorKind::NoSolution, whyTooFine(mesh.corner(newTriangles.front(), 0), std::move(notSolid)));
 }
 
 ReaderPicture readerPicture(const Mesh& model, const EngraveResult& result) {

@@ -90,7 +90,7 @@ TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {
   ASSERT_TRUE(list) << list.error().message;
   EXPECT_THAT(list->columns(), ElementsAre("id", "text", "quietZone", "minWallMm", "direction"));
   EXPECT_THAT(row(list, 0), ElementsAre("7", "a", "", "", ""));
-  EXPECT_THAT(row(list, 1), ElementsAre("", "ü", "on", "1.5", "0,0,1"));
+  EXPECT_THAT(row(list, 1), ElementsAre("", "ü", "true", "1.5", "0,0,1"));
   EXPECT_EQ(list->line(1), 3u);
 }
 
@@ -299,7 +299,8 @@ TEST(BatchList, RefusesMalformedListsAndReportsThePlace) {
       {"very many columns", names(kMostColumns + 1) + "\n", "list-too-many-columns"},
       {"very many keys", "{" + keys(0, kMostColumns + 1) + "}\n", "list-too-many-columns"},
       {"new keys in every line", "{" + keys(0, 600) + "}\n{" + keys(600, 600) + "}\n", "list-too-many-columns"},
-      {"a key without name", "{\"\": \"a\"}\n", "list-column-unnamed", 1},
+      {"a key without name", "{\"text\": \"a\"}\n{\"\": \"a\"}\n", "list-name-empty", 2},
+      {"a number beyond all", "{\"text\": 1e400}\n", "list-line", 1},
       {"an array that does not end", "[{\"text\": \"a\"}\n", "list-array", 2},
       {"an array of texts", "[\"a\",\n\"b\"]", "list-no-object", 1},
       {"an array with text behind it", "[{\"text\": \"a\"}]\nmore", "list-array", 2},
@@ -324,6 +325,12 @@ TEST(BatchList, AcceptsTheMaximumNumberOfColumns) {
   const auto list = read("{" + keys(0, kMostColumns) + "}\n");
   ASSERT_TRUE(list) << list.error().message.code;
   EXPECT_EQ(list->columns().size(), kMostColumns);
+}
+
+TEST(BatchList, NamesANumberThatIsTooLarge) {
+  const auto list = read("{\"text\": 1e400}\n");
+  ASSERT_FALSE(list);
+  EXPECT_EQ(sentence(list.error().message), "Line 1: The number \"1e400\" is too large");
 }
 
 TEST(BatchList, NamesADuplicateKeyOfALine) {

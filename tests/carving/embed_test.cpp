@@ -12,6 +12,7 @@
 #include "carving/carving_oracle.h"
 #include "math/tolerance.h"
 #include "mesh/topology.h"
+#include "message_codes/place.h"
 #include "messages/sentences.h"
 #include "support/shapes.h"
 #include "verification/solidity.h"
@@ -399,6 +400,15 @@ TEST(Embed, MakesASolidOfTheRightDepthForAnyFieldAndShape) {
     EXPECT_EQ(oracle::eulerCharacteristic(result->mesh), oracle::eulerCharacteristic(mesh));
     EXPECT_LT(oracle::largestDepthError(mesh, result->mesh, frame, field, 0.2 * field.submoduleMm(), 2), 5e-4);
   }
+}
+
+TEST(Embed, SaysWhereCoordinatesAreTooCoarse) {
+  const Message fine = message<"facets-too-fine">(with::count<"count">(3));
+  EXPECT_EQ(whyTooFine(Vec3(100, -8000, 0), fine).code, "facets-too-fine");
+  const Message far = whyTooFine(Vec3(10, -40000, 20000), fine);
+  EXPECT_EQ(far.code, "coordinates-too-coarse");
+  EXPECT_THAT(sentence(far),
+              ::testing::HasSubstr("40000 mm from the origin, where 32-bit coordinates are 0.00477 mm apart"));
 }
 
 }  // namespace

@@ -230,6 +230,15 @@ TEST(ReadModel, ReadsTheOnlyModelOfAZip) {
     }
 }
 
+TEST(ReadModel, ReadsAModelOfAZipWhateverItsFolder) {
+  // Nothing is written where an archive says, so no path can do harm.
+  const Bytes stl = writeStl(shapes::tetrahedron(10));
+  for (const std::string name : {"../../x.stl", "./x.stl", "/etc/x.stl", "..\\x.stl"})
+    EXPECT_TRUE(readModel(zipOf({name}, stl), "x.zip")) << name;
+  for (const std::string name : {".x.stl", "a/.b/x.stl", "../.x.stl", "a\\.x.stl"})
+    EXPECT_THAT(errorOf(zipOf({name}, stl), "x.zip"), HasSubstr("holds no file")) << name;
+}
+
 TEST(ReadModel, NamesTheFilesOfAZipWithoutOneModel) {
   const Bytes stl = writeStl(shapes::tetrahedron(10));
   EXPECT_EQ(errorOf(zipOf({"a.stl", "b/c.STL", "note.txt"}, stl), "x.zip"),

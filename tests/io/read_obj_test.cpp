@@ -193,6 +193,20 @@ TEST(ObjReader, RefusesAFileWithoutVerticesOrFaces) {
   EXPECT_THAT(errorOf(kSquare), HasSubstr("no face"));
 }
 
+TEST(ObjReader, ReadsTheOldNameOfAFace) {
+  const auto soup = read(kSquare + "fo 1 2 3\n \tfo\t1 3 \\\n4\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ObjReader, NamesCurvesAndSurfacesWithoutFaces) {
+  const std::string surface = "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 4 3\nparm u 0 0 1 1\nparm v 0 0 1 1\nend\n";
+  EXPECT_THAT(errorOf(kSquare + surface), HasSubstr("curves or exact surfaces (NURBS), but no face"));
+  EXPECT_THAT(errorOf(kSquare + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nend\n"), HasSubstr("NURBS"));
+  EXPECT_THAT(errorOf(kSquare + "l 1 2\n"), HasSubstr("holds 4 vertices, but no face"));
+  EXPECT_TRUE(read(kSquare + surface + "f 1 2 3\n"));
+}
+
 TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
   EXPECT_FALSE(readObj(bytesOf(kSquare + "f 1 2 3 4\n"), ReadLimits{.maxTriangles = 1}));
 }

@@ -343,6 +343,11 @@ std::string reasonFault(const EngravableModel& model, const Search& search, cons
   return any ? "" : fmt::format("from no direction that was looked from {}", reason);
 }
 
+bool isFarAway(const Mesh&, const ProjectionFrame& frame) {
+  const Vec3 far = glm::abs(frame.centre);
+  return std::max({far.x, far.y, far.z}) * std::numeric_limits<float>::epsilon() > 0.0009;
+}
+
 /// Checks that the code's area has facets only a few dozen float steps wide.
 std::string fineFault(const EngravableModel& model, const Search& search) {
   const Mesh& mesh = model.prepared.mesh;
@@ -388,6 +393,8 @@ OracleVerdict judgeNoSolution(const EngraveCase& engraveCase, const EngravableMo
     return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
   if (says("nothing-can-be-carved", "nothing-can-be-carved-over-shell"))
     return {"wall too thin", thinFault(engraveCase, model, search, *symbol)};
+  if (says("coordinates-too-coarse"))
+    return {"far away", reasonFault(model, search, "coordinates are coarse", isFarAway)};
   if (says("facets-too-fine", "carved-not-solid")) return {"facets too fine", fineFault(model, search)};
   return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }
