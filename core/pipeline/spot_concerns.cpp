@@ -83,6 +83,10 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
                                         {placement.symbolMm, request.modules}, request.leastDepthMm, request.minWallMm);
   QRELIEF_TRY(walls);
   std::vector<double> thickness = walls->thicknessMm;
+  const double neededMm = request.leastDepthMm + request.minWallMm;
+  for (std::size_t i = 0; i < thickness.size(); ++i)  // a side wall or a shell within may be nearer than the far side
+    if (walls->limitMm[i] < request.leastDepthMm && thickness[i] >= neededMm)
+      thickness[i] = walls->limitMm[i] + request.minWallMm;
   const auto taking = static_cast<std::size_t>(std::count_if(
       walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= request.leastDepthMm; }));
   const auto thin = static_cast<std::size_t>((1 - kTakenFraction) * static_cast<double>(thickness.size()));
@@ -92,7 +96,7 @@ Result<SpotConcerns> concernsAt(const EngravableModel& model, const Placement& p
   concerns.prints = placement.symbolMm >= request.leastPrintableMm;
   concerns.takesPockets = taking + thin >= thickness.size();
   if (!concerns.takesPockets && model.prepared.shells > 1)
-    concerns.shellBelowMm = shellBelowMm(mesh, placement, request.leastDepthMm + request.minWallMm);
+    concerns.shellBelowMm = shellBelowMm(mesh, placement, neededMm);
   concerns.coversColours = coversColours(model.prepared, placement, placement.symbolMm * request.outerFactor());
   concerns.facesDown = facesDown(placement.frame, request);
   concerns.unevenLight = unevenLightOn(model, placement.frame, placement.symbolMm, request);

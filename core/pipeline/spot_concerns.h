@@ -18,7 +18,7 @@ struct SpotConcerns {
   bool facesDown = false;                    ///< according to SpotSearchRequest::buildUp
   double unevenLight = 0;                    ///< see pipeline/spot_light.h
   std::optional<DirectionalLight> evenLamp;  ///< lights it evenly, in place of the request's only lamp, which does not
-  double wallMm = 0;                         ///< thickness of the wall, along the rays, that nearly all modules have
+  double wallMm = 0;                         ///< least distance to the other side that nearly all modules have
   std::vector<Message> reasons;              ///< the concerns in words, empty if there are none
 };
 
