@@ -20,6 +20,7 @@
 #include "pipeline/default_patterns.h"
 #include "pipeline/label_pockets.h"
 #include "pipeline/mark_depth.h"
+#include "pipeline/placement_errors.h"
 #include "pipeline/spot_concerns.h"
 #include "pipeline/spot_light.h"
 #include "pipeline/spot_trial.h"
@@ -208,10 +209,14 @@ bool SpotSearchJob::State::screen(std::size_t at) {
   return true;
 }
 
-/// Estimates doublings() of the layers that a code in a second colour has on a candidate.
+/// Estimates doublings() of the layers that a code in a second colour has on a candidate. The map's direction is only
+/// near the code's: on a flat face it would give the largest codes the most layers.
 int SpotSearchJob::State::doublingsAt(const SpotCandidate& spot) const {
   Placement placement;
   placement.frame = frameAt(spot);
+  if (!request.placement.direction && spot.quality.normal != Vec3(0))
+    placement.frame =
+        makeFrame(spot.position, spot.quality.normal, request.placement.upHint, request.placement.eyeDistanceMm);
   placement.moduleMm = std::min(wantedMm(request), spot.sizeMm / outer) / request.modules;
   return doublings(layersOfCode(placement, request.modules, *request.coloured));
 }
@@ -375,6 +380,9 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
   QRELIEF_TRY(model->prepared.engravable());
   const SizeBound room{request.modules, request.outerFactor()};
   QRELIEF_TRY(checkSizeBound(model->prepared, room, request.placement.eyeDistanceMm));
+  if (wantedMm(request) < room.minSymbolMm())
+    return tl::unexpected(
+        tooSmallAsAsked({model->prepared, request.placement, request.modules, {}}, wantedMm(request)));
 
   auto state = std::make_unique<State>();
   state->outer = request.outerFactor();

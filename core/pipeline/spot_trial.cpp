@@ -39,6 +39,7 @@ void SpotTrial::beginTry() {
   direction_ = placement.direction;
   const double pocketMm = placement.pockets.depth(wantedMm(*request_) / request_->modules);
   placement.beyondMm = std::max(placement.beyondMm, request_->minWallMm + std::max(request_->leastDepthMm, pocketMm));
+  if (findsLargest_) placement.maxSizeMm = std::max(placement.maxSizeMm, wantedMm(*request_));
   if (findsLargest_) placement.sizeMode = SizeMode::Oriented;
   search_.emplace(model_->prepared, *model_->renderer, request_->modules, placement, PlacementSearch::Advice::None);
   ++tries_;

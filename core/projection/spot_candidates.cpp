@@ -47,6 +47,7 @@ SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double
   std::vector<Slope> slopes;
   PlaneFit fit;
   double area = 0, sum = 0, sumSquares = 0;
+  Vec3 sumOfNormals(0);
   for (std::size_t t = 0; t < map.mesh.triangles.size(); ++t) {
     const Vec3 a = map.mesh.corner(t, 0), b = map.mesh.corner(t, 1), c = map.mesh.corner(t, 2);
     const Vec3 middle = (a + b + c) / 3.0 - frame.centre;
@@ -58,6 +59,7 @@ SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double
     if (!(seen > 0)) continue;
     slopes.push_back({seen / glm::length(across), seen});
     fit.add(at, height, seen);
+    sumOfNormals += across;
     area += seen;
     sum += seen * height;
     sumSquares += seen * height * height;
@@ -66,6 +68,7 @@ SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double
   if (slopes.empty()) return quality;
   quality.varianceMm2 = std::max(0.0, sumSquares / area - (sum / area) * (sum / area));
   quality.bendMm = fit.rms();
+  quality.normal = glm::normalize(sumOfNormals);  // each is seen from the front
   std::stable_sort(slopes.begin(), slopes.end(), [](const Slope& a, const Slope& b) { return a.cosine < b.cosine; });
   double steeper = 0;
   for (const Slope& slope : slopes) {

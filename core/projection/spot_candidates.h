@@ -13,6 +13,7 @@ struct SquareQuality {
   double varianceMm2 = 0;    ///< variance of the heights over the QR plane
   double bendMm = 0;         ///< see flatness.h; computed from the facets' middles
   double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
+  Vec3 normal{0};            ///< mean of the surface, unit
 };
 
 /// Rates the map's facets whose middles lie over the square and that face the viewer; all zero if there is none.

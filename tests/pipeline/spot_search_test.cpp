@@ -105,6 +105,22 @@ TEST_F(SpotSearchTest, RanksSpotsOfFewLayersFirstForASecondColour) {
   EXPECT_NEAR(onASide.colourLayers, onASide.symbolMm / 0.2, 2);
 }
 
+TEST_F(SpotSearchTest, PutsTheLargestCodeOfASecondColourOnAFlatFace) {
+  // Every code on the top has two layers, although the views of the map look at it from aside.
+  for (const double edge : {45.0, 60.0, 80.0}) {
+    SpotSearchRequest parameters = request(0);
+    parameters.count = 1;
+    parameters.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+    parameters.coloured = ColouredCode{};
+    parameters.coloured->print.buildUp = *parameters.buildUp;
+    const auto spots = findSpots(upload(shapes::box({edge, edge, 5})), parameters);
+    ASSERT_TRUE(spots.has_value());
+    const Spot& best = spots->spots.front();
+    EXPECT_GT(best.direction.z, 0.99) << edge;
+    EXPECT_NEAR(best.symbolMm, std::min(40.0, edge * 21 / 29), 1) << edge;
+  }
+}
+
 TEST_F(SpotSearchTest, RanksSpotsOnSeveralColoursLastWithAWarning) {
   auto soup = shapes::soupOf(shapes::box({60, 60, 12}));
   bool isFirst = true;  // one of the two facets of the top is black
@@ -296,6 +312,27 @@ TEST_F(SpotSearchTest, NamesTheLargestSizeIfTheRequestedOneFitsNowhere) {
   // its middle.
   const double rim = 250 * std::tan(std::asin(20.0 / 270));
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
+}
+
+TEST_F(SpotSearchTest, NamesTheLargestSizeEvenIfItIsAboveTheLimit) {
+  const auto search = findSpots(upload(shapes::box({100, 100, 20})), request(90));
+  ASSERT_FALSE(search.has_value());
+  const std::string words = sentence(search.error().message);
+  const std::size_t at = words.find("the largest size found is ");
+  ASSERT_NE(at, std::string::npos) << words;
+  EXPECT_NEAR(std::stod(words.substr(at + 26)), 100.0 * 21 / 29, 1);
+}
+
+TEST_F(SpotSearchTest, SaysThatTheRequestedSizeIsTooSmall) {
+  SpotSearchRequest limited = request(0);
+  limited.placement.sizeMode = SizeMode::Best;
+  limited.placement.maxSizeMm = 2;
+  for (const SpotSearchRequest& small : {request(4), limited}) {
+    const auto search = SpotSearchJob::create(upload(shapes::box({60, 60, 10})), small);
+    ASSERT_FALSE(search.has_value());
+    EXPECT_EQ(search.error().kind, ErrorKind::NoSolution);
+    EXPECT_THAT(sentenceAndHint(search.error().message), testing::HasSubstr("Allow a larger size (at least 4.2 mm)"));
+  }
 }
 
 TEST_F(SpotSearchTest, RefusesAThinShellAndReportsItsThickness) {
