@@ -94,6 +94,14 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 
 namespace {
 
+/// Gives touching shells vertices of their own. Needs triangles with three different vertices.
+void separateShells(Mesh& mesh) {
+  const bool repeatsAVertex = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  if (!repeatsAVertex) separateTouchingShells(mesh, buildEdgeTable(mesh.triangles));
+}
+
 /// Returns the bounding boxes of a turned file: first of the whole file, then of each item.
 std::vector<Box3> boxesOfItems(const Mesh& mesh, const ThreeMfSource* source, const Affine& turn) {
   std::vector<Box3> boxes(1);
@@ -138,8 +146,13 @@ void findInPose(VerifyRequest& request, const Mesh& mesh, const ThreeMfSource* s
   std::optional<double> least;
   const ProjectionFrame reported = request.frame;
   const Vec3 reportedUp = request.buildUp;
-  for (const Affine& way : {turn, Affine()})
-    for (const Box3& box : boxesOfItems(mesh, source, way.inverse())) {
+  for (const Affine& way : {turn, Affine()}) {
+    std::vector<Box3> boxes = boxesOfItems(mesh, source, way.inverse());
+    // A mark in colour looks the same on each of several equal items: then the least move counts.
+    std::stable_sort(boxes.begin(), boxes.end(), [&](const Box3& a, const Box3& b) {
+      return glm::distance(a.min, *request.lowMm) < glm::distance(b.min, *request.lowMm);
+    });
+    for (const Box3& box : boxes) {
       const Vec3 moved = box.min - *request.lowMm;
       ProjectionFrame frame = reported;
       frame.centre = way(reported.centre + moved);
@@ -152,6 +165,7 @@ void findInPose(VerifyRequest& request, const Mesh& mesh, const ThreeMfSource* s
       request.frame = frame;
       request.buildUp = way == turn ? Vec3(0, 0, 1) : reportedUp;
     }
+  }
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
@@ -162,10 +176,7 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
       return badInput(message<"coordinates-not-finite">());
   }
   Mesh mesh = meshOfSoup(soup, scaleToMm);
-  const bool repeatsAVertex = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  });
-  if (!repeatsAVertex) separateTouchingShells(mesh, buildEdgeTable(mesh.triangles));
+  separateShells(mesh);
   return mesh;
 }
 
@@ -217,12 +228,12 @@ JobStages<VerifyJob::State> VerifyJob::State::stagesOf(const VerifyRequest& requ
 /// Finds the outer surface and the modules of an inlaid code, before the tree is built.
 const Mesh& VerifyJob::State::outerSurface() {
   if (request.mark != Mark::Inlay) return mesh;
-  // Faces back to back are recognised by their vertices, which both bodies must share.
-  InlaidSurface surface = inlaidSurface(welded(mesh.positions, mesh.triangles), request.frame, request.symbol.size,
-                                        request.symbolMm, request.markDepthMm);
+  InlaidSurface surface =
+      inlaidSurface(mesh, request.frame, request.symbol.size, request.symbolMm, request.markDepthMm);
   marked.dark = std::move(surface.inlaid);
   if (!surface.hasBothBodies) body = std::move(mesh);
   mesh = std::move(surface.mesh);
+  separateShells(mesh);
   return mesh;
 }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "carving/needle.h"
+#include "mesh/ray_tree.h"
 #include "mesh/weld.h"
 
 namespace qrelief {
@@ -23,7 +25,7 @@ class SurfaceFinder {
         moduleMm_(symbolMm / modules),
         depthMm_(depthMm),
         toleranceMm_(lowestHeight(mesh.positions)) {
-    found_.mesh = mesh;
+    found_.mesh = welded(mesh.positions, mesh.triangles);
     found_.inlaid = {modules, modules};
   }
 
@@ -38,8 +40,10 @@ class SurfaceFinder {
   }
 
  private:
-  /// Drops pairs of triangles with the same corners in opposite order.
-  void dropInnerFaces() {
+  using Pair = std::array<std::uint32_t, 2>;
+
+  /// Returns the pairs of triangles with the same corners in opposite order.
+  std::vector<Pair> backToBack() const {
     struct Face {
       std::array<std::uint32_t, 3> corners;  // ascending
       bool isOdd;                            // permutation
@@ -47,7 +51,7 @@ class SurfaceFinder {
       auto key() const { return std::tie(corners, isOdd, triangle); }
     };
     std::vector<Face> faces;
-    std::vector<Triangle>& triangles = found_.mesh.triangles;
+    const std::vector<Triangle>& triangles = found_.mesh.triangles;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       const Triangle& c = triangles[t];
       Face face{{c[0], c[1], c[2]}, (c[0] > c[1]) != ((c[1] > c[2]) != (c[0] > c[2])), t};
@@ -55,14 +59,48 @@ class SurfaceFinder {
       faces.push_back(face);
     }
     std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.key() < b.key(); });
-    std::vector<char> isInner(triangles.size(), 0);
+    std::vector<Pair> pairs;
     for (std::size_t k = 0; k + 1 < faces.size(); ++k) {
-      const Face &one = faces[k], &other = faces[k + 1];
-      if (one.corners != other.corners || one.isOdd == other.isOdd) continue;
-      isInner[one.triangle] = isInner[other.triangle] = 1;
-      found_.hasBothBodies = true;
-      markModules(triangles[one.triangle]);
+      if (faces[k].corners != faces[k + 1].corners || faces[k].isOdd == faces[k + 1].isOdd) continue;
+      pairs.push_back({faces[k].triangle, faces[k + 1].triangle});
       ++k;
+    }
+    return pairs;
+  }
+
+  /// Returns how far a vertex lies behind the surface that the eye sees, along its ray.
+  double depthOf(std::uint32_t v, const RayTree& surface) const {
+    const Vec3 p(found_.mesh.positions[v]);
+    if (frame_.distanceAlongAxis(p) <= 0) return INFINITY;
+    const double far = glm::distance(frame_.eye(), p);
+    const auto hit = surface.firstHit(frame_.eye(), (p - frame_.eye()) / far, 0);
+    return hit ? far - hit->distance : 0;
+  }
+
+  /// Drops the faces between the two bodies: connected pairs that nowhere reach deeper than the inlay.
+  void dropInnerFaces() {
+    const std::vector<Pair> pairs = backToBack();
+    if (pairs.empty()) return;
+    std::vector<Triangle>& triangles = found_.mesh.triangles;
+    std::vector<std::uint32_t> groupOf(found_.mesh.positions.size());  // a vertex of the same group, or itself
+    std::iota(groupOf.begin(), groupOf.end(), 0u);
+    const auto group = [&](std::uint32_t v) {
+      while (groupOf[v] != v) v = groupOf[v] = groupOf[groupOf[v]];
+      return v;
+    };
+    for (const auto& [one, other] : pairs)
+      for (const std::uint32_t v : triangles[one]) groupOf[group(v)] = group(triangles[one][0]);
+    const RayTree surface(found_.mesh);
+    std::vector<char> isDeep(groupOf.size(), 0);
+    for (const auto& [one, other] : pairs)
+      for (const std::uint32_t v : triangles[one])
+        if (char& deep = isDeep[group(v)]; !deep) deep = depthOf(v, surface) > depthMm_ + kDepthToleranceMm;
+    std::vector<char> isInner(triangles.size(), 0);
+    for (const auto& [one, other] : pairs) {
+      if (isDeep[group(triangles[one][0])]) continue;
+      isInner[one] = isInner[other] = 1;
+      found_.hasBothBodies = true;
+      markModules(triangles[one]);
     }
     std::uint32_t next = 0;
     std::erase_if(triangles, [&](const Triangle&) { return isInner[next++] != 0; });

@@ -6,6 +6,7 @@
 
 #include "cli/command_fixture.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -101,6 +102,35 @@ TEST_F(VerifyCommandTest, NeedsThePlacementOfTheCode) {
   const Outcome broken = run({"verify", model, "--report", path("broken.json"), "--quiet"});
   EXPECT_EQ(broken.status, 3);
   EXPECT_NE(broken.err.find("text"), std::string::npos) << broken.err;
+}
+
+TEST_F(VerifyCommandTest, FindsAnInlayOnOneOfTwoEqualItems) {
+  const std::string model =
+      writeBytes("two.3mf", zip_file::threeMf(zip_file::modelPart(
+                                zip_file::boxObject(1, 40, 40, 5),
+                                R"(<item objectid="1"/><item objectid="1" transform="1 0 0 0 1 0 0 0 1 50 0 0"/>)")));
+  for (const std::string at : {"20,20,5", "70,20,5"}) {
+    const Outcome made = run({"engrave", model, "--text", "HELLO", "--at", at, "--mark", "inlay", "-o", path("out.3mf"),
+                              "--report", path("out.json"), "--quiet"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    const Outcome read = run({"verify", path("out.3mf"), "--report", path("out.json"), "--quick", "--quiet"});
+    EXPECT_EQ(read.status, 0) << at << read.out << read.err;
+  }
+}
+
+TEST_F(VerifyCommandTest, ReadsAnInlayInABodyThatLiesOnAnother) {
+  const std::string model =
+      writeBytes("two.3mf", zip_file::threeMf(zip_file::modelPart(
+                                zip_file::boxObject(1, 40, 40, 5) + zip_file::boxObject(2, 40, 40, 3),
+                                R"(<item objectid="1"/><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 5"/>)")));
+  for (const std::string out : {"out.3mf", "out.stl"}) {
+    const Outcome made = run({"engrave", model, "--text", "HELLO", "--at", "20,20,8", "--mark", "inlay", "-o",
+                              path(out), "--report", path("out.json"), "--quiet"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    const Outcome read = run({"verify", path(out), "--report", path("out.json"), "--quick", "--quiet"});
+    EXPECT_EQ(read.status, 0) << out << read.out << read.err;
+    EXPECT_NE(read.out.find("a closed solid"), std::string::npos) << out << read.out;
+  }
 }
 
 }  // namespace

@@ -64,6 +64,24 @@ TEST_P(InlaidSurfaceTest, LeavesAModelWithoutPocketsAsItIs) {
   EXPECT_EQ(std::count(surface.inlaid.begin(), surface.inlaid.end(), 1), 0);
 }
 
+TEST_P(InlaidSurfaceTest, KeepsTheFacesWhereOtherBodiesTouch) {
+  // A plate whose upper side has a pocket of one module, on another, beside a third; all with faces back to back.
+  const ProjectionFrame frame = makeFrame({0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 250);
+  const Mesh box = shapes::box({30, 30, 10});
+  const DepthField field = oracle::fieldOf(
+      5 * kModules, kSymbolMm, [](int row, int column) { return row / 5 == 4 && column / 5 == 4 ? kDepthMm : 0; });
+  const auto carved = oracle::carve(box, frame, field, {.inlay = true});
+  ASSERT_TRUE(carved) << carved.error().message;
+  const Mesh others = shapes::together(shapes::translated(box, {0, 0, -10}), shapes::translated(box, {30, 0, 0}));
+  const Mesh all = shapes::together(carved->mesh, others);
+  const InlaidSurface surface =
+      inlaidSurface(GetParam() ? shapes::together(all, carved->inlay) : all, frame, kModules, kSymbolMm, kDepthMm);
+  EXPECT_EQ(surface.hasBothBodies, GetParam());
+  EXPECT_EQ(std::count(surface.inlaid.begin(), surface.inlaid.end(), 1), 1);
+  EXPECT_EQ(surface.inlaid.at(4, 4), 1);
+  EXPECT_NEAR(signedVolume(surface.mesh), 3 * 9000, 0.01);
+}
+
 INSTANTIATE_TEST_SUITE_P(BodyAloneAndWithInlay, InlaidSurfaceTest, testing::Bool());
 
 }  // namespace
