@@ -111,7 +111,7 @@ Status BatchFolder::readManifests(const Shard& shard) {
   std::vector<char> block(1 << 16);
   for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename().string();
-    if (!isManifest(name) || !mayHaveRowsOf(name, shard)) continue;
+    if (!isManifest(name) || !mayHaveRowsOf(name, shard) || !entry.is_regular_file()) continue;
     std::ifstream stream(entry.path(), std::ios::binary);
     if (!stream) return notRead(name, message<"file-not-opened">(with::term<"why">(std::strerror(errno))));
     ManifestIndex& index = manifests_[name];
@@ -141,6 +141,7 @@ Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& 
 /// Returns the hash of a file; none if the file does not exist, empty for no file.
 std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
   if (file.empty()) return "";
+  if (isPipe(pathOf(file))) return "pipe";  // the hash of no file
   const auto hash = sha256OfFile(pathOf(file));
   return hash ? std::optional(*hash) : std::nullopt;
 }

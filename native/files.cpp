@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "native/files.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -33,7 +34,34 @@ Result<std::vector<std::uint8_t>> readToEnd(std::ifstream& stream) {
   return bytes;
 }
 
+/// Returns a name in the folder of the path, not longer than the path's own name may be.
+std::string temporaryName(const std::string& path) {
+  static std::atomic<int> count{0};
+  constexpr std::size_t kBeginning = 200;  // bytes of the name, to be recognised
+  const std::size_t slash = path.rfind('/') + 1;
+  return fmt::format("{}.{}.{}.part", path.substr(0, slash + kBeginning), ::getpid(), ++count);
+}
+
+/// Returns true if the path names something that is no file, such as a pipe. A file would take its place.
+bool isOther(const std::string& path) {
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode);
+}
+
+/// Returns true if the name is longer than the folder's file system allows.
+bool isNameTooLong(const std::string& path) {
+  const std::size_t slash = path.rfind('/') + 1;
+  const long longest = ::pathconf(slash == 0 ? "." : path.substr(0, slash).c_str(), _PC_NAME_MAX);
+  return longest > 0 && path.size() - slash > static_cast<std::size_t>(longest);
+}
+
 }  // namespace
+
+bool isPipe(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+  return type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::socket;
+}
 
 Result<std::ifstream> openFile(const std::string& path) {
   std::error_code error;
@@ -61,8 +89,7 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   return bytes;
 }
 
-AtomicFile::AtomicFile(std::string path)
-    : path_(std::move(path)), temporary_(fmt::format("{}.{}.part", path_, ::getpid())) {}
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), temporary_(temporaryName(path_)) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
@@ -83,6 +110,10 @@ tl::unexpected<Error> AtomicFile::failed() const {
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   AtomicFile file(path);
+  std::error_code error;
+  errno = std::filesystem::is_directory(path, error) ? EISDIR : isNameTooLong(path) ? ENAMETOOLONG : 0;
+  if (errno != 0) return file.failed();
+  if (isOther(path)) return fail(ErrorKind::BadInput, message<"output-is-no-file">(with::term<"path">(path)));
   file.file_ = ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file.file_ < 0) return file.failed();
   return file;

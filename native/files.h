@@ -15,6 +15,9 @@ namespace qrelief {
 /// Opens a file for reading; BadInput if it cannot be opened or is larger than the parsers accept.
 Result<std::ifstream> openFile(const std::string& path);
 
+/// Returns true if the path leads to a pipe, which can be read only once.
+bool isPipe(const std::string& path);
+
 /// Reads a whole file; BadInput if it cannot be read or is larger than the parsers accept.
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 
@@ -22,6 +25,7 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 /// name.
 class AtomicFile {
  public:
+  /// BadInput if no file of this name can be written.
   static Result<AtomicFile> create(const std::string& path);
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "base/clock.h"
 #include "base/unicode.h"
@@ -138,9 +139,12 @@ int checkModels(const BatchOptions& options, const BatchPlan& plan) {
   }
   if (options.perPlate > 0 && !plan.models().empty())
     return printError({ErrorKind::BadUsage, message<"models-on-plate">()});
+  if (plan.needsModel())
+    if (const Status opened = checkModel(options.model.path); !opened)
+      return printError(opened.error(), options.model.path);
   int status = kEngraved;
   for (const auto& [model, row] : plan.models())
-    if (const auto opened = openFile(modelPath(options, model)); !opened)
+    if (const Status opened = checkModel(modelPath(options, model)); !opened)
       status = printError(
           {ErrorKind::BadInput,
            message<"list-line">(with::count<"line">(plan.row(row).line),
@@ -150,32 +154,41 @@ int checkModels(const BatchOptions& options, const BatchPlan& plan) {
   return status;
 }
 
-/// Files that the command reads and that lie in the output folder, by their names without capitals.
-std::map<std::string, std::string> inputsInFolder(const BatchOptions& options, const BatchPlan& plan) {
-  std::vector<std::string> inputs = {options.model.path, options.list == "-" ? "" : options.list};
-  for (const auto& [model, row] : plan.models()) inputs.push_back(modelPath(options, model));
-  std::map<std::string, std::string> inside;
-  for (const std::string& input : inputs)
-    if (!input.empty() && isSameFile(options.folder + "/" + fileNameOf(input), input))
-      inside.emplace(caseFolded(fileNameOf(input)), input);
-  return inside;
+/// Inputs that lie in the output folder, by their names without capitals.
+using InputsInFolder = std::map<std::string, std::string>;
+
+void addInput(const BatchOptions& options, const std::string& input, InputsInFolder& inside) {
+  if (!input.empty() && isSameFile(options.folder + "/" + fileNameOf(input), input))
+    inside.emplace(caseFolded(fileNameOf(input)), input);
 }
 
-/// Refuses rows whose files would overwrite the model or the list.
-Status checkOverwrites(const BatchOptions& options, const BatchPlan& plan) {
-  const auto inside = inputsInFolder(options, plan);
+/// Refuses files that would overwrite an input.
+Status checkOverwrites(const InputsInFolder& inside, std::span<const std::string> names) {
   if (inside.empty()) return {};
-  std::vector<std::string> names = {"manifest.jsonl", "manifest.csv"};
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    const BatchRow row = plan.row(i);
-    for (const std::string& file : row.files()) names.push_back(file);
-    if (options.reports) names.push_back(row.file + ".json");
-  }
   for (const std::string& name : names)
     if (const auto same = inside.find(caseFolded(name)); same != inside.end())
       return fail(ErrorKind::BadUsage,
                   message<"output-is-input">(with::term<"output">("-o"), with::term<"path">(same->second),
                                              with::term<"input">("this command")));
+  return {};
+}
+
+/// Returns the names of all files that a row makes.
+std::vector<std::string> filesOf(const BatchOptions& options, const BatchRow& row) {
+  std::vector<std::string> names = row.files();
+  if (options.reports) names.push_back(row.file + ".json");
+  return names;
+}
+
+/// Refuses rows whose files would overwrite a model or the list.
+Status checkOverwrites(const BatchOptions& options, const BatchPlan& plan) {
+  InputsInFolder inside;
+  addInput(options, options.model.path, inside);
+  if (options.list != "-") addInput(options, options.list, inside);
+  for (const auto& [model, row] : plan.models()) addInput(options, modelPath(options, model), inside);
+  if (inside.empty()) return {};
+  QRELIEF_TRY(checkOverwrites(inside, std::vector<std::string>{"manifest.jsonl", "manifest.csv"}));
+  for (std::size_t i = 0; i < plan.size(); ++i) QRELIEF_TRY(checkOverwrites(inside, filesOf(options, plan.row(i))));
   return {};
 }
 
@@ -280,16 +293,18 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     std::size_t number;
     std::string text, file;
   };
-  std::map<std::string, KnownRow> known;  // by each of its files
+  std::map<std::string, KnownRow> known;  // by the name of each of its files, without capitals
   std::size_t next = options.first;
   const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
-    known[entry.file] = {entry.number, entry.text, entry.file};
-    if (!entry.second.empty()) known[entry.second] = known[entry.file];
+    for (const std::string& file : {entry.file, entry.second})
+      if (!file.empty()) known[caseFolded(file)] = {entry.number, entry.text, entry.file};
     next = std::max(next, entry.number + 1);
     return {};
   });
   if (!read) return printError(read.error());
   BatchRun run(options, std::move(*folder));
+  InputsInFolder inputs;
+  addInput(options, options.model.path, inputs);
   bool hasFailed = false;
   LineReader lines(std::cin, kMostLineBytes);
   for (auto line = lines.next(); line; line = lines.next()) {
@@ -297,10 +312,15 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     auto same = known.end();
     if (row)
       for (const std::string& file : row->files())
-        if (same == known.end()) same = known.find(file);
+        if (same == known.end()) same = known.find(caseFolded(file));
     if (same != known.end() && (same->second.text != row->request.code.text || same->second.file != row->file))
-      row = badInput(message<"name-taken">(with::quoted<"name">(same->first), with::quoted<"text">(same->second.text)));
+      row = badInput(
+          message<"name-taken">(with::quoted<"name">(same->second.file), with::quoted<"text">(same->second.text)));
     if (row && row->model.empty() && options.model.path.empty()) row = badInput(message<"row-without-model">());
+    if (row && !row->model.empty()) addInput(options, modelPath(options, row->model), inputs);
+    if (row)
+      if (const Status safe = checkOverwrites(inputs, filesOf(options, *row)); !safe)
+        row = tl::unexpected(safe.error());
     if (!row) {
       ManifestEntry refused;
       refused.number = next;
@@ -314,7 +334,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     if (same != known.end())
       row->number = same->second.number;
     else
-      for (const std::string& file : row->files()) known[file] = {next, row->request.code.text, row->file};
+      for (const std::string& file : row->files()) known[caseFolded(file)] = {next, row->request.code.text, row->file};
     if (same == known.end()) ++next;
     const auto carved = used ? run.make({*row}) : run.refuse({*row}, used.error().message);
     if (!carved) return printError(carved.error());

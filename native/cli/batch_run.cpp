@@ -46,11 +46,19 @@ std::string modelPath(const BatchOptions& options, const std::string& model) {
   return (folder / model).string();  // an absolute path stays
 }
 
+Status checkModel(const std::string& path) {
+  if (isPipe(path)) return fail(ErrorKind::BadInput, message<"model-is-pipe">());
+  const auto opened = openFile(path);
+  QRELIEF_TRY(opened);
+  return {};
+}
+
 Status BatchRun::use(const std::string& model, const EngraveRequest& first) {
   if (used_ == model) return {};
   used_.reset();
   ModelFlags flags = options_->model;
   flags.path = modelPath(*options_, model);
+  QRELIEF_TRY(checkModel(flags.path));
   const auto hash = sha256OfFile(flags.path);
   QRELIEF_TRY(hash);
   input_ = *hash;

@@ -33,6 +33,9 @@ struct BatchOptions {
 /// Returns the path of a row's model: relative to the list's folder. @param model  as in BatchRow::model
 std::string modelPath(const BatchOptions& options, const std::string& model);
 
+/// Checks that a model can be opened, again and again: it is no pipe. @returns BadInput otherwise
+Status checkModel(const std::string& path);
+
 /// Carves one process's rows of a batch into the folder.
 class BatchRun {
  public:

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The `qrelief` command. The README is the contract for its options.
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <new>
 #ifdef __GLIBC__
@@ -11,6 +14,7 @@
 
 #include "base/version.h"
 #include "cli/commands.h"
+#include "message_codes/command.h"
 #include "message_codes/model.h"
 #include "messages/sentences.h"
 
@@ -110,6 +114,22 @@ void keepFreedMemory() {
 #endif
 }
 
+/// Opens the standard streams that the caller has closed. Otherwise the next files would get their numbers, and
+/// messages would go into them.
+void openStandardStreams() {
+  for (int stream = 0; stream < 3; ++stream)
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+}
+
+/// Returns the exit status, with a message if the results could not be printed.
+int finished(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  const int printed =
+      printError({ErrorKind::BadInput, message<"file-not-written">(with::term<"path">("The output"),
+                                                                   with::term<"why">(std::strerror(errno)))});
+  return status == kEngraved ? printed : status;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Engraves a QR code into a 3D model, just deep enough for a phone to read it by its shadow.", "qrelief");
   app.set_version_flag("--version", std::string("qrelief ") + kVersion);
@@ -143,7 +163,8 @@ int main(int argc, char** argv) {
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the user's limit (ulimit -f) then fails like one on a full disk
 #endif
-    return qrelief::run(argc, argv);
+    qrelief::openStandardStreams();
+    return qrelief::finished(qrelief::run(argc, argv));
   } catch (const std::bad_alloc&) {
     std::fputs("qrelief: error: there is not enough memory for this model\n", stderr);
   } catch (const std::exception& error) {

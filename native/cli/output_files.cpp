@@ -8,6 +8,7 @@
 
 #include "base/unicode.h"
 #include "message_codes/command.h"
+#include "native/files.h"
 
 namespace qrelief {
 namespace {
@@ -23,21 +24,15 @@ std::string comparable(const std::string& path) {
   return caseFolded((folder / fs::path(path).filename()).string());
 }
 
-Status checkFolder(const std::string& path) {
+/// Checks that a file of this name can be written, by beginning one.
+Status checkWritable(const std::string& path) {
   std::error_code error;
-  const fs::path folder = folderOf(path);
-  int why = 0;
-  if (fs::is_directory(path, error))
-    why = EISDIR;
-  else if (!fs::exists(folder, error))
-    why = ENOENT;
-  else if (!fs::is_directory(folder, error))
-    why = ENOTDIR;
-  else if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    why = errno;
-  if (why == 0) return {};
-  return fail(ErrorKind::BadInput,
-              message<"file-not-written">(with::term<"path">(path), with::term<"why">(std::strerror(why))));
+  const bool exists = fs::exists(path, error);
+  if (exists && ::access(path.c_str(), W_OK) != 0)
+    return fail(ErrorKind::BadInput,
+                message<"file-not-written">(with::term<"path">(path), with::term<"why">(std::strerror(errno))));
+  if (const auto file = AtomicFile::create(path); !file) return tl::unexpected(file.error());
+  return {};
 }
 
 }  // namespace
@@ -70,7 +65,7 @@ Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> ou
                                                                  with::term<"path">(output.path)));
   }
   for (const FileUse& output : outputs)
-    if (!output.path.empty()) QRELIEF_TRY(checkFolder(output.path));
+    if (!output.path.empty()) QRELIEF_TRY(checkWritable(output.path));
   return {};
 }
 

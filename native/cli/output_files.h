@@ -18,7 +18,7 @@ struct FileUse {
 /// @param inputs   files that it reads
 /// @param outputs  files that it writes
 /// @returns BadUsage if an output is an input or another output, whatever the capitals of their names; BadInput if an
-///          output's folder does not exist or cannot be written to
+///          output cannot be written: its folder does not exist or is read-only, its name is too long, or it is no file
 Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> outputs);
 
 /// Checks the file of --json against the model (checkOutputs).

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <sys/stat.h>
 
 #include "cli/command_fixture.h"
 #include "math/box.h"
@@ -226,6 +227,18 @@ TEST_F(BatchCommandTest, ARowMayHaveItsOwnModel) {
   EXPECT_THAT(without.err, HasSubstr("hint: Fill in its column"));
 }
 
+TEST_F(BatchCommandTest, AModelThatCannotBeReadAgainIsRefusedBeforeAnythingIsWritten) {
+  ASSERT_EQ(mkfifo(path("pipe.stl").c_str(), 0600), 0);
+  for (const auto& [model, reason] :
+       {std::pair("pipe.stl", "It is a pipe"), std::pair("none.stl", "cannot be opened")}) {
+    model_ = path(model);
+    const Outcome outcome = run(arguments({"--count", "1", "--text", "a"}));
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_THAT(filesIn("out"), IsEmpty());
+  }
+}
+
 TEST_F(BatchCommandTest, TheModelAndTheListAreNotOverwritten) {
   ASSERT_TRUE(fs::create_directory(path("out")));
   const std::string inside = writeModel("out/1.stl", shapes::plate({40, 40}, 5, 4, 4));
@@ -395,6 +408,31 @@ nonsense
   EXPECT_EQ(answers[4]["status"], "refused");
   EXPECT_THAT(answers[4]["reason"].get<std::string>(), HasSubstr("already exists"));
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"a.stl", "manifest.jsonl"}));
+}
+
+TEST_F(BatchCommandTest, AStreamOverwritesNeitherAModelNorAFileWhoseNameDiffersInCapitals) {
+  fs::create_directory(path("out"));
+  for (const char* name : {"plate.stl", "other.stl"}) fs::copy_file(model_, path("out/") + name);
+  model_ = path("out/plate.stl");
+  const std::string other = path("out/other.stl");
+  writeText("requests", R"({"text": "a", "file": "Plate.stl"})"
+                        "\n{\"text\": \"b\", \"file\": \"K.stl\", \"model\": \"" +
+                            other + "\"}\n" +
+                            R"({"text": "c", "file": "other.stl"}
+{"text": "d", "file": "k.stl"}
+{"text": "b", "file": "k.stl"}
+)");
+  std::vector<std::string> stream = arguments({"--stream"});
+  stream.back() += "' <'" + path("requests");  // the fixture puts quotes around it
+  const std::vector<Json> answers = linesOf(run(stream).out);
+  ASSERT_EQ(answers.size(), 5u);
+  EXPECT_THAT(answers[0]["reason"].get<std::string>(), HasSubstr("would overwrite " + model_));
+  EXPECT_EQ(answers[1]["status"], "done");
+  EXPECT_THAT(answers[2]["reason"].get<std::string>(), HasSubstr("would overwrite " + other));
+  for (const std::size_t i : {3u, 4u})
+    EXPECT_THAT(answers[i]["reason"].get<std::string>(), HasSubstr("The file \"K.stl\" already exists")) << i;
+  EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"K.stl", "manifest.jsonl", "other.stl", "plate.stl"}));
+  EXPECT_EQ(contentOf(model_), contentOf(other));
 }
 
 TEST_F(BatchCommandTest, AColumnNamedLikeAFlagGetsAHint) {

@@ -6,10 +6,10 @@
 
 namespace qrelief {
 
-Outcome CommandTest::run(const std::vector<std::string>& arguments) const {
+Outcome CommandTest::run(const std::vector<std::string>& arguments, const std::string& redirections) const {
   std::string line = "'" QRELIEF_COMMAND "'";
   for (const std::string& argument : arguments) line += " '" + argument + "'";
-  line += " >'" + path("stdout") + "' 2>'" + path("stderr") + "'";
+  line += " >'" + path("stdout") + "' 2>'" + path("stderr") + "' " + redirections;
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path("stdout")), contentOf(path("stderr"))};
 }

@@ -63,7 +63,8 @@ class CommandTest : public testing::Test {
   }
 
   /// Runs the command; quotes the arguments for the shell.
-  Outcome run(const std::vector<std::string>& arguments) const;
+  /// @param redirections  for the shell, such as ">/dev/full"; they replace those that collect the output
+  Outcome run(const std::vector<std::string>& arguments, const std::string& redirections = {}) const;
 
   std::filesystem::path folder_;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "cli/command_fixture.h"
 #include "messages/option_texts.h"
@@ -131,6 +132,29 @@ TEST_F(CommandTest, VersionAndHelpAreStatusZero) {
   EXPECT_EQ(run({"--version"}).status, 0);
   EXPECT_EQ(run({"--help"}).status, 0);
   EXPECT_EQ(run({"engrave", "--help"}).status, 0);
+}
+
+TEST_F(CommandTest, ResultsThatCannotBePrintedAreNoSuccess) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 40}));
+  const Outcome outcome = run({"info", model}, ">/dev/full");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("The output cannot be written: No space left"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run({"info", model}).status, 0);
+}
+
+TEST_F(CommandTest, ClosedStandardStreamsEndUpInNoFile) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  const auto statusOf = [&](std::vector<std::string> arguments) {
+    for (const char* cheap : {"--at", "0,0,5", "--size", "21", "--process", "none"}) arguments.emplace_back(cheap);
+    return run(arguments, "<&- >&- 2>&-").status;
+  };
+  EXPECT_EQ(statusOf({"engrave", model, "--text", "a", "-o", path("one.stl")}), 0);
+  EXPECT_TRUE(readBack("one.stl").has_value());
+  EXPECT_EQ(statusOf({"batch", model, "--count", "2", "--text", "a{n}", "-o", path("out")}), 0);
+  std::istringstream lines(contentOf(path("out/manifest.jsonl")));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_TRUE(line.starts_with("{\"number\"")) << line;
+  EXPECT_EQ(count, 2);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -20,6 +21,7 @@ namespace qrelief {
 namespace {
 
 using EngraveCommandTest = CommandTest;
+using testing::HasSubstr;
 
 TEST_F(EngraveCommandTest, EngravesAModelAndWritesMeshReportAndPreview) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 5));
@@ -215,6 +217,50 @@ TEST_F(EngraveCommandTest, ChecksTheNamesOfItsFilesBeforeAnyWork) {
   EXPECT_EQ(refused({"-o", path("folder.stl")}).status, 3);
   std::filesystem::create_symlink(model, path("link.stl"));
   EXPECT_EQ(refused({"-o", path("link.stl")}).status, 2) << "a link to the model";
+}
+
+TEST_F(EngraveCommandTest, RefusesFilesThatCannotBeWrittenBeforeAnyWork) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  ASSERT_EQ(mkfifo(path("pipe.stl").c_str(), 0600), 0);
+  const auto refusal = [&](const std::string& output) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "a", "-o", output, "--at", "0,0,5", "--size", "21", "--process", "none"});
+    EXPECT_EQ(outcome.status, 3) << output;
+    EXPECT_EQ(outcome.err.find('%'), std::string::npos) << "no work yet: " << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("/proc/x.stl"), HasSubstr("/proc/x.stl cannot be written"));
+  EXPECT_THAT(refusal(path("pipe.stl")), HasSubstr("it is a pipe or a device, not a file"));
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe.stl")));
+  EXPECT_THAT(refusal(path(std::string(252, 'x') + ".stl")), HasSubstr("File name too long"));
+}
+
+TEST_F(EngraveCommandTest, WritesTheLongestNamesThatTheFileSystemTakes) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  const std::string name = std::string(251, 'x') + ".stl";
+  const Outcome outcome =
+      run({"engrave", model, "--text", "a", "-o", path(name), "--at", "0,0,5", "--size", "21", "--process", "none"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(readBack(name).has_value());
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+}
+
+TEST_F(EngraveCommandTest, KeepsADistanceFromAShellThatMayBeACavity) {
+  // The inner shell faces outwards, too, 2 mm below the surface.
+  const Mesh model = shapes::together(shapes::box({60, 60, 20}), shapes::box({56, 56, 16}));
+  const Outcome outcome = run({"engrave", writeModel("hollow.stl", model), "--text", "a", "-o", path("out.stl"), "--at",
+                               "0,0,10", "--process", "none", "--quiet"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("pockets keep their distance from it either way"));
+  const auto engraved = readBack("out.stl");
+  ASSERT_TRUE(engraved.has_value());
+  double deepest = 10;
+  for (const Vec3& p : engraved->positions)
+    if (p.z > 8.001) deepest = std::min(deepest, p.z);
+  for (const Vec3& p : engraved->positions)
+    EXPECT_FALSE(p.z < 8.79 && p.z > -9.9 && std::abs(p.x) < 27 && std::abs(p.y) < 27) << p.z;
+  EXPECT_LT(deepest, 9.5) << "something is engraved";
 }
 
 TEST_F(EngraveCommandTest, SaysWhichOptionsHaveNoEffect) {

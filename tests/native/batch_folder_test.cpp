@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <iterator>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "native/files.h"
@@ -162,6 +163,16 @@ TEST_F(BatchFolderTest, AllowsOneProcessPerShare) {
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message.code, "batch-folder-in-use");
   EXPECT_TRUE(BatchFolder::open(path_, {1, 2}));
+}
+
+TEST_F(BatchFolderTest, DoesNotWaitForPipes) {
+  {
+    BatchFolder first = folder();
+    ASSERT_TRUE(first.append(entry(1)));
+  }
+  ASSERT_EQ(::mkfifo((path_ / "1.stl").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((path_ / "manifest.0-of-2.jsonl").c_str(), 0600), 0);
+  EXPECT_EQ(folder().known(entry(1)).state, State::Changed);
 }
 
 }  // namespace
