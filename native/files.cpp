@@ -7,7 +7,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -42,10 +41,19 @@ std::string temporaryName(const std::string& path) {
   return fmt::format("{}.{}.{}.part", path.substr(0, slash + kBeginning), ::getpid(), ++count);
 }
 
-/// Returns true if the path names something that is no file, such as a pipe. A file would take its place.
+/// Returns true if the path leads to something that is no file, such as a pipe. A file would take its place.
 bool isOther(const std::string& path) {
-  struct stat status {};
-  return ::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+/// Returns the path of the file that a symbolic link leads to, so that the link stays.
+std::string withoutLinks(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  const std::filesystem::path file = std::filesystem::canonical(path, error);
+  return error ? path : file.string();
 }
 
 /// Returns true if the name is longer than the folder's file system allows.
@@ -109,7 +117,7 @@ tl::unexpected<Error> AtomicFile::failed() const {
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
-  AtomicFile file(path);
+  AtomicFile file(withoutLinks(path));
   std::error_code error;
   errno = std::filesystem::is_directory(path, error) ? EISDIR : isNameTooLong(path) ? ENAMETOOLONG : 0;
   if (errno != 0) return file.failed();

@@ -232,7 +232,22 @@ TEST_F(EngraveCommandTest, RefusesFilesThatCannotBeWrittenBeforeAnyWork) {
   EXPECT_THAT(refusal("/proc/x.stl"), HasSubstr("/proc/x.stl cannot be written"));
   EXPECT_THAT(refusal(path("pipe.stl")), HasSubstr("it is a pipe or a device, not a file"));
   EXPECT_TRUE(std::filesystem::is_fifo(path("pipe.stl")));
+  std::filesystem::create_symlink(path("pipe.stl"), path("link.stl"));
+  EXPECT_THAT(refusal(path("link.stl")), HasSubstr("it is a pipe or a device, not a file"));
   EXPECT_THAT(refusal(path(std::string(252, 'x') + ".stl")), HasSubstr("File name too long"));
+}
+
+TEST_F(EngraveCommandTest, WritesTheFileThatALinkLeadsTo) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  std::filesystem::create_directory(path("elsewhere"));
+  const std::string file = path("elsewhere/code.stl");
+  std::ofstream(file) << "old";
+  std::filesystem::create_symlink(file, path("link.stl"));
+  const Outcome outcome = run(
+      {"engrave", model, "--text", "a", "-o", path("link.stl"), "--at", "0,0,5", "--size", "21", "--process", "none"});
+  EXPECT_NE(outcome.status, 3) << outcome.err;
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.stl")));
+  EXPECT_GT(std::filesystem::file_size(file), 1000u);
 }
 
 TEST_F(EngraveCommandTest, WritesTheLongestNamesThatTheFileSystemTakes) {
