@@ -105,6 +105,21 @@ struct Sides {
   FacetTree surface;  ///< facets of the patch: other sides for facets that face away from them
 };
 
+/// Returns, for each body, whether its facets bound the material of `body`: those of itself, and of bodies that lie
+/// wholly within its box, as these may lie in its material.
+std::vector<std::uint8_t> boundingBodies(const Mesh& mesh, std::uint32_t body) {
+  if (mesh.bodyOf.empty()) return {1};
+  std::vector<Box3> boxes(*std::max_element(mesh.bodyOf.begin(), mesh.bodyOf.end()) + std::size_t{1});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t]) boxes[mesh.bodyOf[t]].add(Vec3(mesh.positions[v]));
+  const Box3& own = boxes[body];
+  std::vector<std::uint8_t> bounds;
+  for (const Box3& box : boxes)
+    bounds.push_back(glm::all(glm::greaterThan(box.min, own.min)) && glm::all(glm::lessThan(box.max, own.max)));
+  bounds[body] = 1;
+  return bounds;
+}
+
 Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, const Box3& region) {
   std::vector<Vec3> positions;
   positions.reserve(mesh.positions.size());
@@ -112,9 +127,10 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
   std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
   for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
   std::vector<FacetTree::Facet> walls, surface;
-  const std::uint32_t body = patch.triangles.empty() ? 0 : mesh.body(patch.triangles.front());
+  const std::uint32_t carved = patch.triangles.empty() ? 0 : mesh.body(patch.triangles.front());
+  const std::vector<std::uint8_t> bounds = boundingBodies(mesh, carved);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.body(t) != body) continue;
+    if (bounds[mesh.body(t)] == 0) continue;
     Box3 box;
     for (const std::uint32_t v : mesh.triangles[t]) box.add(positions[v]);
     const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));
@@ -122,7 +138,7 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
     const FacetTree::Facet facet{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
     if (inPatch[t] != 0 && !isGrazing(facet, frame, region))
       surface.push_back(facet);
-    else if (inPatch[t] != 0 || !isUnknown(facet, patch, frame))
+    else if (inPatch[t] != 0 || mesh.body(t) != carved || !isUnknown(facet, patch, frame))
       walls.push_back(facet);
   }
   return {FacetTree(walls), FacetTree(surface)};

@@ -129,16 +129,14 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
     if (turned[s] && result.insideOut++ == 0) result.insideOutExample = t;
     const bool inwards = (volumes[s] < 0) != (turned[s] != 0);
     if (enclosing[s].empty()) continue;
-    const bool nested = !inwards && enclosing[s].size() % 2 == 1;
-    if (inwards || nested)
+    if (inwards) {
       result.solidOf[s] = *std::max_element(
           enclosing[s].begin(), enclosing[s].end(),
           [&](std::uint32_t a, std::uint32_t b) { return enclosing[a].size() < enclosing[b].size(); });
-    if (inwards && result.cavities++ == 0) result.cavityExample = t;
-    if (nested && result.nestedSolids++ == 0) result.nestedExample = t;
+      if (result.cavities++ == 0) result.cavityExample = t;
+    }
+    if (!inwards && enclosing[s].size() % 2 == 1 && result.nestedSolids++ == 0) result.nestedExample = t;
   }
-  for (std::uint32_t& solid : result.solidOf)
-    while (result.solidOf[solid] != solid) solid = result.solidOf[solid];
   return result;
 }
 

@@ -35,8 +35,7 @@ struct Outwardness {
   std::size_t cavities = 0;      ///< enclosed closed shells that face inwards
   std::size_t nestedSolids = 0;  ///< enclosed closed shells that face outwards; left unchanged
   bool nestingKnown = true;      ///< false: nesting was too costly to find, so no shell counts as enclosed
-  /// Shell → the outermost shell of its solid. Cavities, and shells that perhaps should be cavities (nestedSolids), are
-  /// parts of the solid around them, so that pockets keep a wall before them.
+  /// Shell → the shell whose solid it bounds: for a cavity the innermost shell around it, else itself.
   std::vector<std::uint32_t> solidOf;
   std::optional<std::uint32_t> insideOutExample, cavityExample, nestedExample;  ///< a triangle of each
 };

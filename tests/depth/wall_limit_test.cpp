@@ -154,6 +154,17 @@ TEST(WallLimit, IsThatOfTheBodyAlone) {
   EXPECT_EQ(onAnother.limits(), plate.limits());
 }
 
+TEST(WallLimit, KeepsAWallBeforeABodyWithin) {
+  Case hollow{.mesh = shapes::together(shapes::box({60, 60, 20}), shapes::insideOut(shapes::box({56, 56, 16})))};
+  hollow.prepare();
+  Case nested{.mesh = shapes::together(shapes::box({60, 60, 20}), shapes::box({56, 56, 16}))};
+  for (std::size_t t = 0; t < nested.mesh.triangles.size(); ++t)
+    nested.mesh.bodyOf.push_back(t < nested.mesh.triangles.size() / 2 ? 0 : 1);
+  nested.prepare();
+  EXPECT_EQ(nested.limits(), hollow.limits());
+  for (const double limit : nested.limits()) EXPECT_NEAR(limit, 2 - nested.minWallMm, 0.02);
+}
+
 TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
   const Mesh outer = shapes::bumpySphere(30, 2, 5, 4);
   Case c{.mesh = shapes::together(outer, shapes::insideOut(shapes::icosphere(26, 3))), .symbolMm = 16, .size = 8};

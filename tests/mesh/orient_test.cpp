@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/orient.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
 
 namespace qrelief {
 namespace {
-
-using ::testing::ElementsAre;
 
 struct Oriented {
   Mesh mesh;
@@ -102,17 +99,6 @@ TEST(OrientOutwards, KeepsASolidInsideASolidAndReportsIt) {
   EXPECT_EQ(result.mesh.triangles, nested.triangles);
   EXPECT_EQ(result.outwardness.nestedSolids, 1u);
   EXPECT_EQ(result.outwardness.cavities, 0u);
-}
-
-TEST(OrientOutwards, CountsAShellThatMayBeACavityToTheSolidAroundIt) {
-  const Mesh cube = shapes::box({2, 2, 2});
-  const auto inner = [&](double size) { return shapes::box({size, size, size}); };
-  // Within a box: a box that faces outwards, with a cavity; in the cavity another box. Beside it, one more.
-  const Mesh all =
-      shapes::together(shapes::together(inner(9), inner(7)), shapes::together(shapes::insideOut(inner(5)), inner(3)));
-  const Oriented result = orient(shapes::together(all, shapes::translated(cube, {20, 0, 0})));
-  EXPECT_EQ(result.outwardness.nestedSolids, 2u);
-  EXPECT_THAT(result.outwardness.solidOf, ElementsAre(0, 0, 0, 0, 4));
 }
 
 TEST(OrientOutwards, MakesAMixedInnerShellACavity) {
