@@ -184,7 +184,9 @@ Result<VerifyRequest> requestFromReport(std::string_view json) {
   try {
     return readRequest(*report);
   } catch (const Json::exception& error) {
-    return badInput(message<"report-not-understood">(with::term<"problem">(error.what())));
+    std::string problem = error.what();  // "[json.exception.out_of_range.403] key 'size' not found"
+    problem.erase(0, problem.find(' ') + 1);
+    return badInput(message<"report-not-understood">(with::term<"problem">(problem)));
   }
 }
 

@@ -303,7 +303,7 @@ TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {
   const auto request = requestFromReport(report.dump());
   ASSERT_FALSE(request.has_value());
   EXPECT_EQ(request.error().kind, ErrorKind::BadInput);
-  EXPECT_THAT(sentence(request.error().message), HasSubstr("centre"));
+  EXPECT_THAT(sentence(request.error().message), HasSubstr("not valid: key 'centre' not found"));
   EXPECT_FALSE(requestFromReport("no JSON").has_value());
   EXPECT_FALSE(requestFromReport("[1, 2]").has_value());
   EXPECT_THAT(sentence(requestFromReport(std::string(100'000, '[')).error().message), HasSubstr("nests"));
