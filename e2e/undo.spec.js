@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-import { saddleFile } from './support/models.js';
+import { plateFile, saddleFile } from './support/models.js';
 import { poll } from './support/poll.js';
 
 /** @param {import('@playwright/test').Page} page */
@@ -210,5 +210,49 @@ test('Undo restores the previous model with unit and centre; Start over restores
     await expect(app.facts).toContainText('Star');
     await expect(app.text).toHaveValue('mine');
     await expect(app.setting('Modules')).toHaveValue('none');
+  });
+});
+
+test('A size typed for one model stays with it: the next one starts with its largest code', async ({ page }) => {
+  const app = new Engraver(page);
+  const { undo, redo } = buttons(page);
+  const enlarge = page.getByRole('button', { name: 'Make it as large as possible' });
+  await app.open('?sample=plate');
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('Size of the code').selectOption('Exactly');
+  await app.setting('Width (mm)').fill('30');
+  await app.setting('Width (mm)').blur();
+  await poll(() => app.width()).toBe(30);
+  await app.expectReady();
+
+  await app.file.setInputFiles(plateFile(22));
+  await expect(app.facts).toContainText('22.0 × 22.0 × 2.00 mm');
+  await expect(app.setting('Size of the code')).toHaveValue('best');
+  await app.expectReady();
+  const largest = await app.width();
+  expect(largest).toBeGreaterThan(14);
+
+  await test.step('undo brings model and size back', async () => {
+    await expect(undo).toBeEnabled();
+    await undo.click();
+    await expect(app.facts).toContainText('44.0 × 44.0');
+    await expect(app.setting('Size of the code')).toHaveValue('fixed');
+    await poll(() => app.width()).toBe(30);
+    await expect(redo).toBeEnabled();
+    await redo.click();
+    await expect(app.facts).toContainText('22.0 × 22.0');
+    await poll(() => app.width()).toBe(largest);
+    await app.expectReady();
+  });
+
+  await test.step('a size without room there offers the largest again', async () => {
+    await app.setting('Size of the code').selectOption('Exactly');
+    await app.setting('Width (mm)').fill('60');
+    await app.setting('Width (mm)').blur();
+    await expect(app.status).toContainText('No spot on the model has room for a code of 60 mm');
+    await enlarge.click();
+    await poll(() => app.width()).toBe(largest);
+    await expect(enlarge).toHaveCount(0);
   });
 });

@@ -43,6 +43,8 @@ export class Exporter {
     this.editor_ = editor;
     this.carving_ = carving;
     this.jobs_ = jobs;
+    /** Settings that the address or the last settings file asked for. @type {import('../settings/work_settings.js').WorkSettings} */
+    this.asked = {};
     panel.listen({
       onPicture: () => guard(() => this.savePicture()),
       onSettings: () => guard(async () => this.saveSettings()),
@@ -100,7 +102,8 @@ export class Exporter {
 
   /** @param {import('../engine/types.js').Settings} settings */
   write_(settings) {
-    this.store_.update({ text: settings.text, settings: restoredSettings(settings, this.defaults_) });
+    this.asked = restoredSettings(settings, this.defaults_);
+    this.store_.update({ text: settings.text, settings: this.asked });
   }
 
   /**

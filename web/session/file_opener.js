@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens samples and files (models, settings, lists), and returns to the page's first state.
+import { settingsForAnother } from '../settings/work_settings.js';
 import { looksLikeSettings } from '../export/settings_file.js';
 import { looksLikeList } from './batching.js';
 
@@ -36,8 +37,10 @@ export class FileOpener {
     /** True once the user has chosen a file. */
     this.fileChosen = false;
     /** The text that the page's address gives to its sample. @type {string | undefined} */ this.sampleText = undefined;
+    /** @type {import('./model_session.js').SettingsFor} */
+    this.settingsFor_ = (settings) => settingsForAnother(settings, exporter.asked);
     panel.listen({
-      onSample: (id) => guard(() => model.openSample(id)),
+      onSample: (id) => guard(() => model.openSample(id, {}, this.settingsFor_)),
       onFile: (file) => guard(() => this.openFile(file)),
       onScale: (scaleToMm) => guard(() => model.rescale(scaleToMm)),
       onUpAxis: (upAxis) => guard(() => editor.turnUp(upAxis)),
@@ -62,7 +65,7 @@ export class FileOpener {
   /** Opens the user's model. A sample's own text does not follow to it. @param {File} file */
   async openModel_(file) {
     const isSampleText = this.store_.work.text === this.sampleText;
-    await this.model_.openFile(file);
+    await this.model_.openFile(file, this.settingsFor_);
     if (!isSampleText || this.model_.source?.sampleId !== undefined) return;
     this.sampleText = undefined;
     this.store_.update({ text: this.code_.initialText });

@@ -15,6 +15,7 @@ import { Undo } from './undo.js';
 /** @type {any} */ let parts;
 /** @type {string[]} */ let opened;
 /** @type {any} */ let restored;
+/** @type {import('../ui/model_panel.js').ModelListener} */ let listener;
 /** @type {FileOpener} */ let opener;
 
 beforeEach(() => {
@@ -22,14 +23,14 @@ beforeEach(() => {
   restored = undefined;
   const opens = (/** @type {string} */ kind) => async () => void opened.push(kind);
   parts = {
-    panel: fake(ModelPanel),
+    panel: fake(ModelPanel, { listen: (/** @type {any} */ to) => void (listener = to) }),
     code: fake(CodePanel, {}, { initialText: 'first' }),
     defaults: { preset: 'balanced' },
     store: storeOf({ text: 'of the sample' }),
     model: fake(ModelSession, { source: {}, openFile: opens('model'), openSample: opens('sample') }),
     batching: fake(Batching, { openList: opens('list') }),
     editor: fake(WorkEditor, { restore: (/** @type {any} */ state) => void (restored = state) }),
-    exporter: fake(Exporter, { useSettings: opens('settings') }),
+    exporter: fake(Exporter, { useSettings: opens('settings') }, { asked: {} }),
     undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
     jobs: fake(Jobs),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
@@ -90,4 +91,18 @@ test('Starting over restores the first text and the defaults as one change', asy
   assert.deepEqual(opened, ['sample']);
   assert.deepEqual(parts.undo.calls, ['recordNow', 'asOne']);
   assert.deepEqual(parts.code.calls, ['leaveBuilder']);
+});
+
+test('A size made for one model does not follow to the user’s next model or sample, unless a link asked for it', async () => {
+  /** @type {any[]} */ const sizes = [];
+  const takes = (/** @type {any[]} */ ...given) => void sizes.push(given.at(-1)({ size: 15, rotateDeg: 0 }).size);
+  Object.assign(parts.model.answers, { openFile: takes, openSample: takes });
+  const open = async () => {
+    await opener.openFile(new File([''], 'a.stl'));
+    await listener.onSample('vase');
+  };
+  await open();
+  parts.exporter.asked = { size: 15, rotateDeg: 0 };
+  await open();
+  assert.deepEqual(sizes, ['best', 'best', 15, 15]);
 });

@@ -13,6 +13,12 @@ import { centredAt, chosenCentre } from './work.js';
  *   unitStated?: boolean }} Source
  * `scaleToMm`: 0 takes the unit from the file, and loading replaces it; `unitStated`: the unit came from the file */
 
+/** @typedef {import('../settings/work_settings.js').WorkSettings} WorkSettings */
+/** @typedef {(settings: WorkSettings) => WorkSettings} SettingsFor  returns the settings that the new model starts with */
+
+/** @type {SettingsFor} */
+const asTheyAre = (settings) => settings;
+
 const kMaxFileBytes = 512 * 1024 * 1024; // a larger file exhausts a tab's memory before the page can report it
 
 /**
@@ -66,8 +72,9 @@ export class ModelSession {
    * Opens a sample.
    * @param {string} [id]  default: the first sample
    * @param {Partial<Source> & { centreMm?: Point }} [place]  overrides the sample's values
+   * @param {SettingsFor} [settingsFor]
    */
-  async openSample(id = this.samples_[0].id, place = {}) {
+  async openSample(id = this.samples_[0].id, place = {}, settingsFor = asTheyAre) {
     const sample = this.samples_.find((known) => known.id === id);
     if (!sample) {
       const names = this.samples_.map((known) => known.id).join(', ');
@@ -83,11 +90,12 @@ export class ModelSession {
     await this.load(
       { bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, ...instead },
       centreMm,
+      settingsFor,
     );
   }
 
-  /** @param {File} file */
-  async openFile(file) {
+  /** @param {File} file @param {SettingsFor} [settingsFor] */
+  async openFile(file, settingsFor = asTheyAre) {
     if (file.size > kMaxFileBytes) {
       const values = { file: file.name, size: Math.round(file.size / 2 ** 20), limit: kMaxFileBytes / 2 ** 20 };
       this.messages_.showError({ found: () => text('page.tooLarge', values), help: () => text('page.tooLargeHint') });
@@ -96,7 +104,7 @@ export class ModelSession {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const { upAxis } = this.panel_; // last chosen values: files from one source usually share them
     const scaleToMm = /\.(3mf|zip)$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
-    await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
+    await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' }, undefined, settingsFor);
   }
 
   /** @param {number} scaleToMm */
@@ -119,8 +127,9 @@ export class ModelSession {
    * Loads a model.
    * @param {Source} source      becomes the current source if it can be read
    * @param {Point} [centreMm]  centre of the code; default: the module's proposal
+   * @param {SettingsFor} [settingsFor]
    */
-  async load(source, centreMm) {
+  async load(source, centreMm, settingsFor = asTheyAre) {
     this.onReplacing_();
     this.jobs_.abortBackground();
     await this.jobs_.untilIdle();
@@ -130,10 +139,11 @@ export class ModelSession {
       if (source.upAxis !== axisBefore) await this.client_.show({ upAxis: source.upAxis });
       this.info = await this.read_(source);
       const { scaleToMm } = this.info;
-      this.store_.update({
+      this.store_.update(({ settings }) => ({
         source: { ...source, scaleToMm, unitStated: source.scaleToMm === 0 },
         ...centredAt(centreMm),
-      });
+        settings: settingsFor(settings),
+      }));
     } catch (thrown) {
       this.show_();
       this.onFailed_();

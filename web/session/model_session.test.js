@@ -107,3 +107,18 @@ test('An unknown sample is named with the known ones, and nothing is read', asyn
   assert.deepEqual(events, []);
   assert.equal(model.source, undefined);
 });
+
+test('A new model starts with settings made for it, unless it cannot be read', async () => {
+  store.update({ settings: { size: 24.6 } });
+  const opens = () =>
+    model.openFile(new File([''], 'b.stl'), ({ size: _, ...others }) => ({ ...others, size: 'best' }));
+  const { loadModel } = client.answers;
+  client.answers.loadModel = async () => {
+    throw noRoom();
+  };
+  await assert.rejects(opens());
+  assert.deepEqual(store.work.settings, { size: 24.6 });
+  client.answers.loadModel = loadModel;
+  await opens();
+  assert.deepEqual(store.work.settings, { size: 'best' });
+});

@@ -39,6 +39,8 @@ export class Placing {
     /** Announces the new placement. @type {Signal<[Placement | undefined]>} */ this.placed = new Signal();
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
+    /** Why the code was not placed. @type {import('../engine/types.js').EngineError | undefined} */
+    this.problem_ = undefined;
     this.again_ = false;
     this.isSilent_ = false;
     /** Resolves once the centre picked last is known. @type {Promise<void> | undefined} */ this.moving = undefined;
@@ -47,6 +49,11 @@ export class Placing {
 
   get mayMove_() {
     return !this.jobs_.busy;
+  }
+
+  /** True if the code had no room at its centre. */
+  get lacksRoom() {
+    return this.problem_?.kind === 'NoSolution';
   }
 
   /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
@@ -159,14 +166,17 @@ export class Placing {
         if (this.mayMove_ && !this.again_) this.tell_(() => text('page.ready'));
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
-        this.show_(undefined);
-        const guess = this.store_.work.centreIsGuess;
-        this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
-        if (!this.again_ && !guess) {
-          this.messages_.showError(describeThrown(thrown));
-        }
+        this.show_(undefined, describeThrown(thrown));
+        this.sayProblem_(describeThrown(thrown));
       }
     }
+  }
+
+  /** @param {import('../engine/types.js').EngineError} problem */
+  sayProblem_(problem) {
+    const guess = this.store_.work.centreIsGuess;
+    this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
+    if (!this.again_ && !guess) this.messages_.showError(problem);
   }
 
   /** Says how the placing goes, unless the status keeps what it says. @param {import('../i18n/live.js').Words} words */
@@ -182,9 +192,10 @@ export class Placing {
     this.messages_.say(() => `${asSentence(sentenceOf(problem))} ${help()}`);
   }
 
-  /** @param {Placement | undefined} placement */
-  show_(placement) {
+  /** @param {Placement | undefined} placement @param {import('../engine/types.js').EngineError} [problem] */
+  show_(placement, problem) {
     this.placement = placement;
+    this.problem_ = problem;
     this.panel_.showPlacement(placement);
     this.placed.emit(placement);
   }

@@ -222,8 +222,9 @@ export class SpotSearch {
     await this.client_.show({ sizes: false });
   }
 
-  /** Looks again with the new settings, if the proposal had not come before they changed. */
+  /** Looks again with the new settings, if the proposal had not come before they changed or has no room for them. */
   proposeAgain() {
+    this.mayPropose_ ||= this.placing_.lacksRoom;
     this.propose_();
   }
 }

@@ -210,3 +210,17 @@ test('A model without a spot or a fitting proposal says why', async () => {
   await spots.proposed;
   assert.deepEqual([placing.calls[0], problem.code], ['place', 'no-centre']);
 });
+
+test('Settings for which the proposed spot has no room begin a search; without a spot the page says why', async () => {
+  spots.begin();
+  search.resolve(kFound);
+  await spots.proposed;
+  placing.calls.length = 0;
+  placing.answers.lacksRoom = true;
+  search = new Pending();
+  spots.proposeAgain();
+  await settled();
+  search.reject(noRoom());
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['place', 'explain']);
+});

@@ -84,6 +84,23 @@ export function requestedSettings(settings, text) {
   return { text, ...Object.fromEntries(given) };
 }
 
+/**
+ * Returns the settings for another model. A size and a rotation made for one model do not follow to the next, which
+ * begins with the largest code that fits; those that were asked for do.
+ * @param {WorkSettings} settings
+ * @param {WorkSettings} asked  by the page's address or a settings file
+ * @returns {WorkSettings}
+ */
+export function settingsForAnother(settings, asked) {
+  const { size, rotateDeg } = defaultsOf(['size', 'rotateDeg']);
+  if (typeof settings.size !== 'number' && settings.rotateDeg === rotateDeg) return settings;
+  return {
+    ...settings,
+    size: settings.size === asked.size ? asked.size : size, // turning by hand has changed `best` to `oriented`
+    rotateDeg: settings.rotateDeg === asked.rotateDeg ? asked.rotateDeg : rotateDeg,
+  };
+}
+
 /** @param {WorkSettings} settings */
 export const keysOf = (settings) => /** @type {(keyof WorkSettings)[]} */ (Object.keys(settings));
 

@@ -9,6 +9,7 @@ import {
   restoredSettings,
   sameSettings,
   settingsAfter,
+  settingsForAnother,
 } from './work_settings.js';
 
 const kKeys = /** @type {import('../generated/settings.js').SettingKey[]} */ (Object.keys(kSettings));
@@ -79,4 +80,29 @@ test('Earlier settings are restored; the others get their defaults', () => {
     minWallMm: -1,
   });
   assert.deepEqual(restored({ preset: 'gone', size: 'gone', minWallMm: NaN, other: 1 }), defaults);
+});
+
+test('A size and a rotation made for one model do not follow to the next', () => {
+  const next = (/** @type {any} */ settings, asked = {}) => settingsForAnother({ ...kDefaults, ...settings }, asked);
+  const first = { ...kDefaults, minWallMm: 1 };
+  for (const made of [
+    { size: 24.6 },
+    { size: 24.6, rotateDeg: 15 },
+    { size: 'oriented', rotateDeg: 15 },
+    { size: NaN },
+  ])
+    assert.deepEqual(next({ ...made, minWallMm: 1 }), first, JSON.stringify(made));
+});
+
+test('A choice of size follows to the next model, and so do size and rotation that were asked for', () => {
+  for (const [size, rotateDeg, asked] of /** @type {[any, number, any][]} */ ([
+    ['oriented', 0, {}],
+    [15, 0, { size: 15, rotateDeg: 0 }],
+    ['oriented', 30, { size: 'oriented', rotateDeg: 30 }],
+  ])) {
+    const settings = { ...kDefaults, size, rotateDeg };
+    assert.deepEqual(settingsForAnother(settings, asked), settings);
+  }
+  const changed = { ...kDefaults, size: 20 };
+  assert.deepEqual(settingsForAnother(changed, { size: 15, rotateDeg: 0 }), kDefaults, 'the user changed it since');
 });

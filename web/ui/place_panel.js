@@ -5,6 +5,7 @@ import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 import { formatMm } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { message } from '../engine/message.js';
 import { asSentence } from '../i18n/sentences.js';
 import { showSpotCost } from './carve_panel.js';
 import { showFindings } from './messages.js';
@@ -107,8 +108,8 @@ export class PlacePanel {
       severity: 'warning',
       found: sentenceOf(concern),
       help: [hintOf(concern), ...(isSpotless ? [text('page.orClick')] : [])].map(asSentence).join(' '),
-      remedies: changesFor(concern).map(({ key, change }) => {
-        const label = text(key);
+      remedies: changesFor(concern).map(({ words, change }) => {
+        const label = words();
         return { label, run: () => this.onRemedy_(change, label) };
       }),
     };
@@ -121,15 +122,24 @@ const kThin = ['nothing-can-be-carved', 'nothing-can-be-carved-over-shell', 'no-
 const kOfLamps = ['spot-lit-unevenly-by-lamps', 'spot-wants-another-lamp'];
 
 /**
- * Returns the changes of one click that help, with the keys of their labels.
+ * Returns the changes of one click that help, with their labels.
  * @param {Message} concern
- * @returns {{ key: 'page.paintInstead' | 'page.moveLamp', change: SettingChange }[]}
+ * @returns {{ words: import('../i18n/live.js').Words, change: SettingChange }[]}
  */
-export function changesFor({ code, values: { lamp } }) {
-  if (kThin.includes(code)) return [{ key: 'page.paintInstead', change: { setting: 'mark', value: 'paint' } }];
-  if (lamp && 'term' in lamp) return [{ key: 'page.moveLamp', change: { setting: 'light', value: lamp.term } }];
+export function changesFor({ code, values: { lamp, code: asked } }) {
+  if (kThin.includes(code)) return [{ words: kWords.paint, change: { setting: 'mark', value: 'paint' } }];
+  if (lamp && 'term' in lamp) return [{ words: kWords.move, change: { setting: 'light', value: lamp.term } }];
+  const isOfFixedSize = asked && 'cause' in asked && 'size' in asked.cause.values;
+  if (code.startsWith(kNoSpot) && isOfFixedSize)
+    return [{ words: kWords.enlarge, change: { setting: 'size', value: 'best' } }];
   return [];
 }
+
+const kWords = {
+  paint: () => text('page.paintInstead'),
+  move: () => text('page.moveLamp'),
+  enlarge: () => sentenceOf(message('remedy-as-large-as-fits')),
+};
 
 const kWorthSaying = 1.01; // ratio of two sizes
 
