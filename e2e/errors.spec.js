@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-import { openFile, saddleFile, truncatedFile } from './support/models.js';
+import { openFile, plateFile, saddleFile, truncatedFile } from './support/models.js';
 
 test('A bad file is refused with a reason, and the previous model stays', async ({ page }) => {
   const app = new Engraver(page);
@@ -61,6 +61,18 @@ test('An empty text, a too large code and a setting out of range are refused wit
   await app.engraveButton.click();
   await expect(app.result).toBeHidden();
   await expect(app.alert).toContainText(/mm/);
+});
+
+test('A model that is too small for any code shows none, and asks for no click', async ({ page }) => {
+  const app = new Engraver(page);
+  const hint = page.locator('#view-hint');
+  await app.open('?sample=plate');
+  await app.expectReady();
+  await app.file.setInputFiles(plateFile(4));
+  await expect(app.status).toContainText('The model is too small for any code');
+  await expect(hint).toBeHidden();
+  await expect(app.moveHandle).toHaveCount(0);
+  await expect(app.alert).toHaveCount(0);
 });
 
 test('Without WebGL 2 or WebAssembly the page says so', async ({ page, context }) => {

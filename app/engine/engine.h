@@ -61,7 +61,7 @@ class Engine {
   std::string layFace(const std::string& at) const;
 
   /// Finds the place and shows the symbol there. Returns {placement: Placement}. Where no code fits, shows the part
-  /// that does.
+  /// that does; on a model that is too small for any code, none.
   std::string placement();
 
   /// Returns {construction: Construction}, how the placed code was placed; null if none is placed.

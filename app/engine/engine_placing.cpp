@@ -12,6 +12,7 @@
 #include "pipeline/coloured_code.h"
 #include "pipeline/label_pockets.h"
 #include "projection/flatness.h"
+#include "projection/size_bound.h"
 
 namespace qrelief {
 namespace {
@@ -44,6 +45,9 @@ Status Engine::placeCode() {
   if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message<"no-centre">());
   QRELIEF_TRY(model_->engravable->prepared.engravable());
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
+  const int modules = wanted_.symbol()->size;
+  const SizeBound room{modules, roomFactor(modules, searchedPlacement(settings(), modules))};
+  QRELIEF_TRY(checkSizeBound(model_->engravable->prepared, room, settings().placement.eyeDistanceMm));
   return preview_.place(task());
 }
 

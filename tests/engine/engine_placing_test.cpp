@@ -245,5 +245,13 @@ TEST_F(EnginePlacingTest, ShowsACodeThatDoesNotFit) {
   EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
 }
 
+TEST_F(EnginePlacingTest, ShowsNoCodeOnAModelThatIsTooSmallForAny) {
+  load(shapes::box({3, 3, 3}));
+  engine_->configure(kSettings);
+  engine_->setCentre(R"({"mm": [0, 0, 1.5]})");
+  expectError(engine_->placement(), "NoSolution", "model-too-small");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -56,6 +56,11 @@ export class Placing {
     return this.problem_?.kind === 'NoSolution';
   }
 
+  /** True if no place on the model has room for a code. */
+  get isHopeless() {
+    return this.problem_?.code === 'model-too-small';
+  }
+
   /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
   confirmCentre() {
     this.store_.update({ centreIsGuess: false });
@@ -175,6 +180,10 @@ export class Placing {
   /** @param {import('../engine/types.js').EngineError} problem */
   sayProblem_(problem) {
     const guess = this.store_.work.centreIsGuess;
+    if (guess && this.isHopeless) {
+      this.explain(problem);
+      return;
+    }
     this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
     if (!this.again_ && !guess) this.messages_.showError(problem);
   }

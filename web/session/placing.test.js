@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { EngineClient } from '../engine/client.js';
+import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { setLanguage } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
@@ -87,6 +88,23 @@ test('A proposed centre without room asks for another; a chosen one is an error'
   assert.equal(problem().code, 'no-centre');
   assert.equal(placing.placement, undefined);
   assert.equal(moved, 1);
+});
+
+test('A model that is too small for any code says so at its proposed centre, and asks for no other', async () => {
+  await messageWords.load();
+  client.answers.placement = async () => {
+    throw noRoom();
+  };
+  await placing.begin();
+  assert.deepEqual([placing.lacksRoom, placing.isHopeless], [true, false]);
+  client.answers.placement = async () => {
+    const most = { lengthMm: 2.94 };
+    throw new EngineFailure({ kind: 'NoSolution', ...message('model-too-small', { most }) });
+  };
+  await placing.begin();
+  assert.deepEqual([placing.lacksRoom, placing.isHopeless], [true, true]);
+  assert.match(messages.said.at(-1) ?? '', /^The model is too small for any code/);
+  assert.equal(problem(), undefined);
 });
 
 test('A code that was moved off an edge says so', async () => {

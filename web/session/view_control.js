@@ -75,7 +75,11 @@ export class ViewControl {
     picker.listen({ onPick: (picking) => tools.set({ picking }) });
     inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
     placing.placed.on((placement) => {
-      toolbar.setPlaced(placement !== undefined, placement?.capitalMm === null, model.engravable);
+      toolbar.setPlaced(
+        placement !== undefined,
+        placement?.capitalMm === null,
+        model.engravable && !placing.isHopeless,
+      );
       tools.set({ placed: placement !== undefined });
       if (toolbar.constructionShown) void guard(() => this.explain_());
     });
