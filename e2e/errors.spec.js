@@ -75,6 +75,23 @@ test('A model that is too small for any code shows none, and asks for no click',
   await expect(app.alert).toHaveCount(0);
 });
 
+test('Of several dropped files the model is opened, and the page says that the others are not', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=plate');
+  await app.expectReady();
+  await page.evaluate(
+    ({ name, bytes }) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File(['newmtl red'], 'saddle.mtl'));
+      dataTransfer.items.add(new File([new Uint8Array(bytes)], name));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    { name: saddleFile.name, bytes: [...saddleFile.buffer] },
+  );
+  await expect(app.alert).toContainText('Of the 2 files, only my saddle.stl was opened.');
+  await expect(app.facts).toContainText('my saddle.stl');
+});
+
 test('Without WebGL 2 or WebAssembly the page says so', async ({ page, context }) => {
   await page.addInitScript(() => {
     Object.defineProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen', { value: undefined });

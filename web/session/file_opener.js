@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens samples and files (models, settings, lists), and returns to the page's first state.
 import { settingsForAnother } from '../settings/work_settings.js';
+import { text } from '../i18n/catalogue.js';
 import { looksLikeSettings } from '../export/settings_file.js';
 import { looksLikeList } from './batching.js';
 
@@ -17,12 +18,13 @@ import { looksLikeList } from './batching.js';
  * @property {import('./undo.js').Undo} undo
  * @property {import('./jobs.js').Jobs} jobs
  * @property {Pick<import('../view/view_tools.js').ViewTools, 'act'>} tools
+ * @property {Pick<import('../ui/messages.js').Messages, 'showError'>} messages
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class FileOpener {
   /** @param {FileOpenerOptions} options */
-  constructor({ panel, code, defaults, store, model, batching, editor, exporter, undo, jobs, tools, guard }) {
+  constructor({ panel, code, defaults, store, model, batching, editor, exporter, undo, jobs, tools, messages, guard }) {
     this.code_ = code;
     this.store_ = store;
     this.defaults_ = defaults;
@@ -32,6 +34,7 @@ export class FileOpener {
     this.exporter_ = exporter;
     this.undo_ = undo;
     this.jobs_ = jobs;
+    this.messages_ = messages;
     /** Resolves when the module has started; false: it did not. @type {Promise<boolean>} */
     this.started = Promise.resolve(false);
     /** True once the user has chosen a file. */
@@ -41,10 +44,20 @@ export class FileOpener {
     this.settingsFor_ = (settings) => settingsForAnother(settings, exporter.asked);
     panel.listen({
       onSample: (id) => guard(() => model.openSample(id, {}, this.settingsFor_)),
-      onFile: (file) => guard(() => this.openFile(file)),
+      onFile: (file, left) => guard(() => this.openOneOf_(file, left)),
       onScale: (scaleToMm) => guard(() => model.rescale(scaleToMm)),
       onUpAxis: (upAxis) => guard(() => editor.turnUp(upAxis)),
       onBody: (index) => tools.act({ kind: 'body', index }),
+    });
+  }
+
+  /** @param {File} file @param {number} left  number of files that were dropped with it */
+  async openOneOf_(file, left) {
+    await this.openFile(file);
+    if (left === 0) return;
+    this.messages_.showError({
+      found: () => text('page.oneOfSeveral', { count: left + 1, file: file.name }),
+      help: () => text('page.oneOfSeveralHint'),
     });
   }
 

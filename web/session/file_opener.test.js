@@ -9,7 +9,7 @@ import { Exporter } from './exporter.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
 import { FileOpener } from './file_opener.js';
-import { Pending, fake, settled, storeOf } from './testing.js';
+import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
 
 /** @type {any} */ let parts;
@@ -33,6 +33,7 @@ beforeEach(() => {
     exporter: fake(Exporter, { useSettings: opens('settings') }, { asked: {} }),
     undo: fake(Undo, { asOne: (/** @type {() => Promise<void>} */ action) => action() }),
     jobs: fake(Jobs),
+    messages: new FakeMessages(),
     guard: (/** @type {() => Promise<unknown>} */ action) => action(),
   };
   opener = new FileOpener(parts);
@@ -105,4 +106,12 @@ test('A size made for one model does not follow to the user’s next model or sa
   parts.exporter.asked = { size: 15, rotateDeg: 0 };
   await open();
   assert.deepEqual(sizes, ['best', 'best', 15, 15]);
+});
+
+test('Of several dropped files one is opened, and the page says so', async () => {
+  await listener.onFile(new File([''], 'a.stl'), 0);
+  assert.equal(parts.messages.problem, undefined);
+  await listener.onFile(new File([''], 'a.obj'), 2);
+  assert.deepEqual(opened, ['model', 'model']);
+  assert.equal(parts.messages.problem.found(), 'Of the 3 files, only a.obj was opened');
 });

@@ -25,7 +25,7 @@ const kMostBodiesListed = 30;
 /**
  * @typedef {object} ModelListener
  * @property {(id: string) => void} onSample
- * @property {(file: File) => void} onFile
+ * @property {(file: File, left: number) => void} onFile  `left`: number of other files that were dropped with it
  * @property {(scaleToMm: number) => void} onScale
  * @property {(axis: UpAxis) => void} onUpAxis
  * @property {(index: number) => void} onBody  shows a body of the model, from 0
@@ -43,7 +43,7 @@ export class ModelPanel {
     this.sample_.addEventListener('change', () => this.sample_.value && this.listener_?.onSample(this.sample_.value));
     this.file_.addEventListener('change', () => {
       const file = this.file_.files?.[0];
-      if (file) this.listener_?.onFile(file);
+      if (file) this.listener_?.onFile(file, 0);
     });
     this.unit_.addEventListener('change', () => this.listener_?.onScale(this.scaleToMm));
     this.upAxis_.addEventListener('change', () => {
@@ -218,10 +218,20 @@ export class ModelPanel {
       event.preventDefault();
       depth = 0;
       this.drop_.hidden = true;
-      const file = event.dataTransfer?.files[0];
-      if (file) this.listener_?.onFile(file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) this.listener_?.onFile(fileToOpen(files, this.file_.accept), files.length - 1);
     });
   }
+}
+
+/**
+ * Returns the file to open: beside a model's materials or pictures, the model.
+ * @param {File[]} files    at least one
+ * @param {string} accepts  endings of names, most wanted first: ".stl,.obj"
+ */
+export function fileToOpen(files, accepts) {
+  const ofEnding = (/** @type {string} */ ending) => files.find(({ name }) => name.toLowerCase().endsWith(ending));
+  return accepts.split(',').map(ofEnding).find(Boolean) ?? files[0];
 }
 
 /**
