@@ -23,7 +23,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     /Reads as printed, facing up \(0\.4\smm nozzle, 0\.2\smm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 12 are needed\./,
     kPrinted,
   );
-  await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, \d+ triangles\./);
+  await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, [\d,]+ triangles\./);
   await expect(lines.getByRole('button')).toHaveCount(0);
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
   await expect(page.getByRole('heading', { name: 'Check and download' })).toBeFocused();
@@ -39,7 +39,7 @@ test('The verdict of a good carving has three lines: reads, prints, solid', asyn
     const letter = 'FDCBA'[verification.iso29158.overall];
     await expect(table.getByRole('row', { name: 'Overall' })).toContainText(letter);
     await expect(table.getByRole('row', { name: 'Cell contrast' })).toContainText(
-      `${Math.round(verification.iso29158.cellContrast.value * 100)}%`,
+      `${Math.round(verification.iso29158.cellContrast.value * 100)}\u00a0%`,
     );
     await expect(page.getByRole('table', { name: 'As a printed symbol, ISO/IEC 15415' }).getByRole('row')).toHaveCount(
       9,

@@ -11,8 +11,8 @@ test('A bad file is refused with a reason, and the previous model stays', async 
 
   await test.step('a truncated file: names both sizes', async () => {
     await app.file.setInputFiles(truncatedFile);
-    await expect(app.alert).toContainText('10000');
-    await expect(app.alert).toContainText(String(saddleFile.buffer.length));
+    await expect(app.alert).toContainText('10,000');
+    await expect(app.alert).toContainText(saddleFile.buffer.length.toLocaleString('en'));
     await expect(app.facts).toHaveText(before);
     await expect(app.engraveButton).toBeEnabled();
     await page.getByRole('button', { name: 'Dismiss' }).click();
@@ -49,7 +49,7 @@ test('An empty text, a too large code and a setting out of range are refused wit
   await app.openSettings();
   await app.setting('Viewing distance (mm)').fill('3');
   await app.setting('Viewing distance (mm)').blur();
-  await expect(app.alert).toContainText('“Viewing distance” is 3 mm. Choose from 20 mm to 100000 mm.');
+  await expect(app.alert).toContainText('“Viewing distance” is 3 mm. Choose from 20 mm to 100,000 mm.');
   await app.setting('Viewing distance (mm)').fill('300');
   await app.setting('Viewing distance (mm)').blur();
   await expect(app.alert).toHaveCount(0);

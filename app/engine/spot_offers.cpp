@@ -44,6 +44,8 @@ void SpotOffers::finish() {
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(map_->sizeMm.begin(), map_->sizeMm.end()));
   topMm_ = std::max(kLeastTopMm, largest / outer);
+  // The map is coarse: a search may find a larger code than it has.
+  for (const Spot& spot : spots_) topMm_ = std::max(topMm_, offeredMm(spot));
 }
 
 std::optional<double> SpotOffers::fixedMm() const {

@@ -23,9 +23,8 @@ export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 1
 export const formatPlain = (value, digits = 2) =>
   value.toLocaleString(currentLanguage(), { maximumFractionDigits: digits });
 
-/** @param {number} share */
-export const formatPercent = (share) =>
-  share.toLocaleString(currentLanguage(), { style: 'percent', maximumFractionDigits: 0 });
+/** Formats a share with a space, as all texts do. @param {number} share */
+export const formatPercent = (share) => `${formatNumber(100 * share)}\u00a0%`;
 
 /** @param {number} ms */
 export const formatSeconds = (ms) => `${formatNumber(ms / 1000, 1)}\u00a0s`;

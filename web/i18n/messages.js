@@ -13,34 +13,42 @@ import { withUnitsKept } from './units.js';
 /** @param {Catalogue} words @returns {import('./sentences.js').Wording} */
 const wordingWith = (words) => ({ language: currentLanguage(), words, names: appTexts() });
 
+/** The wording of the page, which separates thousands everywhere. @type {typeof wordingWith} */
+const pageWordingWith = (words) => ({ ...wordingWith(words), separatesThousands: true });
+
+/** @param {Message} message @param {Catalogue} words @param {typeof wordingWith} wording */
+const sentenceWith = (message, words, wording) => (words === kLoading ? '' : sentenceIn(message, wording(words)));
+
+/** @param {Message} message @param {Catalogue} words @param {typeof wordingWith} wording */
+function hintWith(message, words, wording) {
+  if (words === kLoading) return '';
+  return words === kNoWords ? text('page.noWords') : hintIn(message, wording(words));
+}
+
 /**
  * Returns the problem or fact that a message states, without full stop; '' until its words have loaded. For files.
  * @param {Message} message
  * @param {Catalogue} [words]
  */
-export const plainSentenceOf = (message, words = messageWords.now) =>
-  words === kLoading ? '' : sentenceIn(message, wordingWith(words));
+export const plainSentenceOf = (message, words = messageWords.now) => sentenceWith(message, words, wordingWith);
 
 /**
  * Returns the message's advice, or else the advice of its cause; '' if there is none. For files.
  * @param {Message} message
  * @param {Catalogue} [words]
- * @returns {string}
  */
-export function plainHintOf(message, words = messageWords.now) {
-  if (words === kLoading) return '';
-  return words === kNoWords ? text('page.noWords') : hintIn(message, wordingWith(words));
-}
+export const plainHintOf = (message, words = messageWords.now) => hintWith(message, words, wordingWith);
 
 /** The same for the page, which keeps numbers and units on one line. @type {typeof plainSentenceOf} */
-export const sentenceOf = (...given) => withUnitsKept(plainSentenceOf(...given));
+export const sentenceOf = (message, words = messageWords.now) =>
+  withUnitsKept(sentenceWith(message, words, pageWordingWith));
 
 /** The same for the page. @type {typeof plainHintOf} */
-export const hintOf = (...given) => withUnitsKept(plainHintOf(...given));
+export const hintOf = (message, words = messageWords.now) => withUnitsKept(hintWith(message, words, pageWordingWith));
 
 /** Returns a value as a sentence writes it. @param {Value} value */
 export const writtenValue = (value) =>
-  'cause' in value ? sentenceOf(value.cause) : withUnitsKept(writtenIn(value, wordingWith(messageWords.now)));
+  'cause' in value ? sentenceOf(value.cause) : withUnitsKept(writtenIn(value, pageWordingWith(messageWords.now)));
 
 /**
  * Returns a value of a report with the sentence and the hint added to each message in it, for people who read the file.

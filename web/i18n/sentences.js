@@ -11,7 +11,8 @@ import { choiceIn, labelIn } from './setting_words.js';
 /** @typedef {{ quotes: string[], and: string, between: string }} Format  `between`: separates coordinates */
 /**
  * The language of sentences, the words of messages, and the names of settings in it.
- * @typedef {{ language: string, words: Catalogue, names: import('./setting_words.js').Names & { format: Format } }} Wording
+ * @typedef {{ language: string, words: Catalogue, names: import('./setting_words.js').Names & { format: Format },
+ *   separatesThousands?: boolean }} Wording
  */
 
 const kMostNamed = 6; // most entries listed by name
@@ -64,14 +65,14 @@ const countIn = ({ count }) => count && ('number' in count ? count.number : 'cou
  * @returns {string}
  */
 export function writtenIn(value, wording) {
-  const { language, names } = wording;
-  if ('count' in value) return digits(value.count, 15, language);
-  if ('number' in value) return digits(value.number, 6, language);
-  if ('lengthMm' in value) return `${digits(rounded(value.lengthMm), 3, language)} mm`;
-  if ('angleDeg' in value) return `${digits(rounded(value.angleDeg), 3, language)}°`;
-  if ('fraction' in value) return `${Math.round(100 * value.fraction)} %`;
+  const { names } = wording;
+  if ('count' in value) return digits(value.count, 15, wording);
+  if ('number' in value) return digits(value.number, 6, wording);
+  if ('lengthMm' in value) return `${digits(rounded(value.lengthMm), 3, wording)} mm`;
+  if ('angleDeg' in value) return `${digits(rounded(value.angleDeg), 3, wording)}°`;
+  if ('fraction' in value) return `${digits(Math.round(100 * value.fraction), 15, wording)} %`;
   if ('place' in value) return placed(value.place, wording);
-  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(rounded(mm), 3, language)).join(' × ')} mm`;
+  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(rounded(mm), 3, wording)).join(' × ')} mm`;
   if ('quoted' in value) return quoted(value.quoted, wording);
   if ('term' in value) return value.term;
   if ('setting' in value) return quoted(labelIn(names, value.setting), wording);
@@ -89,9 +90,9 @@ const quoted = (words, { names: { format } }) => format.quotes.join(words);
  */
 const rounded = (value) => (Math.abs(value) < 1e-6 ? 0 : value);
 
-/** Formats a point. @param {number[]} place @param {Wording} wording */
+/** Formats a point; its coordinates have separators of their own. @param {number[]} place @param {Wording} wording */
 function placed(place, { language, names: { format } }) {
-  const coordinates = place.map((value) => digits(rounded(value), 6, language));
+  const coordinates = place.map((value) => digits(rounded(value), 6, { language }));
   return `(${coordinates.join(format.between)})`;
 }
 
@@ -100,15 +101,15 @@ function placed(place, { language, names: { format } }) {
  * for very large and very small numbers.
  * @param {number} value
  * @param {number} significant
- * @param {string} language
+ * @param {Pick<Wording, 'language' | 'separatesThousands'>} wording
  */
-function digits(value, significant, language) {
+function digits(value, significant, { language, separatesThousands = false }) {
   const size = Math.abs(value);
   if (size === 0) return '0';
   if (!(size >= 1e-6 && size < 1e15)) return withExponent(value, significant, language);
   const decimals = Math.max(0, significant - 1 - Math.floor(Math.log10(size)));
   return Number(value.toFixed(decimals)).toLocaleString(language, {
-    useGrouping: false,
+    useGrouping: separatesThousands,
     maximumFractionDigits: decimals,
   });
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { text } from './catalogue.js';
-import { formatBox, formatMm, formatSeconds } from './format.js';
+import { formatBox, formatMm, formatPercent, formatSeconds } from './format.js';
 import { sentenceOf } from './messages.js';
 import { withUnitsKept } from './units.js';
 
@@ -21,7 +21,7 @@ test('Sentences keep the units of their values', () => {
 test('Texts and formatted values keep their units', () => {
   assert.equal(text('view.millimetres', { mm: '4' }), '4\u00a0mm');
   assert.deepEqual(
-    [formatMm(0.4), formatBox([1, 20]), formatSeconds(1500)],
-    ['0.40\u00a0mm', '1.00 × 20.0\u00a0mm', '1.5\u00a0s'],
+    [formatMm(0.4), formatBox([1, 20]), formatSeconds(1500), formatPercent(0.333)],
+    ['0.40\u00a0mm', '1.00 × 20.0\u00a0mm', '1.5\u00a0s', '33\u00a0%'],
   );
 });
