@@ -2,10 +2,28 @@
 import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
+import { readPng } from './support/read_png.js';
 
 test.use({ deviceScaleFactor: 1 }); // on a phone, too: no test here looks at the screen’s pixels
 
 /** @typedef {import('@playwright/test').Page} Page */
+
+/**
+ * Expects that a table which is wider than the screen is darker at the edge where it goes on, and only there.
+ * @param {import('@playwright/test').Locator} region
+ */
+async function expectShadowWhereItGoesOn(region) {
+  const edges = async () => {
+    const { width, height, channels, data } = readPng(await region.screenshot());
+    const lightest = (/** @type {number} */ x) =>
+      Math.max(...Array.from({ length: height - 4 }, (_, y) => data[((y + 2) * width + x) * channels + 1])); // inside
+    const middle = lightest(Math.floor(width / 2));
+    return [2, width - 3].map((x) => lightest(x) < middle - 20);
+  };
+  expect(await edges()).toEqual([false, true]);
+  await region.evaluate((element) => element.scrollTo({ left: element.scrollWidth }));
+  expect(await edges()).toEqual([true, false]);
+}
 
 /** Collects the page's errors. @param {Page} page */
 function listen(page) {
@@ -128,6 +146,7 @@ test('The study shows figures with downloadable tables, in the page’s language
     await expectNoSidewaysScroll(page);
   };
   await expectFigures('en');
+  if (width === 'narrow') await expectShadowWhereItGoesOn(page.getByRole('region', { name: 'CarvedQR', exact: true }));
   await expectNoViolations(page, 'study');
   await page.getByLabel('Language').selectOption('de');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Messungen');

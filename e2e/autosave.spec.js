@@ -40,6 +40,10 @@ test('Work is offered and restored after a reload, but not if nothing changed or
       if (!error || !notice) throw new Error('An error or the offer has no size');
       expect(notice.y + notice.height).toBeLessThanOrEqual(error.y); // neither covers the other
     }
+    await page.setViewportSize({ width: 360, height: 640 }); // no room for both
+    await expect(offer).toBeHidden();
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(offer).toBeVisible();
     await page.setViewportSize({ width: 1024, height: 640 });
     await page.getByRole('button', { name: 'Discard' }).click();
     await expect(offer).toHaveCount(0);
