@@ -5,6 +5,7 @@ import { defineConfig } from 'vite';
 import { gallery } from './study/gallery/build_plugin.js';
 import { study } from './study/page/build_plugin.js';
 import { offline } from './web/offline/build_plugin.js';
+import { withArticleFooter } from './web/i18n/article_footer.js';
 import { fillTexts } from './web/i18n/fill.js';
 import { locales } from './web/i18n/locale_plugin.js';
 import { linkProject } from './web/i18n/project_links.js';
@@ -60,7 +61,7 @@ function texts() {
   const project = JSON.parse(readFileSync(`${root}package.json`, 'utf8'));
   return {
     name: 'qrelief-texts',
-    transformIndexHtml: { order: 'pre', handler: (html) => fillTexts(linkProject(html, project)) },
+    transformIndexHtml: { order: 'pre', handler: (html) => fillTexts(linkProject(withArticleFooter(html), project)) },
   };
 }
 

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { withArticleFooter } from './article_footer.js';
 import { linkProject } from './project_links.js';
 
 const kFooter = '<footer>\n  <p data-project-links></p>\n</footer>\n';
@@ -29,7 +30,7 @@ test('without an address that a browser opens the footer has no links', () => {
 
 test('every page has a place for the links', () => {
   for (const page of ['index', 'guide', 'method', 'study', 'gallery']) {
-    const html = readFileSync(new URL(`../${page}.html`, import.meta.url), 'utf8');
+    const html = withArticleFooter(readFileSync(new URL(`../${page}.html`, import.meta.url), 'utf8'));
     assert.notEqual(linkProject(html, { repository: 'https://example.org' }), linkProject(html, {}), page);
   }
 });
