@@ -33,7 +33,7 @@ Result<std::vector<std::uint8_t>> readToEnd(std::ifstream& stream) {
   return bytes;
 }
 
-/// Returns a name in the folder of the path, not longer than the path's own name may be.
+/// Returns the path of a temporary file in the same folder. Its name is short enough for every file system.
 std::string temporaryName(const std::string& path) {
   static std::atomic<int> count{0};
   constexpr std::size_t kBeginning = 200;  // bytes of the name, to be recognised
@@ -41,7 +41,7 @@ std::string temporaryName(const std::string& path) {
   return fmt::format("{}.{}.{}.part", path.substr(0, slash + kBeginning), ::getpid(), ++count);
 }
 
-/// Returns true if the path leads to something that is no file, such as a pipe. A file would take its place.
+/// Returns true if the path leads to a pipe, a device or a folder, which a new file must not replace.
 bool isOther(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);

@@ -38,8 +38,8 @@ class HbaoLight final : public PlacementLight {
   HbaoLight(HeightMap map, PlacementLightOptions options, const HbaoOptions& hbao);
   ~HbaoLight() override;
 
-  /// From now on, computes the light of the sky by a shader in the current GL context, for all cells at a time: the
-  /// same light but for rounding.
+  /// Lets a shader in the current GL context compute the light of the sky from now on, for all cells at once. Only
+  /// rounding differs.
   /// @returns Internal if the context refuses the shader
   Status useShader();
 

@@ -73,8 +73,9 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options = {});
 
-/// Returns the reason why 32-bit floats cannot hold a carving: its place, where they are too coarse, or else `facets`.
-/// @param at  a point of the carving
+/// Returns the reason why 32-bit floats cannot hold a carving: it is too far from the origin, or `facets`.
+/// @param at      a point of the carving
+/// @param facets  the reason if coordinates are fine enough there
 Message whyTooFine(Vec3 at, Message facets);
 
 }  // namespace qrelief

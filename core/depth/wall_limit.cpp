@@ -105,8 +105,8 @@ struct Sides {
   FacetTree surface;  ///< facets of the patch: other sides for facets that face away from them
 };
 
-/// Returns, for each body, whether its facets bound the material of `body`: those of itself, and of bodies that lie
-/// wholly within its box, as these may lie in its material.
+/// Returns a flag for each body, 1 if pockets in `body` must keep a wall before it: for `body` itself, and for every
+/// body within its bounding box, which may lie in its material.
 std::vector<std::uint8_t> boundingBodies(const Mesh& mesh, std::uint32_t body) {
   if (mesh.bodyOf.empty()) return {1};
   std::vector<Box3> boxes(*std::max_element(mesh.bodyOf.begin(), mesh.bodyOf.end()) + std::size_t{1});

@@ -21,8 +21,8 @@ struct WallLimitOptions {
 /// than `minWallMm` to the other side of the material. The pocket's walls are swept by the floor's rim on its way down,
 /// so they keep the same distance. Other sides are
 ///
-///   - facets of bodies wholly within the box of the carved one: these may lie in its material, where slicers, which
-///     print the union, would close a pocket again;
+///   - facets of other bodies within the carved body's bounding box. Such a body may lie in its material. Slicers print
+///     the union, so they would fill a pocket that reaches it;
 ///   - facets of the same body outside the visible patch: its back, its sides beyond the silhouette, its cavities,
 ///     everything of it that the eye cannot see. Front-facing facets outside the patch's radius do not count, because
 ///     nothing is known about them: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;

@@ -37,8 +37,8 @@ struct LightOptions {
 class HeightLight {
  public:
   /// @param far       horizon of the surface beyond reach; none: no surface there
-  /// @param quarters  the same surface in patches half as wide, on which points receive light if there are two by two
-  ///                  in a patch. None: points lie on the patches
+  /// @param quarters  the same surface in patches half as wide. With two by two points in a patch, each point lies on
+  ///                  its quarter. None: all points lie on the patches
   explicit HeightLight(const HeightMap& map, std::optional<FarHorizon> far = std::nullopt,
                        const std::optional<HeightMap>& quarters = std::nullopt);
 

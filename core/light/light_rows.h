@@ -32,7 +32,7 @@ struct LampStretch {
   std::vector<float> perShadowEdge;  ///< 1 / width of the edge of each step's shadow, 1/mm
 };
 
-/// A flat piece of the surface in each patch of a row. Heights and slopes are those of HeightMap.
+/// A flat piece of the surface in each patch of a row, with heights and slopes as in HeightMap.
 struct PieceRow {
   const float *height = nullptr, *slopeX = nullptr, *slopeY = nullptr;  ///< from the row's first patch on
 };
@@ -44,7 +44,7 @@ struct PieceRow {
 /// the eye from the line, cot = (A·slope − s)/L, where A = (s² + L²)/(height + eyeDistance).
 struct LightRow {
   PieceRow patches;       ///< what hides light
-  PieceRow receivers;     ///< what the points lie on: the patches, or one quarter of each
+  PieceRow receivers;     ///< hold the points: the patches, or one quarter of each
   int row = 0, size = 0;  ///< number of the row; number of rows and columns of the map
   float patchMm = 0, eyeDistance = 250;
   float rightMm = 0, upMm = 0;  ///< from the middle of a receiver to its point

@@ -119,7 +119,7 @@ void PlacementMeasurement::measureByProcessor() {
   if (!request_.withLight) return;
   std::optional<HeightMap> fine = heights(surface, map);
   const HeightMap cells = coarser(*fine, texelsPerCell);
-  // A lamp's light on a cell across an edge of the model differs from that on its mean plane.
+  // A cell may lie across an edge of the model. A lamp then lights its facets differently from its mean plane.
   if (request_.lights.empty() || texelsPerCell != 2) fine.reset();
   light_ = lightByProcessor(cells, heights(surroundings, around), lightOptions(), fine);
 }

@@ -209,8 +209,8 @@ bool SpotSearchJob::State::screen(std::size_t at) {
   return true;
 }
 
-/// Estimates doublings() of the layers that a code in a second colour has on a candidate. The map's direction is only
-/// near the code's: on a flat face it would give the largest codes the most layers.
+/// Estimates doublings() of the layers that a code in a second colour has on a candidate. Uses the surface's mean
+/// normal: the map's direction is tilted against it, so on a flat face a larger code would seem to need more layers.
 int SpotSearchJob::State::doublingsAt(const SpotCandidate& spot) const {
   Placement placement;
   placement.frame = frameAt(spot);

@@ -19,13 +19,13 @@ struct InlaidSurface {
 
 /// Finds the outer surface of a model whose code is inlaid, from its mesh.
 ///
-/// A file with both bodies has every face between them twice, back to back; these pairs are left out. So has a file
-/// whose own bodies touch, but such a contact reaches deeper than an inlay, and stays. If the file has the model's body
+/// A file with both bodies has every face between them twice, back to back; these pairs are left out. Touching bodies
+/// of the model have such pairs, too, but these reach deeper than an inlay, and stay. If the file has the model's body
 /// alone, its pockets are closed: edges along a ray, as long as the pockets are deep, join a rim to a floor, and the
 /// floor moves back along the rays to the rim.
 ///
 /// Cost: O(n log n) in triangles.
-/// @param mesh     is welded by equal position first, also across bodies
+/// @param mesh     welded first by equal position, also across bodies
 /// @param modules  along the symbol's edge
 /// @param depthMm  of the inlay along the rays, > 0
 InlaidSurface inlaidSurface(const Mesh& mesh, const ProjectionFrame& frame, int modules, double symbolMm,

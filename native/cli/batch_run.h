@@ -33,7 +33,7 @@ struct BatchOptions {
 /// Returns the path of a row's model: relative to the list's folder. @param model  as in BatchRow::model
 std::string modelPath(const BatchOptions& options, const std::string& model);
 
-/// Checks that a model can be opened, again and again: it is no pipe. @returns BadInput otherwise
+/// Checks that a model can be opened more than once. @returns BadInput for a pipe, or a file that cannot be opened
 Status checkModel(const std::string& path);
 
 /// Carves one process's rows of a batch into the folder.

@@ -114,8 +114,8 @@ void keepFreedMemory() {
 #endif
 }
 
-/// Opens the standard streams that the caller has closed. Otherwise the next files would get their numbers, and
-/// messages would go into them.
+/// Opens the standard streams that the caller has closed. Otherwise the next file opened would get their number, and
+/// messages would be written into it.
 void openStandardStreams() {
   for (int stream = 0; stream < 3; ++stream)
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free

@@ -17,8 +17,9 @@ struct FileUse {
 /// Checks the files that a command will write, before it does any work.
 /// @param inputs   files that it reads
 /// @param outputs  files that it writes
-/// @returns BadUsage if an output is an input or another output, whatever the capitals of their names; BadInput if an
-///          output cannot be written: its folder does not exist or is read-only, its name is too long, or it is no file
+/// @returns BadUsage if an output is an input or another output, also if their names differ only in capitals; BadInput
+///          if an output cannot be written: the folder is missing or read-only, the name is too long, or the path is a
+///          pipe or a device
 Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> outputs);
 
 /// Checks the file of --json against the model (checkOutputs).
