@@ -28,7 +28,7 @@ constexpr std::uint32_t kLocalSignature = 0x04034b50;
 constexpr std::uint16_t kZip64Field = 0x0001;
 constexpr std::uint32_t kSee64 = 0xffffffff;  // the number is in the ZIP64 record
 constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
-constexpr std::size_t kPieceBytes = 64 * 1024;
+constexpr std::size_t kPieceBytes = 256 * 1024;
 
 tl::unexpected<Error> damaged(Message what) {
   return badInput(message<"zip-damaged">(with::cause<"cause">(std::move(what))));
@@ -295,7 +295,7 @@ struct ZipStream::State {
   bool ended = false;
   std::uint64_t given = 0;  // bytes handed out so far
   std::uint32_t crc = 0;
-  std::vector<std::uint8_t> piece;
+  std::array<std::vector<std::uint8_t>, 2> pieces;  // the last one given, and the one before
 
   State() = default;
   State(const State&) = delete;
@@ -312,6 +312,10 @@ struct ZipStream::State {
   }
 
   Result<std::span<const std::uint8_t>> nextInflated() {
+    std::vector<std::uint8_t>& piece = pieces[0];
+    piece.swap(pieces[1]);
+    constexpr std::uint64_t kOneTooMany = 1;  // shows that the announced size is wrong
+    piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, entry->size + kOneTooMany)));
     z.next_out = piece.data();
     z.avail_out = static_cast<uInt>(piece.size());
     while (z.avail_out == piece.size() && !ended) {
@@ -352,7 +356,6 @@ Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes)
   state->entry = &entry;
   if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message<"zip-file-two-sizes">());
   if (entry.method == kDeflated) {
-    state->piece.resize(kPieceBytes);
     state->z.next_in = const_cast<Bytef*>(entry.packed.data());
     state->z.avail_in = static_cast<uInt>(entry.packed.size());
     if (inflateInit2(&state->z, -MAX_WBITS) != Z_OK) throw std::bad_alloc();

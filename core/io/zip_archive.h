@@ -64,7 +64,8 @@ class ZipStream {
   ZipStream& operator=(ZipStream&&) noexcept;
   ~ZipStream();
 
-  /// Returns the next piece, valid until the next call; empty at the end.
+  /// Returns the next piece; empty at the end. It stays valid during the next call, so that one thread can use it while
+  /// another unpacks the piece that follows.
   /// @returns BadInput if the data is damaged, that is, if its size or CRC does not match
   Result<std::span<const std::uint8_t>> next();
 

@@ -43,7 +43,7 @@ std::string errorOf(const Bytes& bytes) {
 /// Returns text that deflate cannot shrink to nothing, longer than several pieces.
 std::string longText() {
   std::string text;
-  for (int i = 0; i < 60'000; ++i) text += std::to_string(i * 7919 % 100'003) + " ";
+  for (int i = 0; i < 250'000; ++i) text += std::to_string(i * 7919 % 100'003) + " ";
   return text;
 }
 
@@ -68,6 +68,25 @@ TEST(ZipArchive, ReadsDeflatedFiles) {
   EXPECT_EQ(contentOf(*bytes, "empty").value(), "");
   EXPECT_EQ(contentOf(*bytes, "long").value(), text);
   EXPECT_EQ(contentOf(*bytes, "short").value(), "x");
+}
+
+TEST(ZipStream, KeepsAPieceDuringTheNextCall) {
+  const std::string text = longText();
+  ZipWriter writer;
+  writer.begin("long");
+  writer.append(text);
+  const Bytes bytes = writer.finish().value();
+  const ZipArchive archive = ZipArchive::open(bytes).value();
+  ZipStream stream = ZipStream::open(*archive.find("long"), kPlenty).value();
+  std::string read;
+  int pieces = 0;
+  for (auto piece = stream.next(), following = piece; !piece->empty(); piece = following, ++pieces) {
+    following = stream.next();
+    ASSERT_TRUE(following);
+    read.append(piece->begin(), piece->end());
+  }
+  EXPECT_GT(pieces, 2);
+  EXPECT_TRUE(read == text);
 }
 
 TEST(ZipArchive, ReadsAFileOfManyBlocks) {

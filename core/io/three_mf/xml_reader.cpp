@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "base/parallel.h"
 #include "io/polygon_list.h"
 #include "message_codes/files.h"
 
@@ -129,24 +130,29 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   };
 
   XML_Index fed = 0;
-  for (bool more = true; more;) {
-    const auto piece = stream.next();
+  for (auto piece = stream.next(), following = piece;; piece = std::move(following)) {
     QRELIEF_TRY(piece);
-    more = !piece->empty();
-    const XML_Status parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()),
-                                        static_cast<int>(piece->size()), more ? XML_FALSE : XML_TRUE);
+    const bool more = !piece->empty();
+    XML_Status parsed = XML_STATUS_OK;
+    parallelFor(more ? 2 : 1, [&](int i) {  // the next piece is unpacked meanwhile
+      if (i == 0)
+        parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()), static_cast<int>(piece->size()),
+                           more ? XML_FALSE : XML_TRUE);
+      else
+        following = stream.next();
+    });
     if (session.thrown) std::rethrow_exception(session.thrown);
     if (!session.status) return failHere(std::move(session.status.error().message));
     if (parsed != XML_STATUS_OK) {
       if (XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
       return failHere(message<"xml-malformed">(with::term<"why">(XML_ErrorString(XML_GetErrorCode(parser.get())))));
     }
+    if (!more) return {};
     fed += static_cast<XML_Index>(piece->size());
     // Expat keeps an unfinished tag or comment and scans it again and again.
-    if (more && fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
+    if (fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
       return failHere(message<"xml-tag-too-long">(with::count<"limit">(kMaxTagBytes)));
   }
-  return {};
 }
 
 }  // namespace qrelief
