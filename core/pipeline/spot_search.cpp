@@ -67,6 +67,9 @@ int centreDecimals(double scaleToMm) {
 }
 
 struct SpotSearchJob::State {
+  struct Candidate : SpotCandidate {
+    std::optional<bool> isDoubtful = {};  ///< none: not found out
+  };
   /// The test of a candidate, and its last answer.
   struct Trial {
     SpotTrial test;
@@ -83,7 +86,7 @@ struct SpotSearchJob::State {
   std::optional<SizeMapSearch> mapping;
   double outer = 1;  // request.outerFactor()
 
-  std::vector<SpotCandidate> candidates;
+  std::vector<Candidate> candidates;
   std::size_t candidate = 0;
   // Order of the candidates: first the `likely` ones, which take the size according to the map, with the `deferred`
   // doubtful ones last among them; then all others. The first `screened` have been checked.
@@ -118,7 +121,7 @@ struct SpotSearchJob::State {
   Result<StageStep> drawViews();
   void propose(double leastSizeMm);
   bool isDoubtful(const SpotCandidate& spot) const;
-  bool screen(std::size_t at);
+  bool screen(std::size_t at, std::size_t end);
   ProjectionFrame frameAt(const SpotCandidate& spot) const;
   int doublingsAt(const SpotCandidate& spot) const;
   void orderByLayers();
@@ -173,7 +176,8 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   options.edgeMm = std::min(wantedMm(request) * outer, std::max(mostInMap(), 1e-3));
   options.minSizeMm = leastSizeMm;
   options.enoughMm = std::max(wantedMm(request), request.placement.maxSizeMm) * outer;
-  candidates = spotCandidates(*result.map, options);
+  candidates.clear();
+  for (SpotCandidate& spot : spotCandidates(*result.map, options)) candidates.push_back({std::move(spot)});
   candidate = 0;
   screened = deferred = recalled = 0;
   isOrderedByLayers = false;
@@ -195,11 +199,17 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
 }
 
 /// Screens a candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
+/// @param end  candidates before this one will be screened next; some of them are looked at already, at the same time
 /// @returns false if the candidate at that index needs no screening
-bool SpotSearchJob::State::screen(std::size_t at) {
-  const bool isLooked = screened > at || at >= likely - deferred;
-  if (isLooked || findsLargest || screened + deferred >= mostTries()) return false;
-  if (!isDoubtful(candidates[at])) {
+bool SpotSearchJob::State::screen(std::size_t at, std::size_t end) {
+  const std::size_t unscreened = likely - deferred;
+  if (screened > at || at >= unscreened || findsLargest || screened + deferred >= mostTries()) return false;
+  if (!candidates[at].isDoubtful)
+    parallelFor(std::min({kMostTrials, end - at, unscreened - at}), [&](std::size_t i) {
+      Candidate& next = candidates[at + i];
+      if (!next.isDoubtful) next.isDoubtful = isDoubtful(next);
+    });
+  if (!*candidates[at].isDoubtful) {
     screened = at + 1;
     return true;
   }
@@ -262,14 +272,14 @@ std::size_t SpotSearchJob::State::mostTrials() const { return model->renderer ==
 /// @returns false if a candidate was screened instead
 bool SpotSearchJob::State::beginTrials() {
   if (request.coloured && !isOrderedByLayers) {
-    if (screened < kComparedForColour * request.count && screen(screened)) return false;
+    const std::size_t compared = kComparedForColour * request.count;
+    if (screened < compared && screen(screened, compared)) return false;
     orderByLayers();
   }
-  std::size_t count = 0;
-  while (count < mostTrials() && (count == 0 || !isEnough(candidate + count, count))) {
-    if (screen(candidate + count)) return false;
-    ++count;
-  }
+  std::size_t count = 1;
+  while (count < mostTrials() && !isEnough(candidate + count, count)) ++count;
+  for (std::size_t i = 0; i < count; ++i)
+    if (screen(candidate + i, candidate + count)) return false;
   for (std::size_t i = 0; i < count; ++i)
     trials.push_back({SpotTrial(*model, request, *result.map, candidates[candidate + i], findsLargest)});
   return true;
