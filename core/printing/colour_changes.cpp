@@ -59,16 +59,17 @@ CuttingPlanes layersOf(const Box3& box, double layerMm) {
   return {box.min.z + layerMm / 2, layerMm, count};
 }
 
-CrossSections cutInto(const Upright& upright, const Mesh& body, const CuttingPlanes& planes) {
-  const Box3 box = upright.box(body);
-  // Corners of the mesh have neither the x nor the y of a corner that lies outside the box.
-  return cutByPlanes(upright.positions(body), body.triangles, planes, Vec2(box.min) - 1.0, Vec2(box.max) + 1.0);
-}
-
 /// Returns for each layer whether it cuts a body.
 std::vector<char> cutLayers(const Upright& upright, const Mesh& body, const CuttingPlanes& planes) {
-  std::vector<char> cut;
-  for (const std::vector<Segment2>& outline : cutInto(upright, body, planes).outlines) cut.push_back(!outline.empty());
+  std::vector<double> heights;
+  heights.reserve(body.positions.size());
+  for (const Vec3f& p : body.positions) heights.push_back(glm::dot(Vec3(p), upright.axes.normal));
+  std::vector<char> cut(static_cast<std::size_t>(planes.count), 0);
+  for (const auto& [a, b, c] : body.triangles) {
+    const auto [low, high] = std::minmax({heights[a], heights[b], heights[c]});
+    const int end = planes.firstAbove(high);
+    for (int k = planes.firstAbove(low); k < end; ++k) cut[k] = 1;
+  }
   return cut;
 }
 
@@ -160,7 +161,10 @@ ColourCost colourCost(const Mesh& body, const Mesh& inlay, const ColourPrint& pr
   const CuttingPlanes planes = layersOf(box, print.process.layerMm);
   std::vector<char> second;
   double secondMm3 = 0;
-  for (const std::vector<Segment2>& outline : cutInto(upright, inlay, planes).outlines) {
+  // Corners of the mesh have neither the x nor the y of a corner that lies outside the box.
+  const Vec2 low = Vec2(inlaid.min) - 1.0, high = Vec2(inlaid.max) + 1.0;
+  for (const std::vector<Segment2>& outline :
+       cutByPlanes(upright.positions(inlay), inlay.triangles, planes, low, high).outlines) {
     const double area = printedAreaMm2(outline, print.process);
     second.push_back(area > 0);
     secondMm3 += area * print.process.layerMm;

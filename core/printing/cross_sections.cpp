@@ -52,6 +52,14 @@ std::optional<Piercing> pierce(const std::array<Vec3, 3>& corners, Vec2 at) {
 
 }  // namespace
 
+int CuttingPlanes::firstAbove(double z) const {
+  const double about = std::floor((z - firstMm) / stepMm);
+  int plane = static_cast<int>(std::clamp(about, 0.0, static_cast<double>(count)));
+  while (plane > 0 && heightMm(plane - 1) > z) --plane;
+  while (plane < count && heightMm(plane) <= z) ++plane;
+  return plane;
+}
+
 CrossSections cutByPlanes(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                           const CuttingPlanes& planes, Vec2 low, Vec2 high) {
   CrossSections sections;
@@ -68,15 +76,9 @@ CrossSections cutByPlanes(std::span<const Vec3> positions, std::span<const Trian
       for (int k = static_cast<int>(std::clamp(beyond, 0.0, static_cast<double>(planes.count))); k < planes.count; ++k)
         sections.windings[k] += piercing->change;
     }
-    // Planes with one corner above or in them, and another below.
-    const double first = std::floor((least.z - planes.firstMm) / planes.stepMm) - 1;
-    const double last = std::ceil((most.z - planes.firstMm) / planes.stepMm) + 1;
-    const int begin = static_cast<int>(std::clamp(first, 0.0, static_cast<double>(planes.count)));
-    const int end = static_cast<int>(std::clamp(last + 1, 0.0, static_cast<double>(planes.count)));
-    for (int k = begin; k < end; ++k) {
-      const double height = planes.heightMm(k);
-      if (least.z < height && most.z >= height) sections.outlines[k].push_back(cut(corners, height));
-    }
+    const int end = planes.firstAbove(most.z);
+    for (int k = planes.firstAbove(least.z); k < end; ++k)
+      sections.outlines[k].push_back(cut(corners, planes.heightMm(k)));
   }
   return sections;
 }

@@ -15,6 +15,9 @@ struct CuttingPlanes {
   int count = 0;
 
   double heightMm(int plane) const { return firstMm + plane * stepMm; }
+  /// Returns the lowest plane above z; `count` if there is none. With a vertex in a plane counted as above it, the
+  /// planes from firstAbove(low) to before firstAbove(high) cut a triangle that reaches from `low` to `high`.
+  int firstAbove(double z) const;
 };
 
 /// Intersections of the planes with the triangles within a rectangle.

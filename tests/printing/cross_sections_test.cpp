@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "printing/cross_sections.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -31,6 +32,18 @@ void expectClosed(const std::vector<Segment2>& outline) {
     --balance[{b.x, b.y}];
   }
   for (const auto& [point, count] : balance) EXPECT_EQ(count, 0) << point.first << ", " << point.second;
+}
+
+TEST(CuttingPlanes, FindTheFirstAboveAHeight) {
+  const CuttingPlanes planes{0.1, 0.2, 50};
+  EXPECT_EQ(planes.firstAbove(-1e9), 0);
+  EXPECT_EQ(planes.firstAbove(0.09), 0);
+  EXPECT_EQ(planes.firstAbove(1e9), 50);
+  for (int k = 0; k < planes.count; ++k) {
+    const double height = planes.heightMm(k);
+    EXPECT_EQ(planes.firstAbove(std::nextafter(height, -1)), k);
+    EXPECT_EQ(planes.firstAbove(height), k + 1) << "a vertex in a plane counts as above it";
+  }
 }
 
 TEST(CrossSections, OfASphereAreCircles) {
