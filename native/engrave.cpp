@@ -27,7 +27,8 @@ Result<Print> printed(const VerifyRequest& request, const Mesh& carved) {
 }  // namespace
 
 Result<Engraved> engrave(Engraver& engraver, const EngraveRequest& request, const EngravePlan::Options& options,
-                         const std::function<void(const Progress&)>& tell) {
+                         const std::function<void(const Progress&)>& tell,
+                         const std::function<void(const Engraved&)>& whilePrinting) {
   Engraving engraving(engraver, request, options);
   std::map<int, std::future<Result<Print>>> prints;  // by attempt: of the best one and the current one
   for (;;) {
@@ -47,6 +48,7 @@ Result<Engraved> engrave(Engraver& engraver, const EngraveRequest& request, cons
     } else if (*step == Engraving::Step::Print) {
       const Engraved& carving = *engraving.current();
       const auto early = prints.find(carving.attempt);
+      if (early != prints.end()) whilePrinting(carving);
       const auto print = early != prints.end()
                              ? early->second.get()
                              : printed(verifyRequestOf(carving.request, carving.result), carving.result.mesh);

@@ -92,14 +92,27 @@ Status completeRequest(EngraveOptions& options) {
   return checkFiles(options);
 }
 
+/// The files of a carving.
+struct EncodedCarving {
+  int attempt = 0;  ///< Engraved::attempt
+  Result<CarvedFiles> files;
+  double ms = 0;  ///< time it took
+};
+
+EncodedCarving encode(const EngraveOptions& options, const EngravableModel& model, const Engraved& carved,
+                      const std::vector<std::string>& partNames) {
+  const auto start = Clock::now();
+  auto files = encodeCarved(model.prepared, carved.result, options.output, partNames,
+                            options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
+  return {carved.attempt, std::move(files), millisecondsSince(start)};
+}
+
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
-                    const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
+                    const EncodedCarving& encoded, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto encoded = encodeCarved(model.prepared, result, options.output, partNames,
-                                    options.file.writeOptions(fileNameOf(options.model.path), options.ascii));
-  QRELIEF_TRY(encoded);
-  if (encoded->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded->notKept)), {});
-  for (const NamedFile& file : encoded->files) QRELIEF_TRY(writeFileAtomically(file.name, file.bytes));
+  QRELIEF_TRY(encoded.files);
+  if (encoded.files->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded.files->notKept)), {});
+  for (const NamedFile& file : encoded.files->files) QRELIEF_TRY(writeFileAtomically(file.name, file.bytes));
   if (!options.preview.empty()) {
     const auto png = encodePng(result.readerView.clean);
     QRELIEF_TRY(png);
@@ -110,7 +123,7 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
     QRELIEF_TRY(maps);
     QRELIEF_TRY(writeFileAtomically(options.maps, *maps));
   }
-  context.writeMs = millisecondsSince(writing);
+  context.writeMs = encoded.ms + millisecondsSince(writing);
   context.totalMs = millisecondsSince(start);
   if (options.report.empty()) return {};
   return writeFileAtomically(options.report, makeReport(options.request, model, result, context));
@@ -226,12 +239,15 @@ int engraveModel(EngraveOptions& options) {
   Engraver engraver(model);
   const EngraveRequest asked = options.request;
   ProgressBar bar(options.quiet, options.tryPrints ? kShareBeforeTries : 1);
-  auto carved = engrave(engraver, asked,
-                        {.mayMove = options.at.empty(),
-                         .offersMarks = true,
-                         .chosen = options.flags.given(),
-                         .otherMarks = marksInColour(formatOfName(options.output))},
-                        [&](const Progress& progress) { bar.show(progress); });
+  std::optional<EncodedCarving> encoded;
+  auto carved = engrave(
+      engraver, asked,
+      {.mayMove = options.at.empty(),
+       .offersMarks = true,
+       .chosen = options.flags.given(),
+       .otherMarks = marksInColour(formatOfName(options.output))},
+      [&](const Progress& progress) { bar.show(progress); },
+      [&](const Engraved& printing) { encoded = encode(options, *model, printing, input->partNames); });
   bar.hide();
   if (!carved) return printError(carved.error(), context.fileName);
   const bool triesPrints = options.tryPrints && carved->printed && carved->verdict.prints.level != Level::Good;
@@ -250,7 +266,8 @@ int engraveModel(EngraveOptions& options) {
   context.wording = commandWording();
   context.reader = zxingName();
 
-  if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
+  if (!encoded || encoded->attempt != carved->attempt) encoded = encode(options, *model, *carved, input->partNames);
+  if (const Status written = writeOutputs(options, *model, result, *encoded, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
   if (!options.at.empty())
