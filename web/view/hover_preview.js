@@ -7,7 +7,7 @@ import { NewestOnly } from './newest_only.js';
 /** @typedef {import('../engine/client.js').EngineClient} EngineClient */
 /** @typedef {import('./code_chip.js').CodeChip} CodeChip */
 
-const kRestMs = 60;
+const kRestMs = 40; // without a movement: the mouse rests
 
 export class HoverPreview {
   /** @param {EngineClient} client @param {CodeChip} chip @param {import('./live_view.js').LiveView} live */
@@ -20,6 +20,7 @@ export class HoverPreview {
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.rest_ = undefined;
     this.queue_ = new NewestOnly((/** @type {{ x: number, y: number }} */ at) => this.update_(at));
     this.latest_ = 0;
+    this.movedAt_ = 0; // as performance.now()
   }
 
   /** @param {boolean} isEnabled  a code may be placed and no job runs */
@@ -32,6 +33,7 @@ export class HoverPreview {
   move(x, y) {
     if (!this.isEnabled_) return;
     this.latest_ += 1;
+    this.movedAt_ = performance.now();
     this.shown_ = true;
     clearTimeout(this.rest_);
     this.queue_.ask({ x, y });
@@ -58,7 +60,9 @@ export class HoverPreview {
         return;
       }
       this.chip_.show(code, x, y);
-      if (asked === this.latest_) this.rest_ = setTimeout(() => void this.settle_(x, y), kRestMs);
+      if (asked !== this.latest_) return;
+      const leftMs = this.movedAt_ + kRestMs - performance.now();
+      this.rest_ = setTimeout(() => void this.settle_(x, y), Math.max(leftMs, 0));
     } catch (thrown) {
       if (!isReplaced(thrown)) this.chip_.hide();
     }
