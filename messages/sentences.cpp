@@ -65,6 +65,7 @@ std::string written(const MessageValue& value, const Json& words) {
   const std::vector<double>& n = value.numbers;
   switch (value.kind) {
     case Kind::Count:
+    case Kind::Index:
       return fmt::format("{:.0f}", n[0]);
     case Kind::Number:
       return general(n[0]);

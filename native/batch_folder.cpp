@@ -119,7 +119,7 @@ Status BatchFolder::readManifests(const Shard& shard) {
       stream.read(block.data(), static_cast<std::streamsize>(block.size()));
       index.read(std::string_view(block.data(), static_cast<std::size_t>(stream.gcount())));
       if (const std::size_t line = index.firstBadLine(); line > 0)
-        return notRead(name, message<"manifest-line">(with::count<"line">(line)));
+        return notRead(name, message<"manifest-line">(with::index<"line">(line)));
     }
   }
   return {};

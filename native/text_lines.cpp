@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBlockBytes = 1 << 16;
 
 tl::unexpected<Error> lineTooLong(std::size_t line, std::size_t limit) {
-  return badInput(message<"list-line-too-long">(with::count<"line">(line), with::count<"limit">(limit)));
+  return badInput(message<"list-line-too-long">(with::index<"line">(line), with::count<"limit">(limit)));
 }
 
 }  // namespace

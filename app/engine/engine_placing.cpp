@@ -174,7 +174,7 @@ std::string Engine::resizeCode(double rotateDeg, double symbolMm) {
 
 std::string Engine::chooseSpot(std::size_t index) {
   if (index >= offers_.spots().size())
-    return answer(ErrorKind::BadUsage, message<"no-such-spot">(with::count<"index">(index)));
+    return answer(ErrorKind::BadUsage, message<"no-such-spot">(with::index<"index">(index)));
   const Spot& spot = offers_.spots()[index];
   const std::string chosen = chooseCentre(SurfacePoint{.position = spot.centreMm});
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);

@@ -20,7 +20,8 @@ struct Message;
 /// A named, typed value of a message. Whoever shows the message chooses digits, unit and language.
 struct MessageValue {
   enum class Kind : std::uint8_t {
-    Count,     ///< an integer: a count or an index
+    Count,     ///< an integer
+    Index,     ///< number of a line, a vertex or a version, or an id: no quantity, so its thousands are never separated
     Number,    ///< a number without a unit
     LengthMm,  ///< mm
     AngleDeg,  ///< degrees
@@ -31,7 +32,7 @@ struct MessageValue {
     Term,      ///< an untranslated name: of a format, an element, a unit
     Setting,   ///< key of a setting (settings/settings.h)
     Choice,    ///< a setting's chosen value, with the setting's key
-    Indices,   ///< a list of integers
+    Indices,   ///< a list of such numbers
     Cause      ///< a message quoted within this one
   };
   std::string name;
@@ -119,6 +120,10 @@ MessageValue caused(const char* name, Message message);
 template <ValueName kName, class Integer>
 NamedValue<kName> count(Integer n) {
   return {numeric(kName.text, MessageValue::Kind::Count, static_cast<double>(n))};
+}
+template <ValueName kName, class Integer>
+NamedValue<kName> index(Integer n) {
+  return {numeric(kName.text, MessageValue::Kind::Index, static_cast<double>(n))};
 }
 template <ValueName kName>
 NamedValue<kName> number(double value) {

@@ -13,21 +13,25 @@ namespace qrelief {
 ///
 ///     {"code": "pocket-too-narrow", "values": {"pocket": {"lengthMm": 0.24}, "at": {"place": [1, 2, 3]}}}
 ///
-/// The key of each value is its kind: count, number, lengthMm, angleDeg, fraction, place, extentMm, quoted, term,
-/// setting, choice ({"key", "value"}), indices, cause (a message).
+/// The key of each value is its kind: count, index, number, lengthMm, angleDeg, fraction, place, extentMm, quoted,
+/// term, setting, choice ({"key", "value"}), indices, cause (a message).
 inline nlohmann::ordered_json jsonOf(const Message& message);
 
 inline nlohmann::ordered_json jsonOf(const MessageValue& value) {
   using Kind = MessageValue::Kind;
   const auto single = [&](const char* kind) { return nlohmann::ordered_json{{kind, value.numbers[0]}}; };
+  const auto integral = [&](const char* kind) {
+    // A file may declare a count that no integer holds.
+    constexpr double kExactBelow = 9007199254740992.0;  // 2^53
+    const double n = value.numbers[0];
+    if (std::abs(n) < kExactBelow) return nlohmann::ordered_json{{kind, static_cast<std::int64_t>(n)}};
+    return single(kind);
+  };
   switch (value.kind) {
-    case Kind::Count: {
-      // A file may declare a count that no integer holds.
-      constexpr double kExactBelow = 9007199254740992.0;  // 2^53
-      const double count = value.numbers[0];
-      if (std::abs(count) < kExactBelow) return {{"count", static_cast<std::int64_t>(count)}};
-      return single("count");
-    }
+    case Kind::Count:
+      return integral("count");
+    case Kind::Index:
+      return integral("index");
     case Kind::Number:
       return single("number");
     case Kind::LengthMm:

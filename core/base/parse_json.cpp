@@ -46,7 +46,7 @@ class Builder : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& error) override {
     constexpr int kNumberTooLarge = 406;  // of nlohmann's exceptions
     problem_ = error.id == kNumberTooLarge ? message<"json-number-too-large">(with::quoted<"number">(token))
-                                           : message<"json-malformed">(with::count<"byte">(byte));
+                                           : message<"json-malformed">(with::index<"byte">(byte));
     return false;
   }
 

@@ -41,12 +41,12 @@ bool isWebPage(std::string_view text) {
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
-    return badInput(message<"list-line-too-long">(with::count<"line">(number), with::count<"limit">(kMostLineBytes)));
+    return badInput(message<"list-line-too-long">(with::index<"line">(number), with::count<"limit">(kMostLineBytes)));
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
-    return badInput(message<"list-holds-nul">(with::count<"line">(number), with::count<"byte">(nul + 1)));
+    return badInput(message<"list-holds-nul">(with::index<"line">(number), with::index<"byte">(nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
     return badInput(message<"list-no-utf8">(
-        with::count<"line">(number), with::count<"byte">(broken + 1),
+        with::index<"line">(number), with::index<"byte">(broken + 1),
         with::term<"value">(fmt::format("0x{:02X}", static_cast<unsigned char>(line[broken])))));
   return {};
 }
@@ -141,7 +141,7 @@ Message readAsWindows1252(std::string_view text) {
     if (std::all_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) continue;
     std::string shown;
     for (const char32_t c : charactersOf(line).substr(0, kMostShown)) appendUtf8(shown, c);
-    return message<"list-windows-1252">(with::count<"line">(number), with::quoted<"text">(shown));
+    return message<"list-windows-1252">(with::index<"line">(number), with::quoted<"text">(shown));
   }
   assert(false);  // a text in ASCII is valid UTF-8
   return message<"list-empty">();
@@ -170,14 +170,14 @@ class CsvReader {
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
       if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
-        return badInput(message<"list-quote">(with::count<"line">(line), with::count<"byte">(taken + 1)));
+        return badInput(message<"list-quote">(with::index<"line">(line), with::index<"byte">(taken + 1)));
       if (parser_.entry_pos > kMostCellBytes)
         return badInput(cellTooLong(parser_.entry_pos));  // a quotation that does
                                                           // not end
       text.remove_prefix(whole.size());
     }
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
-      return badInput(message<"list-quote-open">(with::count<"line">(rowLine_)));
+      return badInput(message<"list-quote-open">(with::index<"line">(rowLine_)));
     if (problem_) return badInput(std::move(*problem_));
     warnOfBlanks();
     return std::move(list_);
@@ -196,9 +196,9 @@ class CsvReader {
     if (blanks_ == 0) return;
     Message blank = message<"row-of-spaces">();
     if (blanks_ == 1)
-      list_.warn(message<"list-line">(with::count<"line">(firstBlank_), with::cause<"problem">(std::move(blank))));
+      list_.warn(message<"list-line">(with::index<"line">(firstBlank_), with::cause<"problem">(std::move(blank))));
     else
-      list_.warn(message<"list-lines">(with::count<"line">(firstBlank_), with::count<"count">(blanks_ - 1),
+      list_.warn(message<"list-lines">(with::index<"line">(firstBlank_), with::count<"count">(blanks_ - 1),
                                        with::cause<"problem">(std::move(blank))));
   }
 
@@ -212,12 +212,12 @@ class CsvReader {
     if (cell.size() > kMostCellBytes)
       problem_ = cellTooLong(cell.size());
     else if (cell.starts_with('='))
-      problem_ = message<"list-cell-formula">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1));
+      problem_ = message<"list-cell-formula">(with::index<"line">(rowLine_), with::index<"column">(cells_.size() + 1));
     cells_.emplace_back(problem_ ? std::string_view() : cell);
   }
 
   Message cellTooLong(std::size_t bytes) const {
-    return message<"list-cell-too-long">(with::count<"line">(rowLine_), with::count<"column">(cells_.size() + 1),
+    return message<"list-cell-too-long">(with::index<"line">(rowLine_), with::index<"column">(cells_.size() + 1),
                                          with::count<"count">(bytes), with::count<"limit">(kMostCellBytes));
   }
 
@@ -280,13 +280,13 @@ class CsvReader {
       if (next < named_.size() && i == named_[next])
         ++next;
       else if (!cells_[i].empty())
-        problem_ = message<"list-column-unnamed">(with::count<"line">(rowLine_), with::count<"column">(i + 1));
+        problem_ = message<"list-column-unnamed">(with::index<"line">(rowLine_), with::index<"column">(i + 1));
     }
     list_.addRow(rowLine_, named);
   }
 
   void refuseLength() {
-    problem_ = message<"list-row-length">(with::count<"line">(rowLine_), with::count<"count">(cells_.size()),
+    problem_ = message<"list-row-length">(with::index<"line">(rowLine_), with::count<"count">(cells_.size()),
                                           with::count<"columns">(columnCount_));
   }
 
@@ -331,18 +331,18 @@ class JsonRows {
   Status add(std::string_view object, std::uint32_t line) {
     const Result<Json> parsed = parseJson(object, JsonNumbers::AsWritten);
     if (!parsed && parsed.error().message.code != "json-malformed")
-      return badInput(message<"list-line">(with::count<"line">(line), with::cause<"problem">(parsed.error().message)));
-    if (!parsed || !parsed->is_object()) return badInput(message<"list-no-object">(with::count<"line">(line)));
+      return badInput(message<"list-line">(with::index<"line">(line), with::cause<"problem">(parsed.error().message)));
+    if (!parsed || !parsed->is_object()) return badInput(message<"list-no-object">(with::index<"line">(line)));
     auto& cells = rows_.emplace_back(line, std::vector<std::string>(columns_.size())).second;
     for (const auto& [key, value] : parsed->items()) {
       const auto at = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), key) - columns_.begin());
       if (at == kMostColumns) return badInput(tooManyColumns());
-      if (key.empty()) return badInput(message<"list-name-empty">(with::count<"line">(line)));
+      if (key.empty()) return badInput(message<"list-name-empty">(with::index<"line">(line)));
       if (at == columns_.size()) columns_.push_back(key), cells.emplace_back();
       const auto cell = cellOf(value);
-      if (!cell) return badInput(message<"list-value-kind">(with::count<"line">(line), with::quoted<"name">(key)));
+      if (!cell) return badInput(message<"list-value-kind">(with::index<"line">(line), with::quoted<"name">(key)));
       if (cell->size() > kMostCellBytes)
-        return badInput(message<"list-cell-too-long">(with::count<"line">(line), with::count<"column">(at + 1),
+        return badInput(message<"list-cell-too-long">(with::index<"line">(line), with::index<"column">(at + 1),
                                                       with::count<"count">(cell->size()),
                                                       with::count<"limit">(kMostCellBytes)));
       cells[at] = *cell;
@@ -405,7 +405,7 @@ Result<BatchList> readJsonObjects(std::string_view text) {
     text.remove_prefix(count);
   };
   const auto skipSpace = [&] { skip(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
-  const auto broken = [&] { return badInput(message<"list-array">(with::count<"line">(line))); };
+  const auto broken = [&] { return badInput(message<"list-array">(with::index<"line">(line))); };
   JsonRows rows;
   skipSpace();
   const bool isArray = text.starts_with('[');

@@ -200,7 +200,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
 
 void BatchPlan::add(std::uint32_t line, Message problem) {
   if (problems_.size() < kMostProblems)
-    problems_.push_back(message<"list-line">(with::count<"line">(line), with::cause<"problem">(std::move(problem))));
+    problems_.push_back(message<"list-line">(with::index<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
 /// Counts a warning about another row. @param line  of the row
@@ -217,9 +217,9 @@ void BatchPlan::addTrace(std::vector<TextTrace>& traces, Message message, std::u
 void BatchPlan::warnOfTexts(const std::vector<TextTrace>& traces) {
   for (const TextTrace& trace : traces)
     if (trace.count == 1)
-      warnings_.push_back(message<"list-line">(with::count<"line">(trace.line), with::cause<"problem">(trace.message)));
+      warnings_.push_back(message<"list-line">(with::index<"line">(trace.line), with::cause<"problem">(trace.message)));
     else
-      warnings_.push_back(message<"list-lines">(with::count<"line">(trace.line), with::count<"count">(trace.count - 1),
+      warnings_.push_back(message<"list-lines">(with::index<"line">(trace.line), with::count<"count">(trace.count - 1),
                                                 with::cause<"problem">(trace.message)));
 }
 
@@ -283,16 +283,16 @@ void BatchPlan::checkRows() {
   // Parts may share a text without a code, such as a name.
   checkTwice([](const BatchRow& row) { return row.request.code.isText() ? std::string() : row.request.code.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::count<"other">(other));
+               return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::index<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return caseFolded(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
-               return message<"name-twice">(with::quoted<"name">(row.file), with::count<"other">(other));
+               return message<"name-twice">(with::quoted<"name">(row.file), with::index<"other">(other));
              });
   checkSecondFiles();
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message<"id-twice">(with::quoted<"id">(row.id), with::count<"other">(other));
+               return message<"id-twice">(with::quoted<"id">(row.id), with::index<"other">(other));
              });
 }
 
@@ -328,7 +328,7 @@ void BatchPlan::checkSecondFiles() {
     const std::size_t row = names[i].second, before = names[i - 1].second;
     if (names[i].first != names[i - 1].first || row == before) continue;
     add(list_.line(row),
-        message<"name-twice">(with::quoted<"name">(names[i].first), with::count<"other">(list_.line(before))));
+        message<"name-twice">(with::quoted<"name">(names[i].first), with::index<"other">(list_.line(before))));
   }
 }
 

@@ -79,16 +79,16 @@ bool isErrorValue(std::string_view value) {
 
 std::optional<Message> spreadsheetTrace(std::string_view value, std::string_view column, std::size_t line) {
   if (isErrorValue(value))
-    return message<"cell-error">(with::count<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
+    return message<"cell-error">(with::index<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
   if (isScientific(value))
-    return message<"cell-scientific">(with::count<"line">(line), with::quoted<"name">(column),
+    return message<"cell-scientific">(with::index<"line">(line), with::quoted<"name">(column),
                                       with::term<"value">(value));
   if (isRounded(value))
-    return message<"cell-rounded">(with::count<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
+    return message<"cell-rounded">(with::index<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
   if (isDecimalWhole(value))
-    return message<"cell-decimal">(with::count<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
+    return message<"cell-decimal">(with::index<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
   if (isDate(value))
-    return message<"cell-date">(with::count<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
+    return message<"cell-date">(with::index<"line">(line), with::quoted<"name">(column), with::term<"value">(value));
   return std::nullopt;
 }
 
@@ -112,7 +112,7 @@ std::optional<Message> lostZeros(const BatchList& list, std::size_t column) {
   }
   const bool areMostWhole = 3 * whole >= 2 * rows;
   if (!shorter || !areMostWhole) return std::nullopt;
-  return message<"cell-zeros-lost">(with::count<"line">(list.line(*shorter)),
+  return message<"cell-zeros-lost">(with::index<"line">(list.line(*shorter)),
                                     with::quoted<"name">(list.columns()[column]),
                                     with::term<"value">(list.cell(*shorter, column)), with::count<"digits">(length));
 }

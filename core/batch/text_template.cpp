@@ -14,7 +14,7 @@ constexpr std::size_t kMostDigits = 20;
 bool isDigits(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
 
 tl::unexpected<Error> broken(std::string_view text, std::size_t at) {
-  return fail(ErrorKind::BadUsage, message<"template-brace">(with::quoted<"text">(text), with::count<"byte">(at + 1)));
+  return fail(ErrorKind::BadUsage, message<"template-brace">(with::quoted<"text">(text), with::index<"byte">(at + 1)));
 }
 
 }  // namespace

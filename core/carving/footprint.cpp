@@ -78,7 +78,7 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
       if (isTouched(t)) footprint.facets.push_back(facet);
     } else if (inFront && isTouched({t[0], t[2], t[1]})) {
       return fail(ErrorKind::NoSolution,
-                  message<"facet-from-behind">(with::count<"facet">(facet), with::lengthMm<"right">(t[0].x),
+                  message<"facet-from-behind">(with::index<"facet">(facet), with::lengthMm<"right">(t[0].x),
                                                with::lengthMm<"up">(t[0].y)));
     }
   }

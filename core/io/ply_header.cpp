@@ -65,7 +65,7 @@ class HeaderReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message<"ply-header-line">(with::count<"line">(line_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"ply-header-line">(with::index<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status readFormat() {

@@ -19,7 +19,7 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return badInput(
-          message<"file-vertex-not-finite">(with::count<"vertex">(i + 1), with::count<"vertices">(positions.size()),
+          message<"file-vertex-not-finite">(with::index<"vertex">(i + 1), with::count<"vertices">(positions.size()),
                                             with::term<"format">(format), with::term<"at">(coordinates(p))));
   }
   return {};
@@ -101,10 +101,10 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
   }
   if (tooSmall.count > 0)
     soup.warnings.push_back(
-        message<"faces-passed-over">(with::count<"count">(tooSmall.count), with::count<"face">(tooSmall.first)));
+        message<"faces-passed-over">(with::count<"count">(tooSmall.count), with::index<"face">(tooSmall.first)));
   if (notSimple.count > 0)
     soup.warnings.push_back(message<"polygons-not-simple">(
-        with::count<"count">(notSimple.count), with::count<"face">(notSimple.first), with::place<"at">(notSimple.at)));
+        with::count<"count">(notSimple.count), with::index<"face">(notSimple.first), with::place<"at">(notSimple.at)));
   if (list.colours.size() == list.positions.size())
     for (const Triangle& triangle : soup.triangles) soup.colours.emplace_back(meanColour(list.colours, triangle));
   soup.positions = std::move(list.positions);
@@ -119,7 +119,7 @@ bool hasDecimalComma(std::string_view word) {
 }
 
 tl::unexpected<Error> decimalComma(std::string_view format, std::size_t line, std::string_view word) {
-  return badInput(message<"file-decimal-comma">(with::count<"line">(line), with::term<"format">(format),
+  return badInput(message<"file-decimal-comma">(with::index<"line">(line), with::term<"format">(format),
                                                 with::quoted<"word">(excerpt(word))));
 }
 
@@ -134,7 +134,7 @@ Message notFinite(std::string_view word) { return message<"number-not-finite">(w
 Message notAVertex(std::string_view word) { return message<"index-malformed">(with::quoted<"word">(excerpt(word))); }
 
 Message noSuchVertex(std::int64_t index, std::size_t vertices) {
-  return message<"face-vertex-missing">(with::count<"vertex">(index), with::count<"count">(vertices));
+  return message<"face-vertex-missing">(with::index<"vertex">(index), with::count<"count">(vertices));
 }
 
 std::string coordinates(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }

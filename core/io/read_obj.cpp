@@ -107,12 +107,12 @@ class VettedStatements : public std::streambuf {
   }
 
   Status failHere(Message what) const {
-    return badInput(message<"obj-line">(with::count<"line">(line_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"obj-line">(with::index<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
   Status failAtVertex(Message what) const {
     return failHere(
-        message<"vertex">(with::count<"vertex">(verticesSoFar_ + 1), with::cause<"cause">(std::move(what))));
+        message<"vertex">(with::index<"vertex">(verticesSoFar_ + 1), with::cause<"cause">(std::move(what))));
   }
 
   Status vetVertex() {
@@ -154,9 +154,9 @@ class VettedStatements : public std::streambuf {
       if (*index < 0 && *index >= -static_cast<std::int64_t>(verticesSoFar_)) continue;
       if (*index == 0) return failHere(message<"obj-vertex-zero">());
       if (*index > 0)
-        return failHere(message<"obj-vertex-missing">(with::count<"vertex">(*index), with::count<"count">(vertices_)));
+        return failHere(message<"obj-vertex-missing">(with::index<"vertex">(*index), with::count<"count">(vertices_)));
       return failHere(
-          message<"obj-vertex-not-yet">(with::count<"vertex">(*index), with::count<"count">(verticesSoFar_)));
+          message<"obj-vertex-not-yet">(with::index<"vertex">(*index), with::count<"count">(verticesSoFar_)));
     }
     return {};
   }

@@ -41,7 +41,7 @@ class OffReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message<"off-line">(with::count<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
+    return badInput(message<"off-line">(with::index<"line">(scanner_.line()), with::cause<"cause">(std::move(what))));
   }
 
   Result<PolygonSoup> finished(const Status& read) {
@@ -135,7 +135,7 @@ class OffReader {
       const std::optional<double> value = parseNumber(word);
       if (!value && hasDecimalComma(word)) return decimalComma("OFF", scanner_.line(), word);
       if (!value)
-        return failHere(message<"vertex-of">(with::count<"vertex">(number), with::count<"vertices">(vertexCount_),
+        return failHere(message<"vertex-of">(with::index<"vertex">(number), with::count<"vertices">(vertexCount_),
                                              with::cause<"cause">(notANumber(word))));
       p[axis] = *value;
     }
@@ -147,7 +147,7 @@ class OffReader {
   Status readFace(std::size_t number, bool onLine) {
     const std::string_view sizeWord = scanner_.word();
     const auto failAtFace = [&](Message what) {
-      return failHere(message<"face-of">(with::count<"face">(number), with::count<"faces">(faceCount_),
+      return failHere(message<"face-of">(with::index<"face">(number), with::count<"faces">(faceCount_),
                                          with::cause<"cause">(std::move(what))));
     };
     const std::optional<std::uint64_t> size = countFrom(sizeWord);

@@ -37,7 +37,7 @@ class TextValues {
   /// @param what  describes the value read last
   tl::unexpected<Error> failHere(Message what) const {
     return badInput(
-        message<"at-line">(with::count<"line">(headerLines_ + scanner_.line()), with::cause<"cause">(std::move(what))));
+        message<"at-line">(with::index<"line">(headerLines_ + scanner_.line()), with::cause<"cause">(std::move(what))));
   }
 
   Status skip(PlyType type, std::uint64_t count) {
@@ -98,7 +98,7 @@ class BinaryValues {
   }
 
   tl::unexpected<Error> failHere(Message what) const {
-    return badInput(message<"at-byte">(with::count<"byte">(valueBegin_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"at-byte">(with::index<"byte">(valueBegin_), with::cause<"cause">(std::move(what))));
   }
 
  private:
@@ -159,7 +159,7 @@ class PlyReader {
 
   static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const Error& error) {
     return fail(error.kind, message<"ply-element">(
-                                with::quoted<"element">(excerpt(element.name)), with::count<"number">(number + 1),
+                                with::quoted<"element">(excerpt(element.name)), with::index<"number">(number + 1),
                                 with::count<"elements">(element.count), with::cause<"cause">(error.message)));
   }
 
@@ -267,7 +267,7 @@ class PlyReader {
       QRELIEF_TRY(index);
       if (*index != std::floor(*index) || !(std::abs(*index) <= 4294967295.0))
         return values_.failHere(
-            message<"ply-index">(with::count<"corner">(k + 1), with::term<"index">(fmt::format("{}", *index))));
+            message<"ply-index">(with::index<"corner">(k + 1), with::term<"index">(fmt::format("{}", *index))));
       if (!(*index >= 0 && *index < static_cast<double>(vertices_)))
         return values_.failHere(noSuchVertex(static_cast<std::int64_t>(*index), vertices_));
       polygon_.push_back(static_cast<std::uint32_t>(*index));

@@ -129,7 +129,7 @@ Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLi
         corners[k][axis] = loadBytes<float>(facet + 12 + 12 * k + 4 * static_cast<std::size_t>(axis));
     for (const Vec3& p : corners)
       if (!isFinite(p))
-        return badInput(message<"stl-not-finite">(with::count<"facet">(f + 1), with::count<"facets">(count),
+        return badInput(message<"stl-not-finite">(with::index<"facet">(f + 1), with::count<"facets">(count),
                                                   with::term<"at">(coordinates(p))));
     addFacet(soup, corners);
   }
@@ -169,7 +169,7 @@ class AsciiReader {
     if (soup_.triangles.empty()) return badInput(message<"stl-ascii-no-facet">());
     if (linesSkipped_ > 0)
       soup_.warnings.push_back(message<"stl-words-between-facets">(with::count<"count">(linesSkipped_),
-                                                                   with::count<"line">(firstLineSkipped_)));
+                                                                   with::index<"line">(firstLineSkipped_)));
     if (insideSolid || unended_ > 0) soup_.warnings.push_back(message<"stl-no-endsolid">());
     return std::move(soup_);
   }
@@ -181,10 +181,10 @@ class AsciiReader {
 
   tl::unexpected<Error> unexpected(std::string_view word, Message expected) const {
     if (word.empty())
-      return badInput(message<"stl-ascii-ends">(with::count<"line">(scanner_.line()),
-                                                with::count<"facet">(soup_.triangles.size() + 1),
+      return badInput(message<"stl-ascii-ends">(with::index<"line">(scanner_.line()),
+                                                with::index<"facet">(soup_.triangles.size() + 1),
                                                 with::cause<"wanted">(std::move(expected))));
-    return badInput(message<"stl-ascii-unexpected">(with::count<"line">(scanner_.line()),
+    return badInput(message<"stl-ascii-unexpected">(with::index<"line">(scanner_.line()),
                                                     with::quoted<"word">(excerpt(word)),
                                                     with::cause<"wanted">(std::move(expected))));
   }
@@ -218,8 +218,8 @@ class AsciiReader {
       p[axis] = *value;
     }
     if (!isFinite(p))
-      return badInput(message<"stl-ascii-not-finite">(with::count<"line">(scanner_.line()),
-                                                      with::count<"facet">(soup_.triangles.size() + 1),
+      return badInput(message<"stl-ascii-not-finite">(with::index<"line">(scanner_.line()),
+                                                      with::index<"facet">(soup_.triangles.size() + 1),
                                                       with::term<"at">(coordinates(p))));
     return p;
   }

@@ -155,7 +155,7 @@ bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> n
 Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t number) {
   const auto bad = [&](Message what) {
     return damaged(
-        message<"zip-directory-line">(with::count<"line">(number + 1), with::cause<"cause">(std::move(what))));
+        message<"zip-directory-line">(with::index<"line">(number + 1), with::cause<"cause">(std::move(what))));
   };
   if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
     return bad(message<"zip-line-missing">());
@@ -347,7 +347,7 @@ Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes)
   if (entry.flags & kEncrypted) return badInput(message<"zip-encrypted">(with::quoted<"file">(excerpt(entry.name))));
   if (entry.method != kStored && entry.method != kDeflated)
     return badInput(
-        message<"zip-method">(with::quoted<"file">(excerpt(entry.name)), with::count<"method">(entry.method)));
+        message<"zip-method">(with::quoted<"file">(excerpt(entry.name)), with::index<"method">(entry.method)));
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
     return badInput(message<"zip-expands">(with::quoted<"file">(excerpt(entry.name)),
                                            with::count<"packed">(entry.packed.size()), with::count<"bytes">(entry.size),

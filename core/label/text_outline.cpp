@@ -240,7 +240,7 @@ std::string named(std::string_view sequence) {
 /// Splits a text into glyphs. @returns BadInput, see outlineText()
 Result<std::vector<FT_UInt>> glyphsOf(std::string_view text, const Font& font) {
   if (const std::size_t byte = firstNoUtf8(text); byte != std::string_view::npos)
-    return badInput(message<"text-no-utf8">(with::count<"byte">(byte)));
+    return badInput(message<"text-no-utf8">(with::index<"byte">(byte)));
   std::vector<FT_UInt> glyphs;
   std::set<std::string_view> known;
   std::string lacking;

@@ -34,7 +34,7 @@ Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return badInput(message<"model-vertex-not-finite">(with::count<"vertex">(i + 1), with::place<"at">(p)));
+      return badInput(message<"model-vertex-not-finite">(with::index<"vertex">(i + 1), with::place<"at">(p)));
   }
   return {};
 }

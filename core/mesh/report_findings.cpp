@@ -71,7 +71,7 @@ void reportDefects(const Repaired& repaired, FindingList& findings) {
   if (defects.openEdges > 0)
     findings.block(message<"open-edges">(
         with::count<"count">(defects.openEdges), with::place<"at">(findings.inFile(defects.openAt)),
-        with::count<"holes">(defects.holes), with::count<"facet">(repaired.origin[defects.openTriangle] + 1)));
+        with::count<"holes">(defects.holes), with::index<"facet">(repaired.origin[defects.openTriangle] + 1)));
   if (defects.nonManifoldEdges > 0)
     findings.block(message<"non-manifold-edges">(
         with::count<"count">(defects.nonManifoldEdges), with::place<"at">(findings.inFile(defects.nonManifoldEdgeAt)),

@@ -436,13 +436,13 @@ Status checkCentre(const SilhouetteSurroundings& around, std::uint32_t seed) {
   const EyeView& view = around.view;
   const ProjectionFrame& frame = around.frame;
   if (view.facing[seed] == Facing::Away)
-    return fail(ErrorKind::NoSolution, message<"centre-faces-away">(with::count<"triangle">(seed)));
+    return fail(ErrorKind::NoSolution, message<"centre-faces-away">(with::index<"triangle">(seed)));
   if (view.facing[seed] == Facing::FrontOutOfReach)
-    return fail(ErrorKind::NoSolution, message<"centre-behind-eye">(with::count<"triangle">(seed),
+    return fail(ErrorKind::NoSolution, message<"centre-behind-eye">(with::index<"triangle">(seed),
                                                                     with::lengthMm<"distance">(frame.eyeDistance)));
   if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(around.mesh, frame, view, around.facets))
     return fail(ErrorKind::NoSolution,
-                message<"centre-hidden">(with::count<"triangle">(obstruction->triangle),
+                message<"centre-hidden">(with::index<"triangle">(obstruction->triangle),
                                          with::lengthMm<"fromEye">(obstruction->fromEyeMm),
                                          with::lengthMm<"before">(frame.eyeDistance - obstruction->fromEyeMm),
                                          with::lengthMm<"clear">(downToThreeDigits(obstruction->clearDistanceMm))));

@@ -328,7 +328,7 @@ std::optional<Message> adviseCapitals(std::string_view text, const SymbolOptions
   VersionsByLength versions(options.errorCorrection, options.eci);
   const int version = versions.smallest(text), smaller = versions.smallest(forms.front().text);
   if (smaller == 0 || smaller >= version) return std::nullopt;
-  return message<"link-in-capitals">(with::count<"smaller">(smaller), with::count<"version">(version),
+  return message<"link-in-capitals">(with::count<"smaller">(smaller), with::index<"version">(version),
                                      with::quoted<"fixed">(forms.front().text));
 }
 

@@ -32,8 +32,8 @@ Status checkCharacters(std::string_view text) {
   if (text.empty()) return badInput(message<"text-empty">());
   if (text.size() <= kMostCharacters && isBlank(text)) return badInput(message<"text-unseen">());
   const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
-  if (nul < broken) return badInput(message<"text-holds-nul">(with::count<"byte">(nul + 1)));
-  if (broken != text.npos) return badInput(message<"text-no-utf8">(with::count<"byte">(broken + 1)));
+  if (nul < broken) return badInput(message<"text-holds-nul">(with::index<"byte">(nul + 1)));
+  if (broken != text.npos) return badInput(message<"text-no-utf8">(with::index<"byte">(broken + 1)));
   return {};
 }
 
@@ -101,20 +101,20 @@ Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
     const int version = smallestVersion(text, {level, options.eci});
     if (version == 0 || (needed != 0 && version > asked)) continue;
     if (needed == 0)
-      return message<"weaker-symbol-holds-it">(with::count<"version">(std::max(version, asked)),
+      return message<"weaker-symbol-holds-it">(with::index<"version">(std::max(version, asked)),
                                                with::term<"level">(errorCorrectionName(level)));
     return message<"larger-or-weaker-symbol-holds-it">(with::count<"larger">(needed),
-                                                       with::count<"version">(std::max(version, asked)),
+                                                       with::index<"version">(std::max(version, asked)),
                                                        with::term<"level">(errorCorrectionName(level)));
   }
-  if (needed != 0) return message<"larger-symbol-holds-it">(with::count<"version">(needed));
+  if (needed != 0) return message<"larger-symbol-holds-it">(with::index<"version">(needed));
   return message<"no-symbol-holds-it">();
 }
 
 tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
   if (options.version)
     return badInput(message<"text-too-long-for-version">(
-        with::count<"count">(text.size()), with::count<"version">(*options.version),
+        with::count<"count">(text.size()), with::index<"version">(*options.version),
         with::term<"level">(errorCorrectionName(options.errorCorrection)),
         with::cause<"held">(whatWouldHold(text, options))));
   return badInput(message<"text-too-long">(with::count<"count">(text.size()),
@@ -195,10 +195,10 @@ bool hasEci(std::string_view text, EciUse use) {
 
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
   if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
-    return fail(ErrorKind::BadUsage, message<"no-such-version">(with::count<"version">(*options.version)));
+    return fail(ErrorKind::BadUsage, message<"no-such-version">(with::index<"version">(*options.version)));
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
-    return fail(ErrorKind::BadUsage, message<"no-such-mask">(with::count<"mask">(options.mask)));
+    return fail(ErrorKind::BadUsage, message<"no-such-mask">(with::index<"mask">(options.mask)));
   QRELIEF_TRY(checkCharacters(text));
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
@@ -206,7 +206,7 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
   const CodeHandle code =
       options.version ? encodeFrom(text, *options.version, coding) : encodeSmallest(text, 1, coding);
   if (!code && errno != ERANGE) {
-    return fail(ErrorKind::Internal, message<"text-not-encoded">(with::count<"errno">(errno)));
+    return fail(ErrorKind::Internal, message<"text-not-encoded">(with::index<"errno">(errno)));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
   Symbol symbol = toSymbol(*code, options.errorCorrection);

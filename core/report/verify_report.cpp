@@ -167,7 +167,7 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
     return badInput(message<"report-rows">(with::count<"rows">(rows.size()), with::count<"wanted">(size)));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
-      return badInput(message<"report-row">(with::count<"row">(row + 1), with::count<"wanted">(size)));
+      return badInput(message<"report-row">(with::index<"row">(row + 1), with::count<"wanted">(size)));
     for (std::size_t column = 0; column < size; ++column) {
       const bool dark = rows[row][column] == '1';
       flipped[row * size + column] = symbol.dark[row * size + column] && !dark;

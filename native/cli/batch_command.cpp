@@ -135,7 +135,7 @@ int checkModels(const BatchOptions& options, const BatchPlan& plan) {
     const std::uint32_t line = plan.row(firstRowOf(plan, "")).line;
     return printError(
         {ErrorKind::BadUsage,
-         message<"list-line">(with::count<"line">(line), with::cause<"problem">(message<"row-without-model">()))});
+         message<"list-line">(with::index<"line">(line), with::cause<"problem">(message<"row-without-model">()))});
   }
   if (options.perPlate > 0 && !plan.models().empty())
     return printError({ErrorKind::BadUsage, message<"models-on-plate">()});
@@ -147,7 +147,7 @@ int checkModels(const BatchOptions& options, const BatchPlan& plan) {
     if (const Status opened = checkModel(modelPath(options, model)); !opened)
       status = printError(
           {ErrorKind::BadInput,
-           message<"list-line">(with::count<"line">(plan.row(row).line),
+           message<"list-line">(with::index<"line">(plan.row(row).line),
                                 with::cause<"problem">(message<"row-model">(
                                     with::quoted<"model">(model), with::cause<"problem">(opened.error().message))))},
           options.list);
@@ -274,7 +274,7 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
                        std::set<std::string>& warned) {
   auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   QRELIEF_TRY(list);
-  if (list->size() > 1) return badInput(message<"list-no-object">(with::count<"line">(1)));  // an array of several
+  if (list->size() > 1) return badInput(message<"list-no-object">(with::index<"line">(1)));  // an array of several
   request.firstNumber = number;
   const BatchPlan plan = BatchPlan::make(std::move(*list), request);
   if (!plan.problems().empty()) return badInput(plan.problems().front());

@@ -18,6 +18,7 @@ TEST(MessageJson, WritesTheKindOfEachValue) {
     double x, y, z;
   };
   EXPECT_EQ(valueOf(with::count<"n">(3u)), Json({{"count", 3}}));
+  EXPECT_EQ(valueOf(with::index<"n">(3u)), Json({{"index", 3}}));
   EXPECT_EQ(valueOf(with::number<"n">(0.3)), Json({{"number", 0.3}}));
   EXPECT_EQ(valueOf(with::lengthMm<"n">(0.24)), Json({{"lengthMm", 0.24}}));
   EXPECT_EQ(valueOf(with::angleDeg<"n">(12.5)), Json({{"angleDeg", 12.5}}));

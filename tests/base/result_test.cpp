@@ -11,7 +11,7 @@ namespace qrelief {
 namespace {
 
 Result<int> half(int n) {
-  if (n % 2 != 0) return badInput(message<"text-no-utf8">(with::count<"byte">(n)));
+  if (n % 2 != 0) return badInput(message<"text-no-utf8">(with::index<"byte">(n)));
   return n / 2;
 }
 
@@ -20,7 +20,7 @@ TEST(Result, CarriesTheValueOrTheWholeError) {
   const auto failed = half(7);
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().kind, ErrorKind::BadInput);
-  EXPECT_EQ(failed.error().message, message<"text-no-utf8">(with::count<"byte">(7)));
+  EXPECT_EQ(failed.error().message, message<"text-no-utf8">(with::index<"byte">(7)));
   EXPECT_EQ(sentence(failed.error().message), "The text is not valid UTF-8 at byte 7");
 }
 

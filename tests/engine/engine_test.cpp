@@ -242,7 +242,7 @@ TEST_F(EngineTest, FindsSpotsOfThePromisedSize) {
     EXPECT_NEAR(placement["placement"]["largestMm"], progress["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
   expectError(engine_->setCentre(R"({"spot": 100})"), "BadUsage", "no-such-spot");
-  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"spot": 100})"))["error"]["values"]["index"]["count"], 100);
+  EXPECT_EQ(Json::parse(engine_->setCentre(R"({"spot": 100})"))["error"]["values"]["index"]["index"], 100);
 }
 
 TEST_F(EngineTest, TellsTheFixedSizeThatTheMapShowsTheRoomFor) {

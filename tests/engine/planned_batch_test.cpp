@@ -92,7 +92,7 @@ TEST(PlannedBatch, RefusesAFaultyListAndThenHasNoRows) {
   EXPECT_EQ(plan["rows"], 0);
   ASSERT_EQ(plan["problems"].size(), 1u);
   EXPECT_EQ(plan["problems"][0]["code"], "list-line");
-  EXPECT_EQ(plan["problems"][0]["values"]["line"]["count"], 3);
+  EXPECT_EQ(plan["problems"][0]["values"]["line"]["index"], 3);
   EXPECT_EQ(plan["mayBeMore"], false);
   EXPECT_EQ(Json::parse(batch.batchRow(0))["error"]["code"], "no-such-row");
   EXPECT_EQ(planned(batch, "id,text\n\"a,one\n")["error"]["code"], "list-quote-open");

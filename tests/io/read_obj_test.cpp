@@ -214,7 +214,7 @@ TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
 TEST(ObjReader, WarnsAboutSelfCrossingPolygons) {
   const auto soup = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
   ASSERT_TRUE(soup);
-  EXPECT_EQ(soup->warnings.at(0), message<"polygons-not-simple">(with::count<"count">(1), with::count<"face">(1),
+  EXPECT_EQ(soup->warnings.at(0), message<"polygons-not-simple">(with::count<"count">(1), with::index<"face">(1),
                                                                  with::place<"at">(Vec3(0, 0, 0))));
   EXPECT_EQ(sentence(soup->warnings.at(0)),
             "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles "

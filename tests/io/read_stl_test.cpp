@@ -153,7 +153,7 @@ TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   expectSameFacets(*soup, shapes::tetrahedron(2));
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(soup->warnings[0], message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(line)));
+  EXPECT_EQ(soup->warnings[0], message<"stl-words-between-facets">(with::count<"count">(1), with::index<"line">(line)));
   text.insert(text.rfind("endfacet") + 8, " attribute 7");
   soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << soup.error().message;
@@ -190,7 +190,7 @@ TEST(StlReader, SkipsColoursBeforeTheFirstFacet) {
   const auto soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup) << sentence(soup.error().message);
   expectSameFacets(*soup, shapes::tetrahedron(2));
-  EXPECT_EQ(soup->warnings.at(0), message<"stl-words-between-facets">(with::count<"count">(1), with::count<"line">(2)));
+  EXPECT_EQ(soup->warnings.at(0), message<"stl-words-between-facets">(with::count<"count">(1), with::index<"line">(2)));
 }
 
 TEST(StlReader, RefusesAFacetThatLacksItsKeyword) {

@@ -108,7 +108,7 @@ TEST(TextOutline, NamesTheCharactersThatTheFontLacks) {
 TEST(TextOutline, RefusesTextThatIsNotUtf8) {
   const auto text = outlineText("a\xff", kTolerance);
   ASSERT_FALSE(text.has_value());
-  EXPECT_EQ(text.error().message, message<"text-no-utf8">(with::count<"byte">(1)));
+  EXPECT_EQ(text.error().message, message<"text-no-utf8">(with::index<"byte">(1)));
 }
 
 TEST(TextOutline, ReadsAccentsGreekAndCyrillic) {

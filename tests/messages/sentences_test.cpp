@@ -38,11 +38,9 @@ MessageValue valueOf(const char* name, const Json& json) {
                          : kind == "term" ? Kind::Term
                                           : Kind::Setting,
                          value.get<std::string>());
-  static const std::map<std::string, Kind> kNumeric = {{"count", Kind::Count},
-                                                       {"number", Kind::Number},
-                                                       {"lengthMm", Kind::LengthMm},
-                                                       {"angleDeg", Kind::AngleDeg},
-                                                       {"fraction", Kind::Fraction}};
+  static const std::map<std::string, Kind> kNumeric = {{"count", Kind::Count},       {"index", Kind::Index},
+                                                       {"number", Kind::Number},     {"lengthMm", Kind::LengthMm},
+                                                       {"angleDeg", Kind::AngleDeg}, {"fraction", Kind::Fraction}};
   if (const auto numeric = kNumeric.find(kind); numeric != kNumeric.end())
     return with::numeric(name, numeric->second, value.get<double>());
   const auto list = value.get<std::vector<double>>();

@@ -92,12 +92,12 @@ test('A verb goes to the worker and returns its answer', async () => {
 
 test('An error of the engine is thrown with kind, code and values', async () => {
   const placed = client.placement();
-  worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { count: 2 } }) } });
+  worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { index: 2 } }) } });
   await assert.rejects(placed, {
     name: 'EngineError',
     kind: 'NoSolution',
     code: 'no-such-spot',
-    values: { index: { count: 2 } },
+    values: { index: { index: 2 } },
   });
 });
 

@@ -4,8 +4,8 @@
 
 /**
  * A value of a message. Its kind decides its format.
- * @typedef {{ count: number } | { number: number } | { lengthMm: number } | { angleDeg: number } | { fraction: number }
- *   | { place: number[] } | { extentMm: number[] } | { quoted: string } | { term: string } | { setting: string }
+ * @typedef {{ count: number } | { index: number } | { number: number } | { lengthMm: number } | { angleDeg: number }
+ *   | { fraction: number } | { place: number[] } | { extentMm: number[] } | { quoted: string } | { term: string } | { setting: string }
  *   | { choice: { key: string, value: string } } | { indices: number[] } | { cause: Message }} Value
  * @typedef {{ code: string, values: Record<string, Value> }} Message
  */

@@ -124,7 +124,7 @@ export function readSettingsFile(json, name, controls) {
       message('settings-other-version', {
         file: { quoted: name },
         version: { term: excerpt(content.version) },
-        known: { count: kVersion },
+        known: { index: kVersion },
       }),
     );
   if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));

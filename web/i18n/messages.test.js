@@ -48,17 +48,24 @@ test('No words of the page mention options of the command', () => {
   assert.doesNotMatch(kPageWords, /--[a-z]/);
 });
 
-test('The page separates thousands as the language does; files and coordinates do not', async () => {
-  const words = { left: { says: '{count} triangles, {part} of them, {size}, at {at}' } };
+test('The page separates thousands of quantities as the language does; files, coordinates and line numbers do not', async () => {
+  const words = { left: { says: '{count} triangles, {part} of them, {size}, at {at}, in line {line}' } };
   const left = message('left', {
     count: { count: 108426 },
     part: { fraction: 0.25 },
     size: { lengthMm: 1234 },
     at: { place: [12345.5, 0, 0] },
+    line: { index: 54321 },
   });
-  assert.equal(plainSentenceOf(left, words), '108426 triangles, 25 % of them, 1234 mm, at (12345.5, 0, 0)');
+  assert.equal(
+    plainSentenceOf(left, words),
+    '108426 triangles, 25 % of them, 1234 mm, at (12345.5, 0, 0), in line 54321',
+  );
   const kept = (/** @type {string} */ said) => said.replaceAll('\u00a0', ' ');
-  assert.equal(kept(sentenceOf(left, words)), '108,426 triangles, 25 % of them, 1,234 mm, at (12345.5, 0, 0)');
+  assert.equal(
+    kept(sentenceOf(left, words)),
+    '108,426 triangles, 25 % of them, 1,234 mm, at (12345.5, 0, 0), in line 54321',
+  );
   await setLanguage('de');
-  assert.match(kept(sentenceOf(left, words)), /^108\.426 triangles, 25 % of them, 1\.234 mm/);
+  assert.match(kept(sentenceOf(left, words)), /^108\.426 triangles, 25 % of them, 1\.234 mm, at .*, in line 54321$/);
 });

@@ -67,6 +67,7 @@ const countIn = ({ count }) => count && ('number' in count ? count.number : 'cou
 export function writtenIn(value, wording) {
   const { names } = wording;
   if ('count' in value) return digits(value.count, 15, wording);
+  if ('index' in value) return digits(value.index, 15, { language: wording.language });
   if ('number' in value) return digits(value.number, 6, wording);
   if ('lengthMm' in value) return `${digits(rounded(value.lengthMm), 3, wording)} mm`;
   if ('angleDeg' in value) return `${digits(rounded(value.angleDeg), 3, wording)}°`;

@@ -94,11 +94,7 @@ export class PartsTable {
     this.range_.textContent =
       count === 0
         ? text('batch.none')
-        : text('batch.range', {
-            from: formatNumber(first + 1),
-            to: formatNumber(first + rows.length),
-            count: formatNumber(count),
-          });
+        : text('batch.range', { from: String(first + 1), to: String(first + rows.length), count: formatNumber(count) });
     setDisabled(this.previous_, first === 0 ? 'batch.whyFirstPage' : undefined);
     setDisabled(this.next_, first + kRows >= count ? 'batch.whyLastPage' : undefined);
     this.pages_.hidden = this.rows_ <= kRows;
@@ -116,7 +112,7 @@ function rowOf({ index, state, reason }, name) {
   const row = make(
     'tr',
     { className: state },
-    make('td', { text: formatNumber(name?.number ?? index + 1) }),
+    make('td', { text: String(name?.number ?? index + 1) }),
     make(
       'td',
       {},

@@ -171,17 +171,17 @@ class ModelHandler : public XmlHandler {
   }
 
   tl::unexpected<Error> badObject(Message what) const {
-    return badInput(message<"3mf-object">(with::count<"object">(objectId_), with::cause<"cause">(std::move(what))));
+    return badInput(message<"3mf-object">(with::index<"object">(objectId_), with::cause<"cause">(std::move(what))));
   }
 
   tl::unexpected<Error> badVertex(Message what) const {
     return badObject(
-        message<"vertex">(with::count<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
+        message<"vertex">(with::index<"vertex">(object_->positions.size() + 1), with::cause<"cause">(std::move(what))));
   }
 
   /// @param number  from 1
   tl::unexpected<Error> badTriangle(std::size_t number, Message what) const {
-    return badObject(message<"3mf-triangle">(with::count<"triangle">(number), with::cause<"cause">(std::move(what))));
+    return badObject(message<"3mf-triangle">(with::index<"triangle">(number), with::cause<"cause">(std::move(what))));
   }
 
   Status countEntry() {

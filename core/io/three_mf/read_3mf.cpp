@@ -158,7 +158,7 @@ class Package {
         const auto name = partName(instance.path);
         if (!name)
           return badInput(message<"3mf-path-outside">(with::quoted<"part">(excerpt(own)),
-                                                      with::count<"object">(instance.object),
+                                                      with::index<"object">(instance.object),
                                                       with::quoted<"path">(excerpt(instance.path, kLongestTarget))));
         instance.path = *name;
         if (instance.path != own) paths.push_back(*name);
@@ -247,7 +247,7 @@ class Builder {
 
   static tl::unexpected<Error> objectMissing(const ThreeMfInstance& instance, const std::string& asking) {
     return badInput(message<"3mf-object-missing">(with::quoted<"asking">(excerpt(asking)),
-                                                  with::count<"object">(instance.object),
+                                                  with::index<"object">(instance.object),
                                                   with::quoted<"part">(excerpt(instance.path))));
   }
 
@@ -258,16 +258,16 @@ class Builder {
     if (const auto known = extents_.find(key); known != extents_.end()) {
       if (known->second) return *known->second;
       return badInput(
-          message<"3mf-circle">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-circle">(with::index<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     }
     const ThreeMfObject* object = find(instance);
     if (!object) return objectMissing(instance, asking);
     if (object->isInSlices)
       return badInput(
-          message<"3mf-slices">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-slices">(with::index<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     if (object->isInBeams)
       return badInput(
-          message<"3mf-beams">(with::count<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
+          message<"3mf-beams">(with::index<"object">(instance.object), with::quoted<"part">(excerpt(instance.path))));
     withSlices_ += object->hasSlices;
     if (extents_.size() > kMaxInstances)
       return badInput(message<"3mf-too-many-objects">(with::count<"limit">(kMaxInstances)));
@@ -338,14 +338,14 @@ class Builder {
   /// Returns the reason why an item is no model to print; none for a model. FreeCAD calls closed bodies "surface".
   std::optional<Message> whyNoModel(const ThreeMfInstance& item) {
     const ThreeMfObject& object = *find(item);
-    if (!item.isPrinted) return message<"3mf-not-printed">(with::count<"object">(item.object));
+    if (!item.isPrinted) return message<"3mf-not-printed">(with::index<"object">(item.object));
     if (!object.curaMesh.empty())
-      return message<"3mf-cura-mesh">(with::count<"object">(item.object), with::term<"setting">(object.curaMesh));
+      return message<"3mf-cura-mesh">(with::index<"object">(item.object), with::term<"setting">(object.curaMesh));
     if (object.type == "model") return std::nullopt;
     if (object.type != "surface" && object.type != "other")
-      return message<"3mf-type">(with::count<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
+      return message<"3mf-type">(with::index<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
     if (isClosed(item)) return std::nullopt;
-    return message<"3mf-type-open">(with::count<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
+    return message<"3mf-type-open">(with::index<"object">(item.object), with::quoted<"type">(excerpt(object.type)));
   }
 
   /// Returns true if the object and its components have closed meshes only.

@@ -125,7 +125,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](Message what) {
     return badInput(message<"3mf-part-line">(with::quoted<"part">(excerpt(part)),
-                                             with::count<"line">(XML_GetCurrentLineNumber(parser.get())),
+                                             with::index<"line">(XML_GetCurrentLineNumber(parser.get())),
                                              with::cause<"cause">(std::move(what))));
   };
 
