@@ -251,6 +251,8 @@ test('A size typed for one model stays with it: the next one starts with its lar
     await app.setting('Width (mm)').fill('60');
     await app.setting('Width (mm)').blur();
     await expect(app.status).toContainText('No spot on the model has room for a code of 60 mm');
+    await expect(app.status).toContainText(/the largest size found is\s[\d.]+\smm/);
+    await expect(page.locator('#view-hint')).toBeHidden();
     await enlarge.click();
     await poll(() => app.width()).toBe(largest);
     await expect(enlarge).toHaveCount(0);

@@ -269,6 +269,8 @@ class Engine {
   void hidePrint();
   void showSizes(bool isShown);
   void zoom(double factor, double x, double y);
+  /// Refuses a model that is too small for any code of as many modules.
+  Status hasRoom() const;
   bool takesCode() const;
   bool showsCarved() const;
   PlacementTask task() const;

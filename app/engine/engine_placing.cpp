@@ -36,8 +36,14 @@ std::optional<double> capitalMmAt(const EngraveRequest& request, int modules, do
 
 PlacementTask Engine::task() const { return {*model_, wanted_, scene_.camera().modelUp()}; }
 
+Status Engine::hasRoom() const {
+  const int modules = wanted_.symbol()->size;
+  const SizeBound room{modules, roomFactor(modules, searchedPlacement(settings(), modules))};
+  return checkSizeBound(model_->engravable->prepared, room, settings().placement.eyeDistanceMm);
+}
+
 bool Engine::takesCode() const {
-  return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();
+  return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable() && hasRoom();
 }
 
 Status Engine::placeCode() {
@@ -45,9 +51,7 @@ Status Engine::placeCode() {
   if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message<"no-centre">());
   QRELIEF_TRY(model_->engravable->prepared.engravable());
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
-  const int modules = wanted_.symbol()->size;
-  const SizeBound room{modules, roomFactor(modules, searchedPlacement(settings(), modules))};
-  QRELIEF_TRY(checkSizeBound(model_->engravable->prepared, room, settings().placement.eyeDistanceMm));
+  QRELIEF_TRY(hasRoom());
   return preview_.place(task());
 }
 

@@ -251,6 +251,7 @@ TEST_F(EnginePlacingTest, ShowsNoCodeOnAModelThatIsTooSmallForAny) {
   engine_->setCentre(R"({"mm": [0, 0, 1.5]})");
   expectError(engine_->placement(), "NoSolution", "model-too-small");
   EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
+  EXPECT_EQ(Json::parse(engine_->hover("[200, 150]"))["hit"], false);
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ export class Placing {
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** Why the code was not placed. @type {import('../engine/types.js').EngineError | undefined} */
     this.problem_ = undefined;
+    this.isSpotless_ = false; // a search found no spot with room for the code
     this.again_ = false;
     this.isSilent_ = false;
     /** Resolves once the centre picked last is known. @type {Promise<void> | undefined} */ this.moving = undefined;
@@ -56,9 +57,9 @@ export class Placing {
     return this.problem_?.kind === 'NoSolution';
   }
 
-  /** True if no place on the model has room for a code. */
+  /** True if no place on the model is known to have room for the code. */
   get isHopeless() {
-    return this.problem_?.code === 'model-too-small';
+    return this.isSpotless_ || this.problem_?.code === 'model-too-small';
   }
 
   /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
@@ -193,8 +194,10 @@ export class Placing {
     if (!this.isSilent_) this.messages_.say(words);
   }
 
-  /** Says why no spot is proposed, and what helps. @param {import('../engine/message.js').Message} problem */
+  /** Says why no spot is proposed, and what helps. @param {import('../engine/types.js').EngineError} problem */
   explain(problem) {
+    this.isSpotless_ = problem.kind === 'NoSolution';
+    this.placed.emit(undefined); // the view no longer asks for a click
     this.panel_.explain(problem);
     // A click helps only where nothing better is known: it does not make a model larger or a wall thicker.
     const help = () => asSentence(hintOf(problem)) || text('page.askForCentre');
@@ -205,6 +208,7 @@ export class Placing {
   show_(placement, problem) {
     this.placement = placement;
     this.problem_ = problem;
+    this.isSpotless_ = false;
     this.panel_.showPlacement(placement);
     this.placed.emit(placement);
   }

@@ -52,7 +52,7 @@ afterEach(() => setLanguage('en'));
 
 test('After a search without a spot, the status says why and what to do', async () => {
   await messageWords.load();
-  placing.explain(message('larger-or-flatter'));
+  placing.explain({ kind: 'NoSolution', ...message('larger-or-flatter') });
   assert.equal(
     messages.said.at(-1),
     'Choose a larger or flatter model, or shorten the text. Click the model where the code should go.',
@@ -61,7 +61,10 @@ test('After a search without a spot, the status says why and what to do', async 
 
 test('A search without a spot gives the hint of its reason, not the advice to click', async () => {
   await messageWords.load();
-  placing.explain({ code: 'nothing-can-be-carved', values: { wall: { lengthMm: 0.8 } } });
+  /** @type {boolean[]} */ const announced = [];
+  placing.placed.on(() => announced.push(placing.isHopeless));
+  placing.explain({ kind: 'NoSolution', code: 'nothing-can-be-carved', values: { wall: { lengthMm: 0.8 } } });
+  assert.deepEqual(announced, [true]); // the view's own request for a click disappears
   assert.equal(
     messages.said.at(-1),
     'The wall is too thin here: engraving would leave less than 0.8\u00A0mm of material. Choose a thicker spot, or use a second colour (“Made by”).',
