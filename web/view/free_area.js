@@ -58,6 +58,10 @@ export function obstaclesOver(stage, view) {
   const collect = (/** @type {Element} */ parent) => {
     for (const child of parent.children) {
       if (child === view || child.classList.contains('hidden')) continue;
+      if (getComputedStyle(child).display === 'contents') {
+        collect(child);
+        continue;
+      }
       const { left, top, width, height } = child.getBoundingClientRect();
       if (width === 0 || height === 0) continue;
       if (width * height > kWrapperShare * origin.width * origin.height) collect(child);
