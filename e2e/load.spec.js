@@ -11,7 +11,7 @@ test.beforeEach(async () => {
 });
 test.afterEach(() => site.close());
 
-test('The page is usable after at most 1.65 MB; decoder and message words load later', async ({ page }) => {
+test('The page is usable after at most 1.57 MB; decoder and message words load later', async ({ page }) => {
   const app = new Engraver(page);
   await page.goto(site.address);
   await app.expectReady();
@@ -19,7 +19,7 @@ test('The page is usable after at most 1.65 MB; decoder and message words load l
   console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
   expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
   expect(site.sent.filter(({ path }) => /reader|-messages-/.test(path))).toEqual([]);
-  expect(bytes).toBeLessThan(1.65e6);
+  expect(bytes).toBeLessThan(1.57e6);
 });
 
 test('Message words load with the first message, in its language; a failure is reported', async ({ page }) => {

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -50,10 +52,13 @@ class Font {
     return face_->glyph;
   }
 
-  double kerning(FT_UInt left, FT_UInt right) const {
-    FT_Vector kerning{0, 0};
-    FT_Get_Kerning(face_.get(), left, right, FT_KERNING_UNSCALED, &kerning);
-    return static_cast<double>(kerning.x);
+  /// Returns by how much the right glyph moves.
+  static double kerning(FT_UInt left, FT_UInt right) {
+    const auto [begin, end] = std::equal_range(std::begin(kKernedLeft), std::end(kKernedLeft), left);
+    const auto* first = kKernedRight + (begin - kKernedLeft);
+    const auto* last = kKernedRight + (end - kKernedLeft);
+    const auto* found = std::lower_bound(first, last, right);
+    return found == last || *found != right ? 0 : static_cast<std::int16_t>(kKerning[found - kKernedRight]);
   }
 
   double capitalHeight() const {
@@ -278,7 +283,7 @@ Result<TextOutline> outlineText(std::string_view text, double tolerance) {
   Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
   double pen = 0;
   for (std::size_t i = 0; i < glyphs->size(); ++i) {
-    if (i > 0) pen += font.kerning((*glyphs)[i - 1], (*glyphs)[i]);
+    if (i > 0) pen += Font::kerning((*glyphs)[i - 1], (*glyphs)[i]);
     FT_GlyphSlot slot = font.load((*glyphs)[i]);
     const auto advance = static_cast<double>(slot->metrics.horiAdvance);
     std::vector<Ring> rings = ringsOf(slot->outline, tolerance * capital);

@@ -88,6 +88,9 @@ TEST(TextOutline, PairsAreKerned) {
   const auto width = [](const TextOutline& text) { return text.high.x - text.low.x; };
   EXPECT_LT(width(outline("AV")), width(outline("A")) + width(outline("V")));
   EXPECT_GT(width(outline("HH")), 2 * width(outline("H")));
+  // In Cyrillic, too, whose pairs come last in the font. Both alphabets have this T and A, and the font kerns them
+  // alike.
+  EXPECT_DOUBLE_EQ(width(outline("\u0422\u0410")), width(outline("TA")));
 }
 
 TEST(TextOutline, SpacesTakeRoom) {
