@@ -58,6 +58,8 @@ test('An empty text, a too large code and a setting out of range are refused wit
   await app.setting('Width (mm)').fill('200');
   await app.setting('Width (mm)').blur();
   await expect(app.alert).toContainText(/mm/);
+  await expect(app.status).toContainText('No spot on the model has room for a code of 200 mm');
+  await expect(page.locator('#view-hint')).toBeHidden();
   await app.engraveButton.click();
   await expect(app.result).toBeHidden();
   await expect(app.alert).toContainText(/mm/);

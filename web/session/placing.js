@@ -12,6 +12,8 @@ import { centredAt, chosenCentre, sameCentre } from './work.js';
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {[number, number, number]} Point */
 
+const kTooLarge = ['code-too-large', 'code-too-large-here'];
+
 /**
  * @typedef {object} PlacingOptions
  * @property {import('../engine/client.js').EngineClient} client
@@ -55,6 +57,11 @@ export class Placing {
   /** True if the code had no room at its centre. */
   get lacksRoom() {
     return this.problem_?.kind === 'NoSolution';
+  }
+
+  /** True if the centre has room for a code, but not for the wanted size. */
+  get isTooLarge() {
+    return this.problem_ !== undefined && kTooLarge.includes(this.problem_.code);
   }
 
   /** True if no place on the model is known to have room for the code. */

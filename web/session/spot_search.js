@@ -100,18 +100,7 @@ export class SpotSearch {
 
   async moveToBest_() {
     const model = this.model_.info;
-    /** @type {unknown} */ let failure;
-    const result = await this.jobs_
-      .runInBackground(async (signal) => {
-        this.messages_.say(kLooking);
-        await this.client_.configure(await this.batching_.plannedSettings());
-        return this.client_.findSpots({ signal, onProgress: () => {} });
-      })
-      .catch((thrown) => {
-        if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
-        failure = thrown;
-        return undefined; // the code may fit at the module's proposal; otherwise the page asks for a place
-      });
+    const { result, failure } = await this.look_(); // after a failure the code may fit at the module's proposal
     const isWanted = () => this.mayPropose_ && !this.isOutdated_ && model === this.model_.info;
     if (isWanted() && result) {
       this.panel_.show(result, false);
@@ -124,6 +113,35 @@ export class SpotSearch {
     } else if (isWanted()) {
       await this.placing_.place();
       if (failure && isWanted() && !this.placing_.placement) this.placing_.explain(describeThrown(failure));
+    }
+  }
+
+  /** @returns {Promise<{ result?: import('../engine/types.js').Spots, failure?: unknown }>}  neither: it was ended */
+  async look_() {
+    try {
+      const result = await this.jobs_.runInBackground(async (signal) => {
+        this.messages_.say(kLooking);
+        await this.client_.configure(await this.batching_.plannedSettings());
+        return this.client_.findSpots({ signal, onProgress: () => {} });
+      });
+      return { result };
+    } catch (thrown) {
+      if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      return { failure: thrown };
+    }
+  }
+
+  /** Offers the spots with room for a size that is too large at the chosen centre, or says that there are none. */
+  async lookElsewhere_() {
+    this.isOutdated_ = false;
+    const { result, failure } = await this.look_();
+    if (this.isOutdated_ || !this.placing_.isTooLarge) return;
+    if (result) {
+      this.panel_.show(result, false);
+      this.messages_.say(() => text('page.chooseSpot'));
+      void this.drawPictures_(result.spots.length);
+    } else if (failure) {
+      this.placing_.explain(describeThrown(failure));
     }
   }
 
@@ -224,6 +242,10 @@ export class SpotSearch {
 
   /** Looks again with the new settings, if the proposal had not come before they changed or has no room for them. */
   proposeAgain() {
+    if (this.placing_.isTooLarge && chosenCentre(this.store_.work)) {
+      this.proposed = this.guard_(() => this.lookElsewhere_());
+      return;
+    }
     this.mayPropose_ ||= this.placing_.lacksRoom;
     this.propose_();
   }

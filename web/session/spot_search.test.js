@@ -224,3 +224,22 @@ test('Settings for which the proposed spot has no room begin a search; without a
   await spots.proposed;
   assert.deepEqual(placing.calls, ['place', 'explain']);
 });
+
+test('A size without room at the chosen centre offers spots with room for it, and says if there are none', async () => {
+  store.update(centredAt([4, 5, 6]));
+  placing.answers.isTooLarge = true;
+  spots.proposeAgain();
+  await settled();
+  search.resolve(kFound);
+  await spots.proposed;
+  assert.deepEqual(placing.calls, []); // the code stays where the user wants it
+  assert.ok(panel.calls.includes('show false'));
+  assert.equal(messages.said.at(-1), 'Choose a spot, or click the model.');
+
+  search = new Pending();
+  spots.proposeAgain();
+  await settled();
+  search.reject(noRoom());
+  await spots.proposed;
+  assert.deepEqual(placing.calls, ['explain']);
+});
