@@ -69,6 +69,11 @@ export class Placing {
     return this.isSpotless_ || this.problem_?.code === 'model-too-small';
   }
 
+  /** True if a click on the model may give the code a spot: it does not mend a wrong setting. */
+  get asksForSpot() {
+    return !this.isHopeless && (this.problem_ === undefined || this.lacksRoom);
+  }
+
   /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
   confirmCentre() {
     this.store_.update({ centreIsGuess: false });

@@ -110,6 +110,20 @@ test('A model that is too small for any code says so at its proposed centre, and
   assert.equal(problem(), undefined);
 });
 
+test('The view asks for a spot unless a click does not help', async () => {
+  assert.equal(placing.asksForSpot, true);
+  client.answers.placement = async () => {
+    throw noRoom();
+  };
+  await placing.begin();
+  assert.equal(placing.asksForSpot, true);
+  client.answers.configure = async () => {
+    throw new EngineFailure({ kind: 'BadUsage', ...message('text-empty') });
+  };
+  await placing.place();
+  assert.equal(placing.asksForSpot, false);
+});
+
 test('A code that was moved off an edge says so', async () => {
   await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([4, 0, 0]), movedMm: 3.25 }));
   assert.match(messages.said.at(-1) ?? '', /moved by 3\.\d+\smm/);

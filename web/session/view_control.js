@@ -78,7 +78,7 @@ export class ViewControl {
       toolbar.setPlaced(
         placement !== undefined,
         placement?.capitalMm === null,
-        model.engravable && !placing.isHopeless,
+        model.engravable && placing.asksForSpot,
       );
       tools.set({ placed: placement !== undefined });
       if (toolbar.constructionShown) void guard(() => this.explain_());
