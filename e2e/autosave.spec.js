@@ -24,7 +24,7 @@ test('Work is offered and restored after a reload, but not if nothing changed or
     await app.sample.selectOption('Star');
     await untilKept(page, (work) => work?.sampleId === 'star' && !JSON.stringify(work).includes('secret'));
     await page.reload();
-    await expect(offer).toHaveText('Continue with star.stl?');
+    await expect(offer).toHaveText('Continue with Star?');
     await app.expectReady();
     await app.file.setInputFiles(truncatedFile);
     await expect(app.alert).toBeVisible();

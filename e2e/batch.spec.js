@@ -150,7 +150,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
   await test.step('after a reload it resumes without carving any part again', async () => {
     const before = await finished();
     await page.reload();
-    await expect(page.getByText(/^\d of 5 parts of plate\.stl are engraved\. Go on\?/)).toBeVisible();
+    await expect(page.getByText(/^\d of 5 parts of Test plate are engraved\. Go on\?/)).toBeVisible();
     await page.getByRole('button', { name: 'Go on' }).click();
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
     await poll(finished).toBeGreaterThanOrEqual(before);

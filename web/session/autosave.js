@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Offers the last visit's work and stores the current work.
 import { text } from '../i18n/catalogue.js';
+import { modelName } from '../i18n/model_name.js';
 import { storedWork } from './work.js';
 
 const kNotice = 'continue';
@@ -37,7 +38,7 @@ export class Autosave {
     this.watching_ = true;
     const work = offer === 'never' ? undefined : await this.last_.recall();
     if (!work || (offer === 'same-address' && work.address !== location.search)) return;
-    this.notices_.show(kNotice, text('autosave.continueWith', { name: work.fileName }), [
+    this.notices_.show(kNotice, text('autosave.continueWith', { name: modelName(work) }), [
       { label: text('autosave.discard'), run: () => void this.last_.discard() },
       {
         label: text('autosave.continue'),

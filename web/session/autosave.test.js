@@ -21,7 +21,7 @@ beforeEach(() => {
   saved = [];
   last = fake(LastWork, {
     save: (/** @type {any} */ work) => void saved.push(work),
-    recall: async () => ({ fileName: 'vase.stl', address: '?sample=vase', text: 'kept' }),
+    recall: async () => ({ sampleId: 'vase', fileName: 'vase.stl', address: '?sample=vase', text: 'kept' }),
   });
   notices = fake(Notices);
   store = storeOf({ source: /** @type {any} */ ({ sampleId: 'vase', fileName: 'vase.stl' }), text: 'a' });
@@ -46,6 +46,7 @@ test('The last work is offered, at an address that asks for something only if it
   assert.equal(offers(), 0);
   await autosave.begin('always');
   assert.equal(offers(), 1);
+  assert.match(notices.calls.at(-1), /Continue with Vase\?/);
   await autosave.begin('same-address');
   assert.equal(offers(), 2);
   location.search = '?sample=vase&engrave=1';

@@ -10,6 +10,7 @@ import { EngineFailure, describeThrown, internal } from '../engine/engine_error.
 import { message } from '../engine/message.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
+import { modelName } from '../i18n/model_name.js';
 import { storedWork } from './work.js';
 
 /** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
@@ -310,7 +311,7 @@ export class BatchCarving {
     await readManifest(await storage.manifest(), tracker, { restores: true });
     const { done, finished } = tracker.state({});
     const isOver = finished === record.rows;
-    const values = { done, count: record.rows, name: record.work.fileName };
+    const values = { done, count: record.rows, name: modelName(record.work) };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
       { label: text('autosave.discard'), run: () => void guard(() => storage.discard().finally(release)) },
       {

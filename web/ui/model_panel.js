@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The choice of model (a sample, a chosen file, or a file dropped anywhere) and the findings about it.
 import { onLanguage, text, textOr } from '../i18n/catalogue.js';
+import { modelName } from '../i18n/model_name.js';
 import { hintOf, sentenceOf, writtenValue } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from '../dom/dom.js';
@@ -91,7 +92,7 @@ export class ModelPanel {
     if (source.sampleId !== undefined) this.file_.value = '';
     byId('credit', HTMLElement).textContent = source.credit;
     showStep('model', model.engravable ? 'done' : 'bad', () =>
-      text('page.modelState', { name: this.nameOf_(source), size: formatBox(model.sizeMm) }),
+      text('page.modelState', { name: modelName(source), size: formatBox(model.sizeMm) }),
     );
     this.showTexts_();
   }
@@ -123,11 +124,6 @@ export class ModelPanel {
     if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0)
       this.listener_?.onScale((this.shown_.source.scaleToMm * heightMm) / this.heightMm_);
     else this.showHeight_();
-  }
-
-  /** @param {ShownSource} source */
-  nameOf_({ sampleId, fileName }) {
-    return sampleId === undefined ? fileName : textOr('samples', sampleId);
   }
 
   /** Writes the texts in the current language. */
