@@ -90,15 +90,14 @@ Result<PolygonSoup> readPackage(const ZipArchive& archive, std::span<const std::
 }
 
 /// Reads a 3MF, or the only model of another ZIP archive.
-Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
-  const Result<ZipArchive> archive = ZipArchive::open(bytes);
-  QRELIEF_TRY(archive);
+Result<PolygonSoup> readArchive(const ZipArchive& archive, std::span<const std::uint8_t> bytes,
+                                const ReadLimits& limits) {
   for (const auto& [file, format, isCad] : kArchiveFormats)
-    if (archive->find(file))
+    if (archive.find(file))
       return badInput(isCad ? message<"format-of-cad">(with::term<"format">(format))
                             : message<"file-is-document">(with::term<"format">(format)));
-  const std::vector<const ZipEntry*> files = filesIn(*archive);
-  if (archive->find("_rels/.rels") || archive->find("3D/3dmodel.model")) return readPackage(*archive, bytes, limits);
+  const std::vector<const ZipEntry*> files = filesIn(archive);
+  if (archive.find("_rels/.rels") || archive.find("3D/3dmodel.model")) return readPackage(archive, bytes, limits);
   std::vector<const ZipEntry*> models = files;
   std::erase_if(models, [](const ZipEntry* file) {
     const ModelFormat format = formatOfName(file->name);
@@ -118,6 +117,15 @@ Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimit
       readAs(format == ModelFormat::Unknown ? formatOfName(models[0]->name) : format, *content, limits);
   if (soup)
     soup->warnings.insert(soup->warnings.begin(), message<"zip-read">(with::quoted<"file">(excerpt(models[0]->name))));
+  return soup;
+}
+
+Result<PolygonSoup> readZip(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
+  const Result<ZipArchive> archive = ZipArchive::open(bytes);
+  QRELIEF_TRY(archive);
+  Result<PolygonSoup> soup = readArchive(*archive, bytes, limits);
+  if (soup && archive->trailingBytes() > 0)
+    soup->warnings.push_back(message<"zip-trailing-bytes">(with::count<"count">(archive->trailingBytes())));
   return soup;
 }
 

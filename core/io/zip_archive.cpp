@@ -15,7 +15,6 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kEndRecordBytes = 22;
-constexpr std::size_t kLongestComment = 0xffff;
 constexpr std::size_t kZip64LocatorBytes = 20;
 constexpr std::size_t kZip64EndRecordBytes = 56;
 constexpr std::size_t kDirectoryHeaderBytes = 46;
@@ -63,16 +62,34 @@ class Fields {
 struct Directory {
   std::uint64_t entries = 0, offset = 0, size = 0;
   std::uint64_t end = 0;  ///< limit that neither the directory nor the files may pass
+  std::size_t trailingBytes = 0;
 };
 
-/// Finds the end record. It is the last thing in the file, except for a comment of the length it states.
+/// Returns the end of the archive by an end record: behind the comment of the length that the record states.
+std::size_t endOfArchive(std::span<const std::uint8_t> bytes, std::size_t endRecord) {
+  return endRecord + kEndRecordBytes + loadBytes<std::uint16_t>(&bytes[endRecord + 20]);
+}
+
+/// Returns true if the directory lies where an end record says, right before the record. ZIP64 archives leave the
+/// numbers to another record, which lies there in place of the directory.
+bool followsDirectory(std::span<const std::uint8_t> bytes, std::size_t endRecord) {
+  const std::uint64_t size = loadBytes<std::uint32_t>(&bytes[endRecord + 12]);
+  const std::uint64_t offset = loadBytes<std::uint32_t>(&bytes[endRecord + 16]);
+  if (offset + size == endRecord)
+    return size == 0 ||
+           (size >= kDirectoryHeaderBytes && loadBytes<std::uint32_t>(&bytes[offset]) == kDirectorySignature);
+  return endRecord >= kZip64LocatorBytes &&
+         loadBytes<std::uint32_t>(&bytes[endRecord - kZip64LocatorBytes]) == kZip64LocatorSignature;
+}
+
+/// Finds the end record. It is the last thing in the file, except for a comment of the length it states [APPNOTE.TXT,
+/// 4.3.16]. In a file that programs have lengthened or whose comment is cut off, it is the last record that follows its
+/// directory.
 Result<std::size_t> findEndRecord(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kEndRecordBytes) return damaged(message<"zip-too-short">(with::count<"count">(bytes.size())));
-  const std::size_t last = bytes.size() - kEndRecordBytes;
-  const std::size_t first = last - std::min(last, kLongestComment);
-  for (std::size_t at = last + 1; at-- > first;) {
+  for (std::size_t at = bytes.size() - kEndRecordBytes + 1; at-- > 0;) {
     if (loadBytes<std::uint32_t>(&bytes[at]) != kEndSignature) continue;
-    if (at + kEndRecordBytes + loadBytes<std::uint16_t>(&bytes[at + 20]) == bytes.size()) return at;
+    if (endOfArchive(bytes, at) == bytes.size() || followsDirectory(bytes, at)) return at;
   }
   return damaged(message<"zip-no-directory">());
 }
@@ -120,6 +137,7 @@ Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
   }
   if (directory.offset > directory.end || directory.end - directory.offset < directory.size)
     return damaged(message<"zip-directory-misplaced">());
+  directory.trailingBytes = bytes.size() - std::min(bytes.size(), endOfArchive(bytes, *at));
   return directory;
 }
 
@@ -266,6 +284,7 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   QRELIEF_TRY(checkOverlap(bytes, files));
 
   ZipArchive archive;
+  archive.trailingBytes_ = directory->trailingBytes;
   for (Listed& file : files) {
     if (file.entry.name.ends_with('/')) continue;  // a folder
     const std::string name = excerpt(file.entry.name);

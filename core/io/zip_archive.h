@@ -44,9 +44,13 @@ class ZipArchive {
   /// Returns all files, folders excluded, in the directory's order.
   std::vector<const ZipEntry*> files() const;
 
+  /// Returns the number of bytes behind the archive's end. Some mail servers and downloads add them.
+  std::size_t trailingBytes() const { return trailingBytes_; }
+
  private:
   std::map<std::string, ZipEntry> entries_;  ///< keys are names in the form used for comparison
   std::vector<std::string> order_;           ///< keys in the directory's order
+  std::size_t trailingBytes_ = 0;
 };
 
 /// Unpacks one file, a bounded piece at a time.

@@ -154,12 +154,28 @@ TEST(ZipArchive, RefusesATruncatedFile) {
   EXPECT_THAT(errorOf({}), HasSubstr("0 bytes"));
 }
 
-TEST(ZipArchive, RefusesBytesAfterTheEndRecord) {
+TEST(ZipArchive, ReadsAComment) {
   Bytes bytes = zip_file::zip({{"a.txt", "first"}});
-  bytes.push_back('x');
-  EXPECT_THAT(errorOf(bytes), HasSubstr("directory at its end is missing"));
-  bytes[bytes.size() - 3] = 1;  // the same bytes pass as the archive's comment
+  bytes.back() = 0xff, bytes[bytes.size() - 2] = 0xff;
+  bytes.resize(bytes.size() + 0xffff, 'x');
   EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first");
+  EXPECT_EQ(ZipArchive::open(bytes)->trailingBytes(), 0u);
+  bytes.pop_back();
+  EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first") << "the directory is whole, if not the comment";
+}
+
+TEST(ZipArchive, IgnoresBytesAfterItsEnd) {
+  for (const Bytes& bytes : {zip_file::zip({{"a.txt", "first"}}), zip_file::zip64({{"a.txt", "first"}})})
+    for (const std::size_t count : {1u, 100'000u}) {
+      Bytes longer = bytes;
+      longer.insert(longer.end(), count, 0);
+      EXPECT_EQ(contentOf(longer, "a.txt").value(), "first");
+      EXPECT_EQ(ZipArchive::open(longer)->trailingBytes(), count);
+    }
+  Bytes bytes = zip_file::zip({{"a.txt", "first"}});
+  for (const char c : std::string("PK\5\6\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0 and more", 31)) bytes.push_back(c);
+  EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first") << "an end record that follows no directory";
+  EXPECT_EQ(ZipArchive::open(bytes)->trailingBytes(), 31u);
 }
 
 TEST(ZipArchive, RefusesADirectoryBeyondTheFile) {
