@@ -36,13 +36,13 @@ class HeaderReader {
   explicit HeaderReader(std::string_view text) : text_(text), scanner_(text) {}
 
   Result<PlyHeader> read() {
-    if (scanner_.wordOnLine() != "ply") return failHere(message<"ply-keyword">());
+    if (word() != "ply") return failHere(message<"ply-keyword">());
     scanner_.restOfLine();
     bool anyFormat = false;
     for (;;) {
       if (scanner_.atEnd()) return failHere(message<"ply-no-end">());
       line_ = scanner_.line();
-      const std::string_view keyword = scanner_.wordOnLine();
+      const std::string keyword = word();
       if (keyword == "end_header") break;
       Status status;
       if (keyword == "format") {
@@ -68,8 +68,11 @@ class HeaderReader {
     return badInput(message<"ply-header-line">(with::index<"line">(line_), with::cause<"cause">(std::move(what))));
   }
 
+  /// Returns the next word of the line, without regard to capitals.
+  std::string word() { return lowerCase(scanner_.wordOnLine()); }
+
   Status readFormat() {
-    const std::string_view name = scanner_.wordOnLine();
+    const std::string name = word();
     if (name == "ascii") {
       header_.format = PlyFormat::Ascii;
     } else if (name == "binary_little_endian") {
@@ -84,31 +87,31 @@ class HeaderReader {
 
   Status readElement() {
     PlyElement element;
-    element.name = scanner_.wordOnLine();
-    const std::string_view word = scanner_.wordOnLine();
-    const std::optional<std::int64_t> count = parseInteger(word);
-    if (word.empty())
+    element.name = word();
+    const std::string_view number = scanner_.wordOnLine();
+    const std::optional<std::int64_t> count = parseInteger(number);
+    if (number.empty())
       return failHere(message<"ply-element-count-missing">(with::quoted<"element">(excerpt(element.name))));
     if (!count || *count < 0)
       return failHere(message<"ply-element-count">(with::quoted<"element">(excerpt(element.name)),
-                                                   with::quoted<"word">(excerpt(word))));
+                                                   with::quoted<"word">(excerpt(number))));
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(std::move(element));
     return {};
   }
 
   Result<PlyType> readType() {
-    const std::string_view word = scanner_.wordOnLine();
-    for (const auto& [name, type] : kTypeNames)
-      if (name == word) return type;
-    return failHere(message<"ply-type">(with::quoted<"word">(excerpt(word))));
+    const std::string type = word();
+    for (const auto& [name, known] : kTypeNames)
+      if (name == type) return known;
+    return failHere(message<"ply-type">(with::quoted<"word">(excerpt(type))));
   }
 
   Status readProperty() {
     if (header_.elements.empty()) return failHere(message<"ply-property-first">());
     PlyProperty property;
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "list") {
+    if (word() == "list") {
       const Result<PlyType> countType = readType();
       QRELIEF_TRY(countType);
       if (isFloating(*countType)) return failHere(message<"ply-list-type">());
@@ -119,7 +122,7 @@ class HeaderReader {
     const Result<PlyType> type = readType();
     QRELIEF_TRY(type);
     property.type = *type;
-    property.name = scanner_.wordOnLine();
+    property.name = word();
     if (property.name.empty()) return failHere(message<"ply-property-name">());
     header_.elements.back().properties.push_back(std::move(property));
     return {};

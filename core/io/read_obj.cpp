@@ -21,13 +21,13 @@
 namespace qrelief {
 namespace {
 
-/// Returns the kind of a statement: 'v', 'f', 'g' for the start of a group or an object, 'c' for a free-form curve or
-/// surface, or 0 for everything else.
+/// Returns the kind of a statement, in small letters or capitals: 'v', 'f', 'g' for the start of a group or an object,
+/// 'c' for a free-form curve or surface, or 0 for everything else.
 char kindOf(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   const std::size_t end = line.find_first_of(" \t");
   if (end == std::string_view::npos) return 0;
-  const std::string_view word = line.substr(0, end);
+  const std::string word = lowerCase(line.substr(0, end));
   if (word == "v" || word == "f" || word == "g") return word[0];
   if (word == "o") return 'g';
   if (word == "fo") return 'f';  // of the first versions of the format
@@ -76,8 +76,9 @@ class VettedStatements : public std::streambuf {
       if (kind == 'c') hasCurves_ = true;
       if (kind != 'v' && kind != 'f') continue;
       statement_ = text;
-      if (const std::size_t old = statement_.find("fo"); kind == 'f' && old != std::string::npos)
-        statement_[old + 1] = ' ';
+      const std::size_t keyword = statement_.find_first_not_of(" \t");
+      statement_[keyword] = kind;
+      if (kind == 'f') statement_[keyword + 1] = ' ';  // in place of the "o" of "fo"
       while (isContinued() && !scanner_.atEnd()) {
         statement_.back() = ' ';
         statement_ += scanner_.restOfLine();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_off.h"
 
+#include <string>
+
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
@@ -15,6 +17,15 @@ constexpr std::string_view kDigits = "0123456789";
 struct OffLayout {
   bool vertexOnLine = true, faceOnLine = true;
 };
+
+/// Returns the keyword of a header in capitals. "nOFF", of n dimensions, keeps its small letter; in a keyword of small
+/// letters only, "n" announces normals.
+std::string keywordFrom(std::string_view word) {
+  std::string keyword(word.substr(0, word.find_last_not_of(kDigits) + 1));
+  if (keyword.ends_with("OFF")) return keyword;
+  for (char& c : keyword) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return keyword;
+}
 
 class OffReader {
  public:
@@ -59,16 +70,16 @@ class OffReader {
   /// Reads the keyword. It may be missing [Geomview, OFF], or the number of vertices follows it without a blank, as in
   /// ModelNet.
   Status readKeyword() {
-    std::string_view keyword = scanner_.word();
-    if (keyword.empty()) return failHere(message<"off-keyword-missing">());
-    verticesWord_ = keyword.substr(keyword.find_last_not_of(kDigits) + 1);
-    keyword.remove_suffix(verticesWord_.size());
+    const std::string_view word = scanner_.word();
+    if (word.empty()) return failHere(message<"off-keyword-missing">());
+    verticesWord_ = word.substr(word.find_last_not_of(kDigits) + 1);
+    const std::string keyword = keywordFrom(word);
     if (keyword.empty()) return {};
-    if (!isOffKeyword(keyword)) return failHere(message<"off-keyword">(with::quoted<"word">(excerpt(keyword))));
+    if (!isOffKeyword(keyword)) return failHere(message<"off-keyword">(with::quoted<"word">(excerpt(word))));
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return badInput(message<"off-dimension">(with::term<"keyword">(keyword)));
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "BINARY") return badInput(message<"off-binary">());
+    if (lowerCase(scanner_.wordOnLine()) == "binary") return badInput(message<"off-binary">());
     scanner_ = before;
     isPlain_ = keyword == "OFF";
     return {};
@@ -182,12 +193,13 @@ class OffReader {
 }  // namespace
 
 bool isOffKeyword(std::string_view word) {
-  word = word.substr(0, word.find_last_not_of(kDigits) + 1);
-  if (!word.ends_with("OFF")) return false;
-  word.remove_suffix(3);
+  const std::string keyword = keywordFrom(word);
+  std::string_view left = keyword;
+  if (!left.ends_with("OFF")) return false;
+  left.remove_suffix(3);
   for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
-    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-  return word.empty();
+    if (left.starts_with(prefix)) left.remove_prefix(prefix.size());
+  return left.empty();
 }
 
 Result<PolygonSoup> readOff(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {

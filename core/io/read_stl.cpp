@@ -24,9 +24,10 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-/// Returns true for a keyword of an ASCII STL that stands only within a facet.
-bool isKeywordOfFacets(std::string_view word) {
-  for (const std::string_view keyword : {"outer", "loop", "vertex", "endloop", "endfacet", "normal", "end"})
+/// Returns true for a keyword of an ASCII STL that stands only within a solid.
+bool isKeywordOfSolids(std::string_view word) {
+  for (const std::string_view keyword :
+       {"endsolid", "facet", "outer", "loop", "vertex", "endloop", "endfacet", "normal", "end"})
     if (equalsIgnoringCase(word, keyword)) return true;
   return false;
 }
@@ -153,15 +154,13 @@ class AsciiReader {
         unended_ += insideSolid;
         skipName(scanner_);
         insideSolid = true;
-      } else if (!insideSolid) {
-        return unexpected(word, wantsKeyword("solid"));
-      } else if (equalsIgnoringCase(word, "endsolid")) {
+      } else if (insideSolid && equalsIgnoringCase(word, "endsolid")) {
         insideSolid = skipName(scanner_);
-      } else if (equalsIgnoringCase(word, "facet")) {
+      } else if (insideSolid && equalsIgnoringCase(word, "facet")) {
         QRELIEF_TRY(readFacet());
-      } else if (isKeywordOfFacets(word)) {
-        return unexpected(word, message<"stl-wants-facet">());
-      } else {  // colours or attributes, which some programs write
+      } else if (isKeywordOfSolids(word)) {
+        return unexpected(word, insideSolid ? message<"stl-wants-facet">() : wantsKeyword("solid"));
+      } else {  // colours or attributes, which some programs write, or the footer of a mail
         if (++linesSkipped_ == 1) firstLineSkipped_ = scanner_.line();
         scanner_.restOfLine();
       }

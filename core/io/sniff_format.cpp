@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 14> kObjKeywords = {"v", "vn", "vt", "vp"
 bool looksLikeObj(std::string_view text) {
   TextScanner scanner(text.substr(0, kBytesLookedAt), '#');
   for (int i = 0; i < kLinesLookedAt && !scanner.atEnd(); ++i, scanner.restOfLine()) {
-    const std::string_view keyword = scanner.wordOnLine();
+    const std::string keyword = lowerCase(scanner.wordOnLine());
     if (keyword.empty()) continue;
     if (std::find(kObjKeywords.begin(), kObjKeywords.end(), keyword) == kObjKeywords.end()) return false;
     if (keyword != "v") continue;
@@ -78,9 +78,7 @@ bool isWritable(ModelFormat format) { return kFormats[static_cast<std::size_t>(f
 ModelFormat formatOfName(std::string_view fileName) {
   const std::size_t dot = fileName.rfind('.');
   if (dot == std::string_view::npos) return ModelFormat::Unknown;
-  std::string extension(fileName.substr(dot + 1));
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string extension = lowerCase(fileName.substr(dot + 1));
   for (std::size_t i = 0; i < kFormats.size(); ++i)
     for (const std::string_view known : kFormats[i].extensions)
       if (!known.empty() && extension == known) return static_cast<ModelFormat>(i);
@@ -92,7 +90,7 @@ ModelFormat formatOfContent(std::span<const std::uint8_t> bytes) {
   const std::string_view text = textOf(bytes);
   if (text.starts_with("PK\x03\x04") || text.starts_with("PK\x05\x06")) return ModelFormat::ThreeMf;
   if (text.starts_with("glTF")) return ModelFormat::Gltf;
-  if (text.starts_with("ply") && text.substr(3).find_first_of(" \t\r\n") == 0) return ModelFormat::Ply;
+  if (lowerCase(text.substr(0, 3)) == "ply" && text.substr(3).find_first_of(" \t\r\n") == 0) return ModelFormat::Ply;
   if (looksLikeAsciiStl(bytes)) return ModelFormat::Stl;
   if (isOffKeyword(TextScanner(text.substr(0, kBytesLookedAt), '#').word())) return ModelFormat::Off;
   if (looksLikeObj(text)) return ModelFormat::Obj;
@@ -164,12 +162,6 @@ Message messageOf(std::string_view format, Kind kind) {
       break;
   }
   return message<"file-is-archive">(with::term<"format">(format));
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
 }
 
 /// Identifies HTML and XML by their first element.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/text_scanner.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace qrelief {
@@ -8,6 +9,14 @@ namespace {
 
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isPadding(char c) { return c == '\0' || c == '\x1A'; }
+
+std::string_view withoutPadding(std::string_view text) {
+  std::size_t end = text.size();
+  while (end > 0 && (isPadding(text[end - 1]) || isBlank(text[end - 1]) || isLineEnd(text[end - 1]))) --end;
+  const auto padding = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), isPadding);
+  return text.substr(0, static_cast<std::size_t>(padding - text.begin()));
+}
 
 }  // namespace
 
@@ -16,6 +25,14 @@ std::string_view textOf(std::span<const std::uint8_t> bytes) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
 }
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+TextScanner::TextScanner(std::string_view text, char comment) : text_(withoutPadding(text)), comment_(comment) {}
 
 void TextScanner::skipBlanks() {
   while (position_ < text_.size() && isBlank(text_[position_])) ++position_;

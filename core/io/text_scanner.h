@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace qrelief {
@@ -11,11 +12,15 @@ namespace qrelief {
 /// Returns the bytes as text, without a UTF-8 byte order mark.
 std::string_view textOf(std::span<const std::uint8_t> bytes);
 
-/// Walks through text word by word and counts lines: LF, CR LF and CR all end one.
+/// Returns the text with its ASCII capitals as small letters.
+std::string lowerCase(std::string_view text);
+
+/// Walks through text word by word and counts lines: LF, CR LF and CR all end one. Padding at the end of the text is no
+/// part of it: NUL bytes, which fill up a block, and Ctrl-Z, which marks the end under DOS.
 class TextScanner {
  public:
   /// @param comment  character that begins a comment at the start of a word; the comment ends with the line. 0 for none
-  explicit TextScanner(std::string_view text, char comment = 0) : text_(text), comment_(comment) {}
+  explicit TextScanner(std::string_view text, char comment = 0);
 
   /// Returns the next word on this or a later line; empty at the end of the text.
   std::string_view word();

@@ -2,6 +2,7 @@
 #include "io/read_model.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <gmock/gmock.h>
@@ -260,6 +261,44 @@ TEST(ReadModel, DoesNotUnpackAZipWithinAZip) {
   const Bytes inner = zipOf({"a.stl"}, writeStl(shapes::tetrahedron(10)));
   EXPECT_THAT(errorOf(zipOf({"inner.zip"}, inner), "x.zip"), HasSubstr("holds no model"));
   EXPECT_THAT(errorOf(zipOf({"inner.3mf"}, inner), "x.zip"), HasSubstr("no part \"_rels/.rels\""));
+}
+
+TEST(ReadModel, ReadsAnArchiveWithBytesAfterItsEnd) {
+  for (Bytes bytes : {zipOf({"a.stl"}, writeStl(shapes::tetrahedron(10))),
+                      *writeModel(shapes::tetrahedron(10), ModelFormat::ThreeMf)}) {
+    bytes.resize(bytes.size() + 3, '\n');
+    const auto soup = readModel(bytes, "a.3mf");
+    ASSERT_TRUE(soup) << sentence(soup.error().message);
+    EXPECT_EQ(soup->warnings.back(), message<"zip-trailing-bytes">(with::count<"count">(3)));
+  }
+}
+
+TEST(ReadModel, ReadsTextsWithPaddingAtTheirEnd) {
+  for (const Sample& sample : samples(shapes::tetrahedron(10))) {
+    if (sample.name == "a.3mf" || sample.name == "binary.stl") continue;
+    for (const std::string& padding : {std::string(512, '\0'), std::string("\x1A"), std::string("\n\0\r\n\0\n", 6)}) {
+      Bytes bytes = sample.bytes;
+      bytes.insert(bytes.end(), padding.begin(), padding.end());
+      const auto soup = readModel(bytes, sample.name);
+      ASSERT_TRUE(soup) << sample.name << ": " << sentence(soup.error().message);
+      EXPECT_EQ(soup->triangles.size(), 4u);
+      EXPECT_TRUE(soup->warnings.empty()) << sample.name;
+    }
+  }
+}
+
+TEST(ReadModel, ReadsKeywordsInSmallLettersAndCapitals) {
+  for (const Sample& sample : samples(shapes::tetrahedron(10))) {
+    if (!sample.name.starts_with("ascii") && !sample.name.starts_with("a.o")) continue;
+    for (const bool inCapitals : {true, false}) {
+      Bytes bytes = sample.bytes;
+      for (std::uint8_t& c : bytes) c = static_cast<std::uint8_t>(inCapitals ? std::toupper(c) : std::tolower(c));
+      const auto soup = readModel(bytes, "model");
+      ASSERT_TRUE(soup) << sample.name << ": " << sentence(soup.error().message);
+      EXPECT_EQ(soup->triangles.size(), 4u);
+      EXPECT_TRUE(soup->warnings.empty()) << sample.name;
+    }
+  }
 }
 
 TEST(ReadModel, LimitsTheSizeOfTheModelInAZip) {

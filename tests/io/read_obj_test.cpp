@@ -44,6 +44,12 @@ TEST(ObjReader, ReadsTheFirstVertexAfterAByteOrderMark) {
   EXPECT_EQ(soup->triangles[0], (Triangle{0, 1, 2}));
 }
 
+TEST(ObjReader, ReadsKeywordsInCapitals) {
+  const auto soup = read("V 0 0 0\nV\t1 0 0\nv 1 1 0\nV 0 1 0\nVN 0 0 1\nO a\nF 1 2 3\nFO 1 3 4\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
 TEST(ObjReader, CountsNegativeIndicesFromTheVerticesReadSoFar) {
   const auto soup = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
   ASSERT_TRUE(soup) << soup.error().message;

@@ -119,6 +119,16 @@ TEST(OffReader, RefusesCoordinatesThatAreNotFinite) {
   EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n"), HasSubstr("Vertex 2"));
 }
 
+TEST(OffReader, ReadsKeywordsInSmallLetters) {
+  for (const std::string keyword : {"off", "Off", "coff", "noff", "cnoff", "off3"})
+    EXPECT_EQ(trianglesOf(keyword + (keyword == "off3" ? "" : "\n3") + " 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u)
+        << keyword;
+  EXPECT_THAT(errorOf("4off\n3 1 0\n"), HasSubstr("4OFF"));
+  EXPECT_THAT(errorOf("nOFF\n3\n3 1 0\n"), HasSubstr("nOFF"));
+  EXPECT_THAT(errorOf("off binary\n"), HasSubstr("binary"));
+  EXPECT_THAT(errorOf("offer\n3 1 0\n"), HasSubstr("\"offer\" instead of \"OFF\""));
+}
+
 TEST(OffReader, RefusesAFileWithoutFaces) { EXPECT_THAT(errorOf("OFF\n1 0 0\n0 0 0\n"), HasSubstr("no face")); }
 
 TEST(OffReader, WarnsAboutFacesWithFewerThanThreeCorners) {

@@ -159,7 +159,19 @@ TEST(StlReader, ReadsAsciiWithWordsAfterEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "Words between the facets were ignored in 2 lines, first in line " + std::to_string(line));
+            "Words outside the facets were ignored in 2 lines, first in line " + std::to_string(line));
+}
+
+TEST(StlReader, SkipsTextBehindTheLastSolid) {
+  const std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  const auto soup = readStl(bytesOf(text + "--\nThis mail was scanned.\n"), {});
+  ASSERT_TRUE(soup) << sentence(soup.error().message);
+  expectSameFacets(*soup, shapes::tetrahedron(2));
+  EXPECT_EQ(soup->warnings.at(0),
+            message<"stl-words-between-facets">(with::count<"count">(2), with::count<"line">(lines + 1)));
+  for (const char* word : {"facet normal 0 0 1\n", "endfacet\n", "endsolid\n"})
+    EXPECT_THAT(errorOf(bytesOf(text + word)), HasSubstr("instead of \"solid\"")) << word;
 }
 
 TEST(StlReader, ReadsKeywordsThatAreWrittenAsTwoWords) {

@@ -46,6 +46,18 @@ TEST(TextScanner, SkipsComments) {
   EXPECT_EQ(scanner.word(), "");
 }
 
+TEST(TextScanner, EndsBeforePadding) {
+  using namespace std::string_view_literals;
+  for (const std::string_view text : {"a\n\0\0\0"sv, "a\n\x1A"sv, "a\n\0\n\0 \r\n"sv}) {
+    TextScanner scanner(text);
+    EXPECT_EQ(scanner.word(), "a");
+    EXPECT_EQ(scanner.word(), "");
+    EXPECT_TRUE(scanner.atEnd());
+    EXPECT_EQ(scanner.line(), 2u);
+  }
+  EXPECT_EQ(TextScanner("a\0b"sv).word(), "a\0b"sv);
+}
+
 TEST(TextOf, DropsTheByteOrderMark) {
   const std::vector<std::uint8_t> bytes{0xEF, 0xBB, 0xBF, 'v', ' '};
   EXPECT_EQ(textOf(bytes), "v ");
