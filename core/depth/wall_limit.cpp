@@ -103,10 +103,11 @@ bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame, cons
 struct Sides {
   FacetTree walls;    ///< other sides of the material wherever a pocket is
   FacetTree surface;  ///< facets of the patch: other sides for facets that face away from them
+  FacetTree others;   ///< facets of other bodies, which pockets may touch but not enter
 };
 
 /// Returns a flag for each body, 1 if pockets in `body` must keep a wall before it: for `body` itself, and for every
-/// body within its bounding box, which may lie in its material.
+/// body within its bounding box, which may be a cavity that is not turned inside out.
 std::vector<std::uint8_t> boundingBodies(const Mesh& mesh, std::uint32_t body) {
   if (mesh.bodyOf.empty()) return {1};
   std::vector<Box3> boxes(*std::max_element(mesh.bodyOf.begin(), mesh.bodyOf.end()) + std::size_t{1});
@@ -126,40 +127,49 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
   for (const Vec3f& p : mesh.positions) positions.push_back(alongAxes(frame, Vec3(p)));
   std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
   for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
-  std::vector<FacetTree::Facet> walls, surface;
+  std::vector<FacetTree::Facet> walls, surface, others;
   const std::uint32_t carved = patch.triangles.empty() ? 0 : mesh.body(patch.triangles.front());
   const std::vector<std::uint8_t> bounds = boundingBodies(mesh, carved);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (bounds[mesh.body(t)] == 0) continue;
     Box3 box;
     for (const std::uint32_t v : mesh.triangles[t]) box.add(positions[v]);
     const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));
     if (apart) continue;
     const FacetTree::Facet facet{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-    if (inPatch[t] != 0 && !isGrazing(facet, frame, region))
+    if (bounds[mesh.body(t)] == 0)
+      others.push_back(facet);
+    else if (inPatch[t] != 0 && !isGrazing(facet, frame, region))
       surface.push_back(facet);
     else if (inPatch[t] != 0 || mesh.body(t) != carved || !isUnknown(facet, patch, frame))
       walls.push_back(facet);
   }
-  return {FacetTree(walls), FacetTree(surface)};
+  return {FacetTree(walls), FacetTree(surface), FacetTree(others)};
 }
 
 struct Hints {
-  FacetTree::Hint walls, surface;
+  FacetTree::Hint walls, surface, others;
 };
 
-/// Returns the least distance from any other side of the material, at most `reach`.
-double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach, Hints& hints) {
-  const Vec3 point = sample.surface + sample.down * depth;
+/// Returns how much farther the floor may go, at least, until it comes too near to another side of the material.
+/// Negative where it has.
+/// @param reach  limit of the distances that are measured
+double spareBeforeWalls(const Sides& sides, const Sample& sample, Vec3 point, double minWallMm, double reach,
+                        Hints& hints) {
   return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach, hints.walls), sample.normal,
-                                        kOppositeCosine, hints.surface);
+                                        kOppositeCosine, hints.surface) -
+         minWallMm;
 }
 
 double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions& options, Hints& hints) {
+  constexpr double kContactMm = kDepthQuantumMm / 2;
+  // Where another body has its surface in the same place, no depth helps; the caller says so (hasTwinSurface).
+  const bool isTwin = sides.others.distance(sample.surface, kDepthQuantumMm, hints.others) < kContactMm;
   double depth = 0;
   for (;;) {
     const double reach = options.minWallMm + options.maxDepthMm - depth;
-    const double spare = distanceThrough(sides, sample, depth, reach, hints) - options.minWallMm;
+    const Vec3 point = sample.surface + sample.down * depth;
+    double spare = spareBeforeWalls(sides, sample, point, options.minWallMm, reach, hints);
+    if (!isTwin) spare = std::min(spare, sides.others.distance(point, reach, hints.others) - kContactMm);
     if (spare < 0) return std::max(0.0, depth - kDepthQuantumMm / 2);
     depth += std::max(spare, kDepthQuantumMm / 2);
     if (depth >= options.maxDepthMm) return options.maxDepthMm;

@@ -21,8 +21,8 @@ struct WallLimitOptions {
 /// than `minWallMm` to the other side of the material. The pocket's walls are swept by the floor's rim on its way down,
 /// so they keep the same distance. Other sides are
 ///
-///   - facets of other bodies within the carved body's bounding box. Such a body may lie in its material. Slicers print
-///     the union, so they would fill a pocket that reaches it;
+///   - facets of other bodies within the carved body's bounding box. Such a body may be a cavity that is not turned
+///     inside out;
 ///   - facets of the same body outside the visible patch: its back, its sides beyond the silhouette, its cavities,
 ///     everything of it that the eye cannot see. Front-facing facets outside the patch's radius do not count, because
 ///     nothing is known about them: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;
@@ -31,7 +31,9 @@ struct WallLimitOptions {
 ///   - facets of the patch that face away from the facet over the floor (kOppositeCosine): the far side of a sharp
 ///     ridge.
 ///
-/// Other facets of the patch are the carved surface itself; a floor is usually nearer to them than `minWallMm`.
+/// Other facets of the patch are the carved surface itself; a floor is usually nearer to them than `minWallMm`. A floor
+/// may touch further bodies, which lie partly in the material, but not enter them: slicers print the union, so they
+/// would fill the pocket there.
 ///
 /// **Method.** The distance d of a point from those facets changes by no more than the point moves. So the point
 /// descends its ray from the surface by d − minWall each time (sphere tracing), but by at least half of

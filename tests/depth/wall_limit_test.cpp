@@ -143,15 +143,32 @@ TEST(WallLimit, KeepsTheWallToACavity) {
   }
 }
 
-TEST(WallLimit, IsThatOfTheBodyAlone) {
+/// Returns a model of two bodies.
+Case bodies(const Mesh& carved, const Mesh& other) {
+  Case c{.mesh = shapes::together(carved, other)};
+  for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t)
+    c.mesh.bodyOf.push_back(t < carved.triangles.size() ? 0 : 1);
+  c.prepare();
+  return c;
+}
+
+TEST(WallLimit, IsThatOfTheBodyAloneIfItLiesOnAnother) {
   Case plate{.mesh = shapes::plate({60, 60}, 1.5, 3, 3)};
   plate.prepare();
-  Case onAnother{.mesh =
-                     shapes::together(plate.mesh, shapes::translated(shapes::plate({60, 60}, 4, 3, 3), {0, 0, -0.5}))};
-  for (std::size_t t = 0; t < onAnother.mesh.triangles.size(); ++t)
-    onAnother.mesh.bodyOf.push_back(t < plate.mesh.triangles.size() ? 0 : 1);
-  onAnother.prepare();
-  EXPECT_EQ(onAnother.limits(), plate.limits());
+  const Mesh base = shapes::plate({60, 60}, 4, 3, 3);
+  EXPECT_EQ(bodies(plate.mesh, shapes::translated(base, {0, 0, -1.5})).limits(), plate.limits());
+  EXPECT_EQ(bodies(plate.mesh, shapes::translated(base, {0, 0, -1})).limits(), plate.limits())
+      << "sunk into it by less than the wall";
+}
+
+TEST(WallLimit, EndsBeforeABodyThatLiesPartlyInside) {
+  const Mesh plate = shapes::plate({60, 60}, 3, 3, 3);
+  for (const double top : {-0.5, -1.0, -2.0}) {  // of a post that stands out below
+    const Case c = bodies(plate, shapes::translated(shapes::plate({40, 40}, 10, 3, 3), {0, 0, top}));
+    for (const double limit : c.limits()) EXPECT_NEAR(limit, -top, 0.01 + kResolution) << top;
+  }
+  const Case beside = bodies(plate, shapes::translated(shapes::plate({40, 40}, 10, 3, 3), {40, 0, -0.5}));
+  for (const double limit : beside.limits()) EXPECT_NEAR(limit, 3 - beside.minWallMm, 0.02);
 }
 
 TEST(WallLimit, KeepsAWallBeforeABodyWithin) {
