@@ -7,6 +7,7 @@
 #include "base/parse_json.h"
 #include "base/version.h"
 #include "message_codes/pipeline.h"
+#include "qr/codewords.h"
 #include "report/json_parts.h"
 #include "settings/engrave_request.h"
 
@@ -158,9 +159,32 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
   return json;
 }
 
+std::size_t differingModules(const Symbol& symbol, const Symbol& wanted) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < wanted.dark.size(); ++i) count += symbol.dark[i] != wanted.dark[i];
+  return count;
+}
+
+/// Returns true if decoders can restore the wanted symbol: they have its fixed patterns, and error correction restores
+/// the data modules that differ.
+bool decodesAs(const Symbol& symbol, const Symbol& wanted) {
+  const CodewordLayout layout = layoutCodewords(wanted);
+  std::vector<std::uint8_t> isWrong(layout.blockOfCodeword.size(), 0);
+  for (std::size_t i = 0; i < wanted.dark.size(); ++i) {
+    if (symbol.dark[i] == wanted.dark[i]) continue;
+    if (wanted.roles[i] != ModuleRole::Data) return false;
+    if (const int codeword = layout.codewordOfModule[i]; codeword >= 0) isWrong[static_cast<std::size_t>(codeword)] = 1;
+  }
+  std::vector<int> wrong(static_cast<std::size_t>(layout.structure.blocks), 0);
+  for (std::size_t c = 0; c < isWrong.size(); ++c)
+    wrong[static_cast<std::size_t>(layout.blockOfCodeword[c])] += isWrong[c];
+  return std::all_of(wrong.begin(), wrong.end(), [&](int count) { return count <= layout.structure.correctable(); });
+}
+
 }  // namespace
 
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) {
+  const Symbol wanted = symbol;
   const auto size = static_cast<std::size_t>(symbol.size);
   Grid<std::uint8_t> flipped(symbol.size, symbol.size);
   if (rows.size() != size)
@@ -174,6 +198,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
       symbol.dark[row * size + column] = dark;
     }
   }
+  if (!decodesAs(symbol, wanted))
+    return badInput(message<"report-no-code">(
+        with::count<"count">(differingModules(symbol, wanted)), with::count<"version">(symbol.version),
+        with::term<"level">(errorCorrectionName(symbol.errorCorrection)), with::count<"mask">(symbol.mask)));
   if (std::find(flipped.begin(), flipped.end(), 1) != flipped.end()) symbol.flipped = std::move(flipped);
   return symbol;
 }

@@ -18,6 +18,7 @@ Result<VerifyRequest> requestFromReport(std::string_view json);
 
 /// Returns the symbol with the modules listed in a report: some may have been made light on purpose (Symbol::flipped).
 /// @param rows  '1' = dark, top row first; as many as the symbol has
+/// @returns BadInput if the rows are malformed, or no code of the symbol's text, version, level and mask
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows);
 
 /// Contents of the report on a verified model in addition to the result itself.

@@ -314,6 +314,47 @@ TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {
   EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("20 rows"));
 }
 
+TEST_F(VerifyTest, RefusesAReportWhoseRowsAreNoCodeOfItsText) {
+  const auto fine = nlohmann::json::parse(good().report);
+  const auto errorOf = [&](auto change) {
+    nlohmann::json report = fine;
+    change(report);
+    const auto request = requestFromReport(report.dump());
+    return request ? std::string("no error") : sentence(request.error().message);
+  };
+  const auto setAll = [](nlohmann::json& report, int firstRow, char module) {
+    auto& rows = report["symbol"]["rows"];
+    for (std::size_t row = firstRow; row < rows.size(); ++row) rows[row] = std::string(rows.size(), module);
+  };
+  const char* const kNoCode = "is no code of the report";
+  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '0'); }), HasSubstr(kNoCode));
+  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '1'); }), HasSubstr(kNoCode));
+  EXPECT_THAT(errorOf([](auto& report) {
+                std::string row = report["symbol"]["rows"][0];
+                row[0] = '0';
+                report["symbol"]["rows"][0] = row;
+              }),
+              HasSubstr("1 module differs from version 1, level M, mask "))
+      << "a corner of a finder pattern";
+  EXPECT_THAT(errorOf([](auto& report) {
+                for (std::size_t i = 9; i < 13; ++i) {
+                  std::string row = report["symbol"]["rows"][i];
+                  for (char& module : row) module = module == '1' || &module == &row[6] ? module : '1';
+                  report["symbol"]["rows"][i] = row;
+                }
+              }),
+              HasSubstr(kNoCode))
+      << "data alone, more than error correction restores";
+  EXPECT_THAT(errorOf([](auto& report) { report["text"] = "another"; }), HasSubstr(kNoCode));
+  EXPECT_EQ(errorOf([](auto& report) {
+              std::string row = report["symbol"]["rows"][20];
+              row[20] = row[20] == '1' ? '0' : '1';
+              report["symbol"]["rows"][20] = row;
+            }),
+            "no error")
+      << "one data module";
+}
+
 TEST_F(VerifyTest, RefusesInvalidRequests) {
   const VerifyRequest fine = requestOf(good());
   const auto codeOf = [&](auto change) {
