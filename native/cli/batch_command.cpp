@@ -32,7 +32,7 @@ constexpr std::size_t kMostNumber = 1'000'000'000'000;  // of a row
 constexpr std::size_t kMostCounted = 10'000'000;        // rows; they take a few GiB of memory
 
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
-  if (path == "-") return readText(std::cin, kMostLineBytes);
+  if (path == kStandardStream) return readText(std::cin, kMostLineBytes);
   Result<std::ifstream> stream = openFile(path);
   QRELIEF_TRY(stream);
   return readText(*stream, kMostLineBytes);
@@ -184,7 +184,7 @@ std::vector<std::string> filesOf(const BatchOptions& options, const BatchRow& ro
 Status checkOverwrites(const BatchOptions& options, const BatchPlan& plan) {
   InputsInFolder inside;
   addInput(options, options.model.path, inside);
-  if (options.list != "-") addInput(options, options.list, inside);
+  if (options.list != kStandardStream) addInput(options, options.list, inside);
   for (const auto& [model, row] : plan.models()) addInput(options, modelPath(options, model), inside);
   if (inside.empty()) return {};
   QRELIEF_TRY(checkOverwrites(inside, std::vector<std::string>{"manifest.jsonl", "manifest.csv"}));
@@ -345,6 +345,11 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   return !hasFailed ? kEngraved : kCheckFailed;
 }
 
+/// Checks the value of -o. Empty if it can name a folder.
+std::string whyNoFolder(const std::string& path) {
+  return path == kStandardStream ? "standard output cannot hold the files of a batch: choose a folder" : std::string();
+}
+
 int runBatch(const BatchOptions& options) {
   if (const Status writable = options.fileFlags.check("any.3mf"); !writable) return printError(writable.error());
   const auto all = options.flags.request();
@@ -375,7 +380,7 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   o->flags.add(
       *c, "text",
       "template; a column's name in braces is replaced, and {n:05} is the row's number in five digits [{text}]: ");
-  c->add_option("-o", o->folder, "output folder")->required();
+  c->add_option("-o", o->folder, "output folder")->required()->check(whyNoFolder);
   c->add_option(
       "--name", o->name,
       "template of the file names [{file} if the list has that column, else {id}.stl, or {id}.3mf in colour]");

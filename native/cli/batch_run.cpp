@@ -10,6 +10,7 @@
 #include "batch/plate_layout.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/unused_flags.h"
 #include "delivery/carved_file.h"
 #include "delivery/carved_objects.h"
@@ -41,7 +42,7 @@ std::vector<std::string> hashesOf(std::vector<std::string> texts) {
 
 std::string modelPath(const BatchOptions& options, const std::string& model) {
   if (model.empty()) return options.model.path;
-  const bool isFile = !options.list.empty() && options.list != "-";
+  const bool isFile = !options.list.empty() && options.list != kStandardStream;
   const fs::path folder = isFile ? fs::path(options.list).parent_path() : fs::path();
   return (folder / model).string();  // an absolute path stays
 }

@@ -108,7 +108,8 @@ EncodedCarving encode(const EngraveOptions& options, const EngravableModel& mode
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
-                    const EncodedCarving& encoded, ReportContext& context, Clock::time_point start) {
+                    const EncodedCarving& encoded, const JsonOutput& report, ReportContext& context,
+                    Clock::time_point start) {
   const auto writing = Clock::now();
   QRELIEF_TRY(encoded.files);
   if (encoded.files->notKept) printWarning(message<"3mf-not-kept">(with::cause<"cause">(*encoded.files->notKept)), {});
@@ -125,8 +126,8 @@ Status writeOutputs(const EngraveOptions& options, const EngravableModel& model,
   }
   context.writeMs = encoded.ms + millisecondsSince(writing);
   context.totalMs = millisecondsSince(start);
-  if (options.report.empty()) return {};
-  return writeFileAtomically(options.report, makeReport(options.request, model, result, context));
+  if (!report.isWanted()) return {};
+  return report.write(makeReport(options.request, model, result, context));
 }
 
 std::string depthInWords(const EngraveResult& result) {
@@ -217,6 +218,7 @@ void tellOfText(const EngraveOptions& options) {
 
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
+  const JsonOutput report(options.report);
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
   for (const Message& unused : unusedFlags(options.flags, options.request)) printWarning(unused, {});
   tellOfText(options);
@@ -267,7 +269,7 @@ int engraveModel(EngraveOptions& options) {
   context.reader = zxingName();
 
   if (!encoded || encoded->attempt != carved->attempt) encoded = encode(options, *model, *carved, input->partNames);
-  if (const Status written = writeOutputs(options, *model, result, *encoded, context, start); !written)
+  if (const Status written = writeOutputs(options, *model, result, *encoded, report, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
   if (!options.at.empty())
@@ -292,7 +294,8 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]");
   o->flags.addAll(*c);
   o->file.add(*c);
-  c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
+  c->add_option("--report", o->report,
+                "write a report of all results and measurements as JSON; - writes to standard output");
   c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG")
       ->check(endsIn(".png"));
   c->add_option("--maps", o->maps,

@@ -65,6 +65,7 @@ const char* conclusionOn(const PreparedModel& model) {
 }
 
 int describe(const InfoOptions& options) {
+  const JsonOutput output(options.json);
   const std::string name = fileNameOf(options.model.path);
   if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const auto input = loadModel(options.model);
@@ -100,10 +101,8 @@ int describe(const InfoOptions& options) {
     if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  hint: {}\n", helps);
   }
   fmt::print("{}\n", conclusionOn(model));
-  if (!options.json.empty())
-    if (const Status written =
-            writeFileAtomically(options.json, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-        !written)
+  if (output.isWanted())
+    if (const Status written = output.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !written)
       return printError(written.error());
   return kEngraved;
 }
@@ -114,7 +113,7 @@ std::function<int()> addInfoCommand(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Print size, triangles and defects of a model");
   addModelFlags(*command, options->model);
-  command->add_option("--json", options->json, "also write them as JSON");
+  command->add_option("--json", options->json, "also write them as JSON; - writes to standard output");
   return [options] { return describe(*options); };
 }
 

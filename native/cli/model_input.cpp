@@ -7,11 +7,14 @@
 
 #include "base/clock.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "io/parse_number.h"
 #include "io/read_model.h"
 #include "native/files.h"
 
 namespace qrelief {
+
+std::string standardInput(std::string path) { return path == kStandardStream ? "/dev/stdin" : std::move(path); }
 
 void addScaleFlags(CLI::App& command, std::optional<double>& scale, std::string& units) {
   command.add_option("--scale", scale, "millimetres in one unit of the file [1; 3MF: from the file]");
@@ -31,7 +34,7 @@ void addCentreFlag(CLI::App& command, std::vector<double>& at, const std::string
 }
 
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
-  command.add_option("MODEL", flags.path, kModelFormats)->required();
+  command.add_option("MODEL", flags.path, kModelFormats)->required()->transform(standardInput);
   addScaleFlags(command, flags.scale, flags.units);
   addRepairFlags(command, flags.repair);
 }

@@ -22,6 +22,9 @@ struct ModelFlags {
   RepairFlags repair;
 };
 
+/// Returns the path of an input: kStandardStream is standard input.
+std::string standardInput(std::string path);
+
 /// Adds --scale and --units, of which a command takes one.
 void addScaleFlags(CLI::App& command, std::optional<double>& scale, std::string& units);
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <unistd.h>
+#include <utility>
 
 #include "base/unicode.h"
 #include "message_codes/command.h"
@@ -52,7 +53,7 @@ Status checkJson(const std::string& json, const std::string& model) {
 Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const FileUse& output = outputs[i];
-    if (output.path.empty()) continue;
+    if (output.path.empty() || output.path == kStandardStream) continue;
     for (const FileUse& input : inputs)
       if (!input.path.empty() && isSameFile(output.path, input.path))
         return fail(ErrorKind::BadUsage,
@@ -65,8 +66,23 @@ Status checkOutputs(std::span<const FileUse> inputs, std::span<const FileUse> ou
                                                                  with::term<"path">(output.path)));
   }
   for (const FileUse& output : outputs)
-    if (!output.path.empty()) QRELIEF_TRY(checkWritable(output.path));
+    if (!output.path.empty() && output.path != kStandardStream) QRELIEF_TRY(checkWritable(output.path));
   return {};
+}
+
+JsonOutput::JsonOutput(std::string path) : path_(std::move(path)), standardOutput_(nullptr, &std::fclose) {
+  if (path_ != kStandardStream) return;
+  standardOutput_.reset(::fdopen(::dup(STDOUT_FILENO), "w"));
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+Status JsonOutput::write(std::string_view json) const {
+  if (!standardOutput_) return writeFileAtomically(path_, json);
+  if (std::fwrite(json.data(), 1, json.size(), standardOutput_.get()) == json.size() &&
+      std::fflush(standardOutput_.get()) == 0)
+    return {};
+  return fail(ErrorKind::BadInput,
+              message<"file-not-written">(with::term<"path">("The output"), with::term<"why">(std::strerror(errno))));
 }
 
 }  // namespace qrelief

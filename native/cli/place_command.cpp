@@ -144,6 +144,7 @@ void printSpots(const PlaceOptions& options, const SpotSearchResult& result, std
 
 int findSpots(PlaceOptions& options) {
   const auto start = Clock::now();
+  const JsonOutput output(options.json);
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
   if (const Status good = checkJson(options.json, options.model.path); !good) return printError(good.error());
   const std::string file = fileNameOf(options.model.path);
@@ -164,13 +165,13 @@ int findSpots(PlaceOptions& options) {
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: found {} of {} spots\n", file, result.spots.size(),
                options.request.count);
-  if (options.json.empty()) return kEngraved;
+  if (!output.isWanted()) return kEngraved;
   Json json = describe(options, *input, model->prepared.mesh.triangles.size(), model->prepared.bodies, result);
   json["timingsMs"] = {
       {"prepare", prepareMs}, {"place", millisecondsSince(placing)}, {"total", millisecondsSince(start)}};
   // A file name that is not UTF-8 must not lose the report.
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  const Status written = writeFileAtomically(options.json, text);
+  const Status written = output.write(text);
   return written ? kEngraved : printError(written.error());
 }
 
@@ -183,7 +184,7 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   addModelFlags(*c, o->model);
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))
       ->check(CLI::Range(std::size_t{1}, kMaxSpots));
-  c->add_option("--json", o->json, "write the spots and their measurements as JSON");
+  c->add_option("--json", o->json, "write the spots and their measurements as JSON; - writes to standard output");
   o->flags.add(*c, "text", "gives the exact quiet zone, which is narrower for longer texts: ");
   for (const char* group : kPlaceGroups) o->flags.addGroup(*c, group);
   for (const char* key : kPlaceKeys) o->flags.add(*c, key);

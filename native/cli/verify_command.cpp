@@ -172,6 +172,7 @@ Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, Progress
 
 int verifyModel(const VerifyOptions& options) {
   const auto start = Clock::now();
+  const JsonOutput output(options.json);
   auto request = requestFrom(options);
   if (!request) return printError(request.error(), options.report);
   request->ranges = !options.quick;
@@ -209,11 +210,11 @@ int verifyModel(const VerifyOptions& options) {
   if (triesPrints)
     if (const Status tried = tryOtherPrints(*request, *mesh, bar); !tried) return printError(tried.error(), name);
   const int status = printFailed(verdict);
-  if (!options.json.empty()) {
+  if (output.isWanted()) {
     const double total = millisecondsSince(start);
     const std::string report = makeVerifyReport(
         *request, result, {name, soup->format, zxingName(), total, printed, verdict, commandWording()});
-    if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
+    if (const Status written = output.write(report); !written) return printError(written.error());
   }
   return status;
 }
@@ -223,9 +224,12 @@ int verifyModel(const VerifyOptions& options) {
 std::function<int()> addVerifyCommand(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
   CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
-  c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))->required();
+  c->add_option("MODEL", o->path, fmt::format("{}; verify repairs nothing", kModelFormats))
+      ->required()
+      ->transform(standardInput);
   addScaleFlags(*c, o->scale, o->units);
-  c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
+  c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules")
+      ->transform(standardInput);
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);
   addCentreFlag(*c, o->at, "without --report: X,Y,Z, centre of the code on the surface before engraving, mm");
@@ -240,7 +244,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   c->add_flag(
       "--try-prints", o->tryPrints,
       "if the print does not decode reliably, simulate other orientations and finer processes and list the results");
-  c->add_option("--json", o->json, "write all results as JSON");
+  c->add_option("--json", o->json, "write all results as JSON; - writes to standard output");
   c->add_flag("--quiet", o->quiet, "do not show progress");
   return [o] { return verifyModel(*o); };
 }

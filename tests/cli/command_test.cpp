@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
@@ -140,6 +141,40 @@ TEST_F(CommandTest, ResultsThatCannotBePrintedAreNoSuccess) {
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("The output cannot be written: No space left"), std::string::npos) << outcome.err;
   EXPECT_EQ(run({"info", model}).status, 0);
+}
+
+TEST_F(CommandTest, ADashIsStandardOutputForJsonAndStandardInputForInputs) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  const auto jsonOf = [&](const std::vector<std::string>& arguments, const std::string& redirections = {}) {
+    const Outcome outcome = run(arguments, redirections);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("mm"), std::string::npos) << "what it prints otherwise: " << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+    EXPECT_TRUE(json.contains("qrelief") || json.contains("file")) << outcome.out;
+    return outcome.out;
+  };
+  jsonOf({"info", model, "--json", "-"});
+  jsonOf({"info", "-", "--json", "-"}, "<'" + model + "'");
+  jsonOf({"place", model, "--size", "21", "--count", "1", "--json", "-", "--quiet"});
+  std::ofstream(path("r.json")) << jsonOf({"engrave", model, "--text", "a", "--at", "0,0,5", "--size", "21",
+                                           "--process", "none", "-o", path("a.stl"), "--report", "-", "--quiet"});
+  jsonOf({"verify", path("a.stl"), "--report", "-", "--json", "-", "--process", "none", "--quick", "--quiet"},
+         "<'" + path("r.json") + "'");
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_F(CommandTest, ADashNamesNoFileOrFolder) {
+  const std::string model = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  for (const std::vector<std::string>& given :
+       std::vector<std::vector<std::string>>{{"engrave", model, "--text", "a", "-o", "-"},
+                                             {"engrave", model, "--text", "a", "-o", path("a.stl"), "--preview", "-"},
+                                             {"engrave", model, "--text", "a", "-o", path("a.stl"), "--maps", "-"},
+                                             {"batch", model, "--count", "1", "--text", "{n}", "-o", "-"}}) {
+    const Outcome outcome = run(given);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("choose a "), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
 TEST_F(CommandTest, ClosedStandardStreamsEndUpInNoFile) {
