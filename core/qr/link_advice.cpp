@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "base/unicode.h"
 #include "message_codes/text.h"
+#include "qr/payload_advice.h"
 
 namespace qrelief {
 namespace {
@@ -265,6 +267,7 @@ std::string withScheme(const std::string& address) { return splitWebAddress(addr
 
 std::vector<TextAdvice> adviseText(std::string_view text) {
   using Severity = TextAdvice::Severity;
+  if (auto fault = advisePayload(text)) return {{Severity::Warning, std::move(*fault), {}}};
   const std::u32string whole = charactersOf(text);
   std::u32string seen = whole;
   seen.erase(std::remove_if(seen.begin(), seen.end(), isUnseen), seen.end());

@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-/// Advice on a text that is, or was meant to be, a link.
+/// Advice on a text.
 struct TextAdvice {
   enum class Severity : std::uint8_t { Warning, Note };
   Severity severity = Severity::Warning;
@@ -22,10 +22,11 @@ struct TextAdvice {
 
 /// Checks a text that is, or was meant to be, a link: unseen characters, quotation marks and spaces around it, a
 /// missing or misspelt scheme, an incomplete address, a host in other letters, parameters that only track visitors.
+/// Checks the data of a Wi-Fi network or a contact as well (qr/payload_advice.h).
 ///
 /// Cost: linear.
 /// @param text  UTF-8
-/// @returns none for a good link, and for a text that is no link
+/// @returns none for good ones, and for all other texts
 std::vector<TextAdvice> adviseText(std::string_view text);
 
 /// Another way to write a link that may need a smaller symbol.
