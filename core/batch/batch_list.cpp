@@ -12,6 +12,7 @@
 #include "base/unicode.h"
 #include "base/utf8.h"
 #include "io/sniff_format.h"
+#include "io/text_scanner.h"
 #include "message_codes/batch.h"
 
 namespace qrelief {
@@ -458,6 +459,7 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes, const Batch
     if (!narrow) return badInput(message<"list-encoding">(with::term<"encoding">(wide)));
     text = *narrow;
   }
+  text = withoutPadding(text);
   QRELIEF_TRY(checkIsText(text));
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");

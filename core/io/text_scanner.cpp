@@ -11,13 +11,6 @@ bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool isPadding(char c) { return c == '\0' || c == '\x1A'; }
 
-std::string_view withoutPadding(std::string_view text) {
-  std::size_t end = text.size();
-  while (end > 0 && (isPadding(text[end - 1]) || isBlank(text[end - 1]) || isLineEnd(text[end - 1]))) --end;
-  const auto padding = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), isPadding);
-  return text.substr(0, static_cast<std::size_t>(padding - text.begin()));
-}
-
 }  // namespace
 
 std::string_view textOf(std::span<const std::uint8_t> bytes) {
@@ -30,6 +23,13 @@ std::string lowerCase(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return lower;
+}
+
+std::string_view withoutPadding(std::string_view text) {
+  std::size_t end = text.size();
+  while (end > 0 && (isPadding(text[end - 1]) || isBlank(text[end - 1]) || isLineEnd(text[end - 1]))) --end;
+  const auto padding = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), isPadding);
+  return text.substr(0, static_cast<std::size_t>(padding - text.begin()));
 }
 
 TextScanner::TextScanner(std::string_view text, char comment) : text_(withoutPadding(text)), comment_(comment) {}

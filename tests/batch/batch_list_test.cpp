@@ -41,6 +41,15 @@ TEST(BatchList, ReadsTablesWithEachSeparatorAndLineEnd) {
       }
 }
 
+TEST(BatchList, EndsBeforePadding) {
+  for (const std::string list : {"id,text\n7,a\n", "{\"id\": \"7\", \"text\": \"a\"}\n"})
+    for (const std::string& padding : {"\x1A"s, "\0\0\0"s, "\r\n\x1A\r\n"s}) {
+      const auto padded = read(list + padding);
+      EXPECT_THAT(row(padded, 0), ElementsAre("7", "a")) << list;
+      EXPECT_EQ(padded ? padded->size() : 0, 1u);
+    }
+}
+
 TEST(BatchList, CountsTheLinesOfMultilineTexts) {
   const auto list = read("text\n\"one\ntwo\n\nthree\"\nfour\n");
   ASSERT_TRUE(list) << list.error().message;
