@@ -200,7 +200,7 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
   }
   if (!decodesAs(symbol, wanted))
     return badInput(message<"report-no-code">(
-        with::count<"count">(differingModules(symbol, wanted)), with::count<"version">(symbol.version),
+        with::count<"count">(differingModules(symbol, wanted)), with::index<"version">(symbol.version),
         with::term<"level">(errorCorrectionName(symbol.errorCorrection)), with::count<"mask">(symbol.mask)));
   if (std::find(flipped.begin(), flipped.end(), 1) != flipped.end()) symbol.flipped = std::move(flipped);
   return symbol;
