@@ -76,8 +76,8 @@ bool followsDirectory(std::span<const std::uint8_t> bytes, std::size_t endRecord
   const std::uint64_t size = loadBytes<std::uint32_t>(&bytes[endRecord + 12]);
   const std::uint64_t offset = loadBytes<std::uint32_t>(&bytes[endRecord + 16]);
   if (offset + size == endRecord)
-    return size == 0 ||
-           (size >= kDirectoryHeaderBytes && loadBytes<std::uint32_t>(&bytes[offset]) == kDirectorySignature);
+    return size == 0 || (size >= kDirectoryHeaderBytes &&
+                         loadBytes<std::uint32_t>(&bytes[static_cast<std::size_t>(offset)]) == kDirectorySignature);
   return endRecord >= kZip64LocatorBytes &&
          loadBytes<std::uint32_t>(&bytes[endRecord - kZip64LocatorBytes]) == kZip64LocatorSignature;
 }
