@@ -13,10 +13,9 @@
 namespace qrelief {
 namespace {
 
-/// Compares bit for bit. In an object that is moved the last digit may differ: the file has the fewest digits that give
+/// Compares a corner of an object that is moved. The last digit may differ: the file has the fewest digits that give
 /// the number again, and their sum with the move may be rounded the other way.
 bool isEqual(Vec3 read, Vec3f written, const Affine& pose) {
-  if (pose == Affine()) return Vec3f(read) == written;
   constexpr double kLastDigit = std::numeric_limits<float>::epsilon();
   const Vec3 sizes = glm::abs(pose.x * static_cast<double>(written.x)) +
                      glm::abs(pose.y * static_cast<double>(written.y)) +
@@ -28,18 +27,23 @@ bool isEqual(Vec3 read, Vec3f written, const Affine& pose) {
 }
 
 /// Counts the leading triangles of the soup that equal those of the bodies, in order; all of them if the file is right.
+/// Compares bit for bit, except in objects that are moved.
 /// @param poses  of the objects
 std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects, std::span<const Affine> poses) {
   std::size_t equal = 0;
-  for (std::size_t i = 0; i < objects.size(); ++i)
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const bool isMoved = poses[i] != Affine();
     for (const ModelBody& body : objects[i].bodies)
       for (const Triangle& triangle : body.mesh.triangles) {
         if (equal == soup.triangles.size()) return equal;
-        for (std::size_t k = 0; k < 3; ++k)
-          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]], poses[i]))
-            return equal;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Vec3 read = soup.positions[soup.triangles[equal][k]];
+          const Vec3f written = body.mesh.positions[triangle[k]];
+          if (isMoved ? !isEqual(read, written, poses[i]) : Vec3f(read) != written) return equal;
+        }
         ++equal;
       }
+  }
   return equal;
 }
 

@@ -38,6 +38,7 @@ constexpr std::array<std::string_view, 4> kCuraMeshes = {"support_mesh", "anti_o
 constexpr std::string_view kCuraPrefix = "cura:";
 constexpr std::string_view kPrusaPaintName = kPrusaPaint.substr(kPrusaPaint.find(':') + 1);
 constexpr std::size_t kLongestSwitch = 16;  // "True", with blanks
+constexpr std::size_t kCorners = 3;         // attributes that every triangle has
 
 /// Returns the value of a boolean of XML, or of Python; none for anything else.
 std::optional<bool> switchFrom(std::string_view text) {
@@ -59,8 +60,6 @@ bool isBox(const ThreeMfObject& object) {
 
 /// Returns true if the element of a triangle says how the facet is painted.
 bool isPainted(const XmlElement& element) {
-  constexpr std::size_t kCorners = 3;
-  if (element.attributeCount() <= kCorners) return false;
   return std::any_of(kFacetPaints.begin(), kFacetPaints.end(), [&](std::string_view name) {
     // Without a prefix this is the whole name, because npos + 1 is 0.
     return element.hasAttributeNamed(name.substr(name.find(':') + 1));
@@ -345,9 +344,10 @@ class ModelHandler : public XmlHandler {
       triangle[k] = static_cast<std::uint32_t>(*index);
     }
     object_->triangles.push_back(triangle);
-    if (!object_->isPainted) object_->isPainted = isPainted(element);
-    add(object_->colours, colourOf(element), std::optional<Colour>());
-    add(object_->paint, paintOf(element), std::uint8_t{0});
+    const bool hasMore = element.attributeCount() > kCorners;
+    if (hasMore && !object_->isPainted) object_->isPainted = isPainted(element);
+    add(object_->colours, hasMore ? colourOf(element) : objectColour_, std::optional<Colour>());
+    add(object_->paint, hasMore ? paintOf(element) : std::uint8_t{0}, std::uint8_t{0});
     return {};
   }
 

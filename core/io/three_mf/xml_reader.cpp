@@ -73,6 +73,13 @@ void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_C
   static_cast<Session*>(user)->guarded([]() -> Status { return badInput(message<"xml-dtd">()); });
 }
 
+/// Compares without finding the text's end first: most names differ in their first character.
+bool isSame(const char* text, std::string_view word) {
+  for (const char c : word)
+    if (*text++ != c) return false;
+  return *text == '\0';
+}
+
 }  // namespace
 
 XmlElement::XmlElement(const char* fullName, const char* const* attributes) : name(fullName), attributes_(attributes) {
@@ -84,7 +91,7 @@ XmlElement::XmlElement(const char* fullName, const char* const* attributes) : na
 
 std::optional<std::string_view> XmlElement::attribute(std::string_view wanted) const {
   for (const char* const* a = attributes_; *a; a += 2)
-    if (wanted == *a) return a[1];
+    if (isSame(*a, wanted)) return a[1];
   return std::nullopt;
 }
 
