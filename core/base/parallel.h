@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#ifndef __EMSCRIPTEN__
 #include <algorithm>
+#include <cstddef>
+#ifndef __EMSCRIPTEN__
 #include <atomic>
 #include <exception>
 #include <system_error>
@@ -43,6 +44,16 @@ void parallelFor(Index count, const Work& work) {
   for (const std::exception_ptr& exception : thrown)
     if (exception) std::rethrow_exception(exception);
 #endif
+}
+
+/// Calls work(0) … work(count - 1) as parallelFor() does, `aPiece` at a time: for calls that take less than a thread's
+/// start.
+template <class Work>
+void parallelForPieces(std::size_t count, std::size_t aPiece, const Work& work) {
+  parallelFor((count + aPiece - 1) / aPiece, [&](std::size_t piece) {
+    const std::size_t end = std::min(count, (piece + 1) * aPiece);
+    for (std::size_t i = piece * aPiece; i < end; ++i) work(i);
+  });
 }
 
 }  // namespace qrelief

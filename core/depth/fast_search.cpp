@@ -12,6 +12,8 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
+constexpr std::size_t kFloorsAPiece = 512;  // of parallel work
+
 /// log((1 − V)/V)
 double darkness(double fraction) {
   const double v = std::clamp(fraction, 1e-3, 1 - 1e-3);
@@ -19,15 +21,6 @@ double darkness(double fraction) {
 }
 
 double fractionOfDarkness(double darkness) { return 1 / (1 + std::exp(darkness)); }
-
-/// Calls work(k) for k = 0 … count − 1 on all cores, piece by piece.
-template <class Work>
-void forEachFloor(std::size_t count, const Work& work) {
-  constexpr std::size_t kPiece = 512;
-  parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {
-    for (std::size_t k = piece * kPiece; k < std::min(count, (piece + 1) * kPiece); ++k) work(k);
-  });
-}
 
 }  // namespace
 
@@ -102,7 +95,7 @@ void FastSearch::solve() {
   }
   sky_->solve(fractions, limitMm_, solvedMm_, isDue_, options_.sweepsPerPass);
   const PocketSky::Depths solved(*sky_, solvedMm_);
-  forEachFloor(states_.size(), [&](std::size_t k) {
+  parallelForPieces(states_.size(), kFloorsAPiece, [&](std::size_t k) {
     double& depth = depths_.depthMm[sky_->carved()[k]];
     const double most = options_.hasLamps ? depth + std::max(kLampStepMm, kLampGrowth * depth) : limitMm_[k];
     const double next = quantisedDepth(std::clamp(solvedMm_[k], kDepthQuantumMm, most), limitMm_[k]);
@@ -154,7 +147,7 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
     const auto i = static_cast<std::size_t>(row * depths_.size + column);
     return depths_.depthMm[i] != depthsBefore[i];
   };
-  forEachFloor(isDue_.size(), [&](std::size_t k) {
+  parallelForPieces(isDue_.size(), kFloorsAPiece, [&](std::size_t k) {
     const std::uint32_t i = sky_->carved()[k];
     const int row = static_cast<int>(i) / depths_.size, column = static_cast<int>(i) % depths_.size;
     bool due = false;
@@ -178,7 +171,7 @@ void FastSearch::update(const Grid<double>& luminance) {
   for (std::size_t k = 0; k < states_.size(); ++k)
     if (const std::size_t module = moduleOf(k); isDue_[k] && around[module] == 0)
       around[module] = neighbours_.darkestMean(module, modules);
-  forEachFloor(states_.size(), [&](std::size_t k) {
+  parallelForPieces(states_.size(), kFloorsAPiece, [&](std::size_t k) {
     if (!isDue_[k]) return;
     isStale_[k] = 0;
     const int row = static_cast<int>(sky_->carved()[k]) / depths_.size;

@@ -5,12 +5,14 @@
 #include <array>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/radix_sort.h"
 
 namespace qrelief {
 namespace {
 
 constexpr double kCellsPerAxis = 1 << 16;
+constexpr std::size_t kBoxesAPiece = 1 << 14;  // of parallel work: some tenths of a millisecond
 
 FloatBox united(const FloatBox& a, const FloatBox& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 
@@ -29,20 +31,20 @@ std::vector<KeyedIndex> alongCurve(std::span<const FloatBox> boxes) {
   const Vec3 size = glm::max(centres.size(), Vec3(1e-300));
   const double scale = (kCellsPerAxis - 1) / std::max({size.x, size.y, size.z});
   std::vector<KeyedIndex> order(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+  parallelForPieces(boxes.size(), kBoxesAPiece, [&](std::size_t i) {
     const Vec3 cell = (Vec3(boxes[i].min) + Vec3(boxes[i].max) - centres.min) * scale;
     order[i] = {spread(static_cast<std::uint64_t>(cell.x)) | spread(static_cast<std::uint64_t>(cell.y)) << 1 |
                     spread(static_cast<std::uint64_t>(cell.z)) << 2,
-                i};
-  }
+                static_cast<std::uint32_t>(i)};
+  });
   radixSort(order);
   return order;
 }
 
 std::vector<FloatBox> boxesOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  std::vector<FloatBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const std::uint32_t t : triangles) boxes.push_back(boxOfTriangle(mesh, mesh.triangles[t]));
+  std::vector<FloatBox> boxes(triangles.size());
+  parallelForPieces(boxes.size(), kBoxesAPiece,
+                    [&](std::size_t i) { boxes[i] = boxOfTriangle(mesh, mesh.triangles[triangles[i]]); });
   return boxes;
 }
 
@@ -59,18 +61,21 @@ BoxTree::BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles)
     : BoxTree(triangles, boxesOf(mesh, triangles)) {}
 
 BoxTree::BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox> boxes) {
-  triangles_.reserve(items.size());
-  boxes_.reserve(items.size());
-  for (const KeyedIndex& item : alongCurve(boxes)) {
-    triangles_.push_back(items[item.index]);
-    boxes_.push_back(boxes[item.index]);
-  }
+  triangles_.resize(items.size());
+  boxes_.resize(items.size());
+  const std::vector<KeyedIndex> order = alongCurve(boxes);
+  parallelForPieces(items.size(), kBoxesAPiece, [&](std::size_t i) {
+    triangles_[i] = items[order[i].index];
+    boxes_[i] = boxes[order[i].index];
+  });
 
-  for (std::size_t leaf = 0; leaf < leafCount(); ++leaf) {
+  nodes_.reserve(2 * leafCount() + 32);  // every level has half the nodes of the one below, rounded up
+  nodes_.resize(leafCount());
+  parallelForPieces(leafCount(), kBoxesAPiece, [&](std::size_t leaf) {
     const auto inLeaf = boxesIn(leaf);
-    nodes_.push_back(inLeaf[0]);
-    for (const FloatBox& box : inLeaf) nodes_.back() = united(nodes_.back(), box);
-  }
+    nodes_[leaf] = inLeaf[0];
+    for (const FloatBox& box : inLeaf) nodes_[leaf] = united(nodes_[leaf], box);
+  });
   levels_ = {0, nodes_.size()};
   while (levels_.back() - levels_[levels_.size() - 2] > 1) {
     const std::size_t end = levels_.back();

@@ -51,11 +51,7 @@ Vec3 triangleNormal(const Mesh& mesh, std::size_t triangle) {
 std::vector<Vec3f> vertexNormals(const Mesh& mesh) {
   // The angles take most of the time and are independent of each other. The sums follow the triangles' order.
   std::vector<std::array<double, 3>> angles(mesh.triangles.size());
-  parallelFor((mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece, [&](std::size_t piece) {
-    const std::size_t begin = piece * kTrianglesAPiece;
-    for (std::size_t t = begin; t < std::min(begin + kTrianglesAPiece, mesh.triangles.size()); ++t)
-      angles[t] = cornerAngles(mesh, t);
-  });
+  parallelForPieces(angles.size(), kTrianglesAPiece, [&](std::size_t t) { angles[t] = cornerAngles(mesh, t); });
   std::vector<Vec3> sums(mesh.positions.size(), Vec3(0));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 normal = triangleNormal(mesh, t);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/parallel.h"
 #include "math/float_step.h"
 #include "mesh/report_findings.h"
 #include "mesh/upright.h"
@@ -223,8 +224,12 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
   model.hasCrossings = model.crossesItself || repaired->overlaps.any();
   model.crossings = std::move(repaired->crossings);
-  model.normals = vertexNormals(model.mesh);
-  model.clusters = std::make_shared<const ClusteredTriangles>(clusterTriangles(model.mesh));
+  parallelFor(2, [&](int k) {
+    if (k == 0)
+      model.normals = vertexNormals(model.mesh);
+    else
+      model.clusters = std::make_shared<const ClusteredTriangles>(clusterTriangles(model.mesh));
+  });
   reportExtent(model, findings);
   model.findings = findings.take();
   return model;

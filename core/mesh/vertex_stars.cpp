@@ -90,10 +90,8 @@ std::vector<std::uint8_t> simpleStars(const Mesh& mesh, std::span<const std::uin
   for (const std::uint32_t t : triangles)
     for (const std::uint32_t v : mesh.triangles[t]) isAsked[v] = 1;
   const CornerList corners(mesh, isAsked);
-  parallelFor((isAsked.size() + kVerticesAPiece - 1) / kVerticesAPiece, [&](std::size_t piece) {
-    const std::size_t end = std::min((piece + 1) * kVerticesAPiece, isAsked.size());
-    for (std::size_t v = piece * kVerticesAPiece; v < end; ++v)
-      if (isAsked[v]) isAsked[v] = isSimple(mesh, v, corners.of(v));
+  parallelForPieces(isAsked.size(), kVerticesAPiece, [&](std::size_t v) {
+    if (isAsked[v]) isAsked[v] = isSimple(mesh, v, corners.of(v));
   });
   return isAsked;
 }

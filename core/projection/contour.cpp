@@ -59,11 +59,8 @@ EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame, std::span<const
     }
   const Vec3 eye = frame.eye();
   view.noiseMm = kProjectionNoise * (glm::length(eye) + frame.eyeDistance);
-  parallelFor((facets.size() + kFacetsAPiece - 1) / kFacetsAPiece, [&](std::size_t piece) {
-    const std::size_t begin = piece * kFacetsAPiece;
-    for (const std::uint32_t t : facets.subspan(begin, std::min(kFacetsAPiece, facets.size() - begin)))
-      view.facing[t] = facingOf(mesh, t, eye, view);
-  });
+  parallelForPieces(facets.size(), kFacetsAPiece,
+                    [&](std::size_t i) { view.facing[facets[i]] = facingOf(mesh, facets[i], eye, view); });
   return view;
 }
 
