@@ -169,7 +169,7 @@ TEST(StlReader, SkipsTextBehindTheLastSolid) {
   ASSERT_TRUE(soup) << sentence(soup.error().message);
   expectSameFacets(*soup, shapes::tetrahedron(2));
   EXPECT_EQ(soup->warnings.at(0),
-            message<"stl-words-between-facets">(with::count<"count">(2), with::count<"line">(lines + 1)));
+            message<"stl-words-between-facets">(with::count<"count">(2), with::index<"line">(lines + 1)));
   for (const char* word : {"facet normal 0 0 1\n", "endfacet\n", "endsolid\n"})
     EXPECT_THAT(errorOf(bytesOf(text + word)), HasSubstr("instead of \"solid\"")) << word;
 }
