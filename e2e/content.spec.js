@@ -101,6 +101,8 @@ test('A Wi-Fi access is filled in, engraved and decoded', async ({ page }) => {
     await password.fill('short');
     await password.press('Tab');
     await expect(password).toHaveAccessibleDescription(/must have 8 to 63 characters; this one has 5/);
+    await expect(app.status).toHaveText('Fill in the fields to get a code.');
+    await expect(app.placement).toHaveText('No spot yet'); // the last code has left the model
     await expect(network).not.toHaveAttribute('aria-invalid');
     await app.engraveButton.click();
     await expect(network).toHaveAttribute('aria-invalid', 'true');

@@ -57,8 +57,10 @@ test('An empty text, a too large code and a setting out of range are refused wit
   await app.setting('Size of the code').selectOption('Exactly');
   await app.setting('Width (mm)').fill('200');
   await app.setting('Width (mm)').blur();
-  await expect(app.alert).toContainText(/mm/);
-  await expect(app.status).toContainText('No spot on the model has room for a code of 200 mm');
+  const notes = page.getByRole('list', { name: 'Notes on the place' });
+  await expect(notes).toContainText('No spot on the model has room for a code of 200 mm');
+  await expect(app.status).toHaveText('The code has no spot yet: “Place” says why.');
+  await expect(app.alert).toHaveCount(0); // the notes say more
   await expect(page.locator('#view-hint')).toBeHidden();
   await app.engraveButton.click();
   await expect(app.result).toBeHidden();
@@ -71,7 +73,10 @@ test('A model that is too small for any code shows none, and asks for no click',
   await app.open('?sample=plate');
   await app.expectReady();
   await app.file.setInputFiles(plateFile(4));
-  await expect(app.status).toContainText('The model is too small for any code');
+  await expect(page.getByRole('list', { name: 'Notes on the place' })).toContainText(
+    'The model is too small for any code',
+  );
+  await expect(app.status).toHaveText('The code has no spot yet: “Place” says why.');
   await expect(hint).toBeHidden();
   await expect(app.moveHandle).toHaveCount(0);
   await expect(app.alert).toHaveCount(0);

@@ -250,8 +250,9 @@ test('A size typed for one model stays with it: the next one starts with its lar
     await app.setting('Size of the code').selectOption('Exactly');
     await app.setting('Width (mm)').fill('60');
     await app.setting('Width (mm)').blur();
-    await expect(app.status).toContainText('No spot on the model has room for a code of 60 mm');
-    await expect(app.status).toContainText(/the largest size found is\s[\d.]+\smm/);
+    const notes = page.getByRole('list', { name: 'Notes on the place' });
+    await expect(notes).toContainText('No spot on the model has room for a code of 60 mm');
+    await expect(notes).toContainText(/the largest size found is\s[\d.]+\smm/);
     await expect(page.locator('#view-hint')).toBeHidden();
     await enlarge.click();
     await poll(() => app.width()).toBe(largest);

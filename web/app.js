@@ -156,7 +156,7 @@ function connect(notices) {
     onLoaded: () => session.useModel(),
     onFailed: () => session.updateControls(),
   });
-  const placing = new Placing({ ...base, model, batching, panel: placePanel });
+  const placing = new Placing({ ...base, model, batching, code, panel: placePanel });
   const carving = new Carving({
     ...base,
     ...{ model, batching, placing },

@@ -54,14 +54,20 @@ export class Batching {
     return this.input !== undefined && this.planned?.first === undefined;
   }
 
+  /** Says why there is no part to place yet; undefined: there is one, or a single code. */
+  get missing() {
+    const { planned } = this;
+    return this.incomplete && planned ? () => asSentence(plannedWords(planned)) : undefined;
+  }
+
   /**
-   * Returns the settings of the first part or, without parts, of the single code.
+   * Returns the settings of the first part or, without a list, of the single code.
    * @param {string} [content]  of the single code
    * @throws {EngineFailure} if a setting cannot be used
    */
   settings(content = this.store_.work.text) {
     const first = this.input && this.planned?.first;
-    return first ? { ...this.settings_(first.text), ...first.settings } : this.settings_(content);
+    return first ? { ...this.settings_(first.text), ...first.settings } : this.settings_(this.input ? '' : content);
   }
 
   /** Returns the same settings after checking the current list. */

@@ -21,20 +21,22 @@ const kTooLarge = ['code-too-large', 'code-too-large-here'];
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
- * @property {Pick<import('./batching.js').Batching, 'plannedSettings'>} batching
+ * @property {Pick<import('./batching.js').Batching, 'plannedSettings' | 'missing'>} batching
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'incomplete' | 'incompleteWords'>} code
  * @property {Pick<import('./jobs.js').Jobs, 'busy'>} jobs  while one runs, it needs the centre
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Placing {
   /** @param {PlacingOptions} options */
-  constructor({ client, model, store, messages, panel, batching, jobs, guard }) {
+  constructor({ client, model, store, messages, panel, batching, code, jobs, guard }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
     this.messages_ = messages;
     this.panel_ = panel;
     this.batching_ = batching;
+    this.code_ = code;
     this.jobs_ = jobs;
     /** Announces another centre. @type {Signal<[]>} */ this.moved = new Signal();
     /** Announces a centre that the program proposes. @type {Signal<[]>} */ this.proposed = new Signal();
@@ -72,6 +74,12 @@ export class Placing {
   /** True if a click on the model may give the code a spot: it does not mend a wrong setting. */
   get asksForSpot() {
     return !this.isHopeless && (this.problem_ === undefined || this.lacksRoom);
+  }
+
+  /** Says what the content lacks to be placed. @returns {import('../i18n/live.js').Words | undefined} */
+  get missing() {
+    const { code_: code } = this;
+    return this.batching_.missing ?? (code.incomplete ? () => asSentence(code.incompleteWords) : undefined);
   }
 
   /** Takes a proposed centre as chosen: from now on a failed placement there is an error. */
@@ -192,6 +200,11 @@ export class Placing {
 
   /** @param {import('../engine/types.js').EngineError} problem */
   sayProblem_(problem) {
+    const { missing } = this;
+    if (missing) {
+      this.messages_.say(missing); // its fields or the list say more
+      return;
+    }
     const guess = this.store_.work.centreIsGuess;
     if (guess && this.isHopeless) {
       this.explain(problem);
@@ -206,14 +219,14 @@ export class Placing {
     if (!this.isSilent_) this.messages_.say(words);
   }
 
-  /** Says why no spot is proposed, and what helps. @param {import('../engine/types.js').EngineError} problem */
+  /** Shows beside the place why no spot is proposed, and what helps. The status refers to it. @param {import('../engine/types.js').EngineError} problem */
   explain(problem) {
+    if (this.missing) return;
     this.isSpotless_ = problem.kind === 'NoSolution';
     this.placed.emit(undefined); // the view no longer asks for a click
+    this.messages_.clearError(); // it says less: the code has no room at its centre
     this.panel_.explain(problem);
-    // A click helps only where nothing better is known: it does not make a model larger or a wall thicker.
-    const help = () => asSentence(hintOf(problem)) || text('page.askForCentre');
-    this.messages_.say(() => `${asSentence(sentenceOf(problem))} ${help()}`);
+    this.messages_.say(() => text('page.placeSaysWhy', { step: text('page.place') }));
   }
 
   /** @param {Placement | undefined} placement @param {import('../engine/types.js').EngineError} [problem] */

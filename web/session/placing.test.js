@@ -15,8 +15,11 @@ import { centredAt } from './work.js';
 
 /** @type {FakeMessages} */ let messages;
 /** @type {any} */ let client;
+/** @type {any} */ let panel;
 /** @type {any} */ let model;
 /** @type {import('./work_store.js').WorkStore} */ let store;
+/** @type {{ incomplete: boolean, incompleteWords: string }} */ let code;
+/** @type {any} */ let batching;
 /** @type {Placing} */ let placing;
 const problem = () => /** @type {any} */ (messages.problem);
 let mayMove = true;
@@ -24,6 +27,7 @@ let moved = 0;
 
 beforeEach(() => {
   messages = new FakeMessages();
+  panel = fake(PlacePanel);
   client = fake(EngineClient, {
     placement: async () => ({ symbolMm: 20 }),
     setCentre: async (/** @type {{ mm: number[] }} */ { mm }) => ({ hit: true, centre: mm }),
@@ -32,13 +36,16 @@ beforeEach(() => {
   store = storeOf();
   mayMove = true;
   moved = 0;
+  code = { incomplete: false, incompleteWords: 'Fill in the fields' };
+  batching = { plannedSettings: async () => ({}), missing: undefined };
   placing = new Placing({
     client,
     model,
     store,
     messages: /** @type {any} */ (messages),
-    panel: fake(PlacePanel),
-    batching: { plannedSettings: async () => /** @type {any} */ ({}) },
+    panel,
+    batching,
+    code,
     jobs: {
       get busy() {
         return !mayMove;
@@ -50,25 +57,37 @@ beforeEach(() => {
 });
 afterEach(() => setLanguage('en'));
 
-test('After a search without a spot, the status says why and what to do', async () => {
-  await messageWords.load();
-  placing.explain({ kind: 'NoSolution', ...message('larger-or-flatter') });
-  assert.equal(
-    messages.said.at(-1),
-    'Choose a larger or flatter model, or shorten the text. Click the model where the code should go.',
-  );
+test('After a search without a spot only the panel says why: the status refers to it, and no error repeats it', async () => {
+  await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([0, 0, 0]) }));
+  messages.showError(message('code-too-large-here'));
+  placing.explain({ kind: 'NoSolution', ...message('no-spot-so-large') });
+  assert.equal(messages.said.at(-1), 'The code has no spot yet: “Place” says why.');
+  assert.equal(problem(), undefined);
+  assert.match(panel.calls.at(-1) ?? '', /^explain/);
 });
 
-test('A search without a spot gives the hint of its reason, not the advice to click', async () => {
-  await messageWords.load();
+test('An incomplete text takes the code off the model; the status says so, and the fields say what is missing', async () => {
+  await placing.begin();
+  await placing.propose({ spot: 0 });
+  placing.confirmCentre();
+  client.answers.placement = async () => {
+    throw new EngineFailure({ kind: 'BadUsage', ...message('text-empty') });
+  };
+  code.incomplete = true;
+  await placing.place(true);
+  assert.equal(placing.placement, undefined);
+  assert.equal(messages.said.at(-1), 'Fill in the fields.');
+  batching.missing = () => 'The list has a problem.';
+  await placing.place();
+  assert.equal(messages.said.at(-1), 'The list has a problem.');
+  assert.equal(problem(), undefined);
+});
+
+test('After a search without a spot the view asks for no click', () => {
   /** @type {boolean[]} */ const announced = [];
   placing.placed.on(() => announced.push(placing.isHopeless));
   placing.explain({ kind: 'NoSolution', code: 'nothing-can-be-carved', values: { wall: { lengthMm: 0.8 } } });
   assert.deepEqual(announced, [true]); // the view's own request for a click disappears
-  assert.equal(
-    messages.said.at(-1),
-    'The wall is too thin here: engraving would leave less than 0.8\u00A0mm of material. Choose a thicker spot, or use a second colour (“Made by”).',
-  );
 });
 
 test('A model without a centre starts at the module’s proposal', async () => {
@@ -94,7 +113,6 @@ test('A proposed centre without room asks for another; a chosen one is an error'
 });
 
 test('A model that is too small for any code says so at its proposed centre, and asks for no other', async () => {
-  await messageWords.load();
   client.answers.placement = async () => {
     throw noRoom();
   };
@@ -106,7 +124,8 @@ test('A model that is too small for any code says so at its proposed centre, and
   };
   await placing.begin();
   assert.deepEqual([placing.lacksRoom, placing.isHopeless], [true, true]);
-  assert.match(messages.said.at(-1) ?? '', /^The model is too small for any code/);
+  assert.match(panel.calls.at(-1) ?? '', /^explain/);
+  assert.match(messages.said.at(-1) ?? '', /“Place” says why/);
   assert.equal(problem(), undefined);
 });
 

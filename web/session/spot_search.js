@@ -165,6 +165,11 @@ export class SpotSearch {
     if (this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
     this.panel_.clear();
+    const { missing } = this.placing_;
+    if (missing) {
+      this.messages_.say(missing);
+      return;
+    }
     await this.client_.configure(this.batching_.settings());
     this.searching_ = true;
     try {

@@ -192,6 +192,13 @@ test('A model without a spot keeps the first proposal', async () => {
   assert.deepEqual(placing.calls, ['place']);
 });
 
+test('Without a complete text or list no spots are searched, and the status says what is missing', async () => {
+  placing.answers.missing = () => () => 'Open, drop or paste a list.';
+  await spots.suggest();
+  assert.equal(messages.said.at(-1), 'Open, drop or paste a list.');
+  assert.deepEqual(client.calls, []);
+});
+
 test('A cancelled search says so while the module is still busy', async () => {
   const suggested = spots.suggest();
   await settled();

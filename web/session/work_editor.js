@@ -57,6 +57,7 @@ export class WorkEditor {
       onInput: (content) => store.update({ text: content }),
       onMakes: (content) => store.update(({ settings }) => ({ settings: { ...settings, content } })),
       onChange: () => guard(() => this.apply('text')),
+      onIncomplete: () => guard(() => placing.place(true)), // no edit to undo or keep: the code only leaves the model
     });
     batchPanel.listen({
       onChange: (input) => guard(() => this.useParts(input)),
@@ -83,7 +84,7 @@ export class WorkEditor {
     await this.spots_.forget();
     await this.placing_.place();
     this.spots_.proposeAgain();
-    if (!this.placing_.placement) await this.batching_.explainMissingCode();
+    if (!this.placing_.placement && !this.placing_.missing) await this.batching_.explainMissingCode();
   }
 
   /** Changes settings, and those that follow them. @param {WorkSettings} change  the first one is the edited one */

@@ -24,8 +24,8 @@ import { showStep } from './steps.js';
 /**
  * @typedef {object} CodeListener
  * @property {(content: string) => void} onInput  the user has changed the text
- * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
- *   lacks a field
+ * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused
+ * @property {() => Promise<unknown>} onIncomplete  in place of onChange, while a required field is missing or wrong
  * @property {(makes: 'code' | 'text') => void} onMakes  the user wants a code, or the text alone; onInput follows
  */
 
@@ -41,7 +41,9 @@ export class CodePanel {
     /** @type {'code' | 'text'} */ this.makes_ = 'code';
     /** @type {Parts | undefined} */ this.parts_ = undefined;
     /** @type {Placement | undefined} */ this.placement_ = undefined;
-    this.pause_ = new TypingPause(() => this.listener_?.onChange());
+    this.pause_ = new TypingPause(() =>
+      this.incomplete ? this.listener_?.onIncomplete() : this.listener_?.onChange(),
+    );
     this.builder_ = new ContentPanel({
       onPayload: (payload) => this.take_(payload),
       onPlain: () => this.restorePlain_(),
@@ -117,7 +119,8 @@ export class CodePanel {
     return this.makes_ === 'text' && this.content_.trim() === '';
   }
 
-  get incompleteWords_() {
+  /** Says what is missing. */
+  get incompleteWords() {
     return text(this.makes_ === 'text' ? 'code.letters.needed' : 'code.incomplete');
   }
 
@@ -133,7 +136,7 @@ export class CodePanel {
     this.refresh();
     if (this.parts_)
       showStep('code', this.parts_.isWrong ? 'bad' : this.parts_.first ? 'done' : 'open', this.parts_.words);
-    else if (this.incomplete) showStep('code', 'open', () => this.incompleteWords_);
+    else if (this.incomplete) showStep('code', 'open', () => this.incompleteWords);
     else if (placement)
       showStep('code', 'done', () =>
         placement.capitalMm === null
@@ -154,9 +157,8 @@ export class CodePanel {
   changed_(content) {
     this.set_(content);
     this.listener_?.onInput(content);
-    this.pause_.forget();
-    if (this.incomplete) showStep('code', 'open', () => this.incompleteWords_);
-    else this.pause_.typed();
+    if (this.incomplete) showStep('code', 'open', () => this.incompleteWords);
+    this.pause_.typed();
   }
 
   /** Applies the typed text now instead of after the pause. */
