@@ -285,15 +285,17 @@ void BatchPlan::checkRows() {
              [](const BatchRow& row, std::uint32_t other) {
                return message<"text-twice">(with::quoted<"text">(row.request.code.text), with::index<"other">(other));
              });
+  const std::size_t known = problems_.size();
+  checkTwice([](const BatchRow& row) { return row.id; },
+             [](const BatchRow& row, std::uint32_t other) {
+               return message<"id-twice">(with::quoted<"id">(row.id), with::index<"other">(other));
+             });
+  if (problems_.size() > known) return;  // the file names made of these ids would repeat the problem
   checkTwice([](const BatchRow& row) { return caseFolded(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
                return message<"name-twice">(with::quoted<"name">(row.file), with::index<"other">(other));
              });
   checkSecondFiles();
-  checkTwice([](const BatchRow& row) { return row.id; },
-             [](const BatchRow& row, std::uint32_t other) {
-               return message<"id-twice">(with::quoted<"id">(row.id), with::index<"other">(other));
-             });
 }
 
 /// Finds duplicates by their hashes, because all texts of a million rows would take too much memory. Where hashes

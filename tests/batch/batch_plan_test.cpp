@@ -158,6 +158,7 @@ TEST(BatchPlan, RefusesDuplicateTextsNamesAndIds) {
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n3,a\n")), ElementsAre("4 text-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n2,b,X.STL\n")), ElementsAre("3 name-twice"));
   EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n1,b,y.stl\n")), ElementsAre("3 id-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n1,b\n")), ElementsAre("3 id-twice")) << "1.stl twice follows from it";
   EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n", "the same")), ElementsAre("3 text-twice"));
 }
 
