@@ -2,6 +2,7 @@
 // Opens models: keeps the source in the work, so that it can be opened again, and holds the module's findings.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
+import { modelName } from '../i18n/model_name.js';
 import { fetchBytes } from './fetch_file.js';
 import { centredAt, chosenCentre } from './work.js';
 
@@ -85,7 +86,16 @@ export class ModelSession {
       if (!this.source) this.messages_.say(() => text('page.chooseModel'));
       return;
     }
-    const bytes = await fetchBytes(`samples/${sample.file}`);
+    const bytes = await fetchBytes(`samples/${sample.file}`).catch(() => undefined);
+    if (!bytes) {
+      this.messages_.showError({
+        found: () => text('page.sampleNotLoaded', { name: modelName({ sampleId: id, fileName: sample.file }) }),
+        help: () => text('page.sampleNotLoadedHint'),
+      });
+      if (!this.source) this.messages_.say(() => text('page.chooseModel'));
+      this.show_(); // the chosen name is not the model's
+      return;
+    }
     const { centreMm, ...instead } = { centreMm: sample.centreMm, ...place };
     await this.load(
       { bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, ...instead },

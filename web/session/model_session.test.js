@@ -108,6 +108,16 @@ test('An unknown sample is named with the known ones, and nothing is read', asyn
   assert.equal(model.source, undefined);
 });
 
+test('A sample that cannot be fetched is named with its remedy, and the model stays', async (context) => {
+  await model.load(kSource);
+  model.setSamples([{ id: 'vase', name: 'Vase', file: 'vase.stl', centreMm: [0, 0, 0], credit: '' }]);
+  context.mock.method(globalThis, 'fetch', () => Promise.reject(new TypeError('Failed to fetch')));
+  await model.openSample('vase');
+  assert.equal(messages.problem.found(), 'The sample “Vase” could not be loaded');
+  assert.match(messages.problem.help(), /^Check your connection/);
+  assert.equal(model.source?.fileName, 'a.stl');
+});
+
 test('A new model starts with settings made for it, unless it cannot be read', async () => {
   store.update({ settings: { size: 24.6 } });
   const opens = () =>
