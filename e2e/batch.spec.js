@@ -155,6 +155,7 @@ test('A list becomes one code per part, across a reload, and a ZIP has the parts
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
     await poll(finished).toBeGreaterThanOrEqual(before);
     await expect(state).toHaveText('4 engraved, 1 failed');
+    await expect(app.status).toHaveText('4 engraved, 1 failed.');
     await expect(rows.filter({ hasText: 'Done' })).toHaveCount(4);
     for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);
   });

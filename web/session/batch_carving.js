@@ -10,7 +10,9 @@ import { EngineFailure, describeThrown, internal } from '../engine/engine_error.
 import { message } from '../engine/message.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
+import { asSentence } from '../i18n/sentences.js';
 import { modelName } from '../i18n/model_name.js';
+import { overWords } from '../ui/parts_panel.js';
 import { storedWork } from './work.js';
 
 /** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
@@ -198,11 +200,11 @@ export class BatchCarving {
     const { messages } = this.options_;
     this.showProgress_();
     if (problem) messages.showError(problem);
-    const { finished } = this.state_;
+    const { state_: state } = this;
     const { rows: count } = /** @type {Open} */ (this.open_).record;
-    messages.say(() =>
-      this.phase_ === 'over' ? text('batch.over', { count }) : text('batch.stopped', { finished, count }),
-    );
+    const { finished } = state;
+    const isOver = this.phase_ === 'over';
+    messages.say(() => asSentence(isOver ? overWords(state) : text('batch.stopped', { finished, count })));
   }
 
   /** @returns {Phase} */

@@ -123,13 +123,11 @@ export class PartsPanel {
     const left =
       phase === 'carving' && remainingMs !== null ? text('batch.left', { time: durationOf(remainingMs) }) : '';
     const words =
-      phase === 'over' && failed
-        ? text('batch.overFailed', { done, failed: failures })
-        : phase === 'over'
-          ? text('batch.over', { count })
-          : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left]
-              .filter(Boolean)
-              .join('; ');
+      phase === 'over'
+        ? overWords({ done, failed: failures })
+        : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left]
+            .filter(Boolean)
+            .join('; ');
     showStep('parts', phase !== 'over' ? 'open' : failures > 0 ? 'warn' : 'done', () => words);
     this.showTable_(tracker, count);
   }
@@ -164,6 +162,10 @@ export class PartsPanel {
     }, kTableMs);
   }
 }
+
+/** Says how many parts a finished batch has made. @param {{ done: number, failed: number }} parts */
+export const overWords = ({ done, failed }) =>
+  failed > 0 ? text('batch.overFailed', { done, failed }) : text('batch.over', { count: done });
 
 /** Names the download, so that nobody takes some of the parts for all. @param {{ done: number, count: number }} parts */
 export const downloadWords = ({ done, count }) =>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { downloadWords, durationOf } from './parts_panel.js';
+import { downloadWords, durationOf, overWords } from './parts_panel.js';
 
 test('The remaining time is worded as people say it', () => {
   const minute = 60_000,
@@ -18,6 +18,11 @@ test('The remaining time is worded as people say it', () => {
     [25 * hour, '25 hours'],
   ]);
   for (const [ms, words] of said) assert.equal(durationOf(ms), words);
+});
+
+test('A finished batch does not count failed parts as engraved', () => {
+  assert.equal(overWords({ done: 3, failed: 0 }), '3 parts are engraved');
+  assert.equal(overWords({ done: 2, failed: 1 }), '2 engraved, 1 failed');
 });
 
 test('The download says how many parts it gives until all are done', () => {
