@@ -93,7 +93,7 @@ test('A carving too fine for the nozzle offers remedies, and a click on one sets
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
   const before = await app.placement.innerText();
   await verdict.getByRole('button', { name: /^Allow \d+\smm$/ }).click();
-  await expect(app.status).toHaveText(/^Allow (\d+)\smm: set “At most \(mm\)” to \1\. Engrave again\.$/);
+  await expect(app.status).toHaveText(/^Allow (\d+)\smm: set “At most \(mm\)” to \1\.$/);
   expect(await app.placement.innerText()).not.toBe(before);
   await expect(app.result).toContainText('Made before your last change');
 
