@@ -177,7 +177,7 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   options.minSizeMm = leastSizeMm;
   options.enoughMm = std::max(wantedMm(request), request.placement.maxSizeMm) * outer;
   candidates.clear();
-  for (SpotCandidate& spot : spotCandidates(*result.map, options)) candidates.push_back({std::move(spot)});
+  for (const SpotCandidate& spot : spotCandidates(*result.map, options)) candidates.push_back({spot});
   candidate = 0;
   screened = deferred = recalled = 0;
   isOrderedByLayers = false;

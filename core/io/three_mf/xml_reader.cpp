@@ -137,7 +137,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   };
 
   XML_Index fed = 0;
-  for (auto piece = stream.next(), following = piece;; piece = std::move(following)) {
+  for (auto piece = stream.next(), following = piece;; piece = following) {
     QRELIEF_TRY(piece);
     const bool more = !piece->empty();
     XML_Status parsed = XML_STATUS_OK;
