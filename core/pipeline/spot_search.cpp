@@ -68,7 +68,7 @@ int centreDecimals(double scaleToMm) {
 
 struct SpotSearchJob::State {
   struct Candidate : SpotCandidate {
-    std::optional<bool> isDoubtful = {};  ///< none: not found out
+    std::optional<bool> isDoubtful = {};  ///< none: not screened yet
   };
   /// The test of a candidate, and its last answer.
   struct Trial {
@@ -199,7 +199,7 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
 }
 
 /// Screens a candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
-/// @param end  candidates before this one will be screened next; some of them are looked at already, at the same time
+/// @param end  the candidates before it will be screened next; up to kMostTrials of them are screened in parallel
 /// @returns false if the candidate at that index needs no screening
 bool SpotSearchJob::State::screen(std::size_t at, std::size_t end) {
   const std::size_t unscreened = likely - deferred;

@@ -314,7 +314,7 @@ TEST_F(VerifyTest, RefusesAReportWithoutAPlaceByTheMissingKey) {
   EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("20 rows"));
 }
 
-TEST_F(VerifyTest, RefusesAReportWhoseRowsAreNoCodeOfItsText) {
+TEST_F(VerifyTest, RefusesAReportWhoseSymbolDoesNotEncodeItsText) {
   const auto fine = nlohmann::json::parse(good().report);
   const auto errorOf = [&](auto change) {
     nlohmann::json report = fine;
@@ -326,9 +326,9 @@ TEST_F(VerifyTest, RefusesAReportWhoseRowsAreNoCodeOfItsText) {
     auto& rows = report["symbol"]["rows"];
     for (std::size_t row = firstRow; row < rows.size(); ++row) rows[row] = std::string(rows.size(), module);
   };
-  const char* const kNoCode = "is no code of the report";
-  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '0'); }), HasSubstr(kNoCode));
-  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '1'); }), HasSubstr(kNoCode));
+  const char* const kOtherText = "does not encode its text";
+  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '0'); }), HasSubstr(kOtherText));
+  EXPECT_THAT(errorOf([&](auto& report) { setAll(report, 0, '1'); }), HasSubstr(kOtherText));
   EXPECT_THAT(errorOf([](auto& report) {
                 std::string row = report["symbol"]["rows"][0];
                 row[0] = '0';
@@ -343,9 +343,9 @@ TEST_F(VerifyTest, RefusesAReportWhoseRowsAreNoCodeOfItsText) {
                   report["symbol"]["rows"][i] = row;
                 }
               }),
-              HasSubstr(kNoCode))
+              HasSubstr(kOtherText))
       << "data alone, more than error correction restores";
-  EXPECT_THAT(errorOf([](auto& report) { report["text"] = "another"; }), HasSubstr(kNoCode));
+  EXPECT_THAT(errorOf([](auto& report) { report["text"] = "another"; }), HasSubstr(kOtherText));
   EXPECT_EQ(errorOf([](auto& report) {
               std::string row = report["symbol"]["rows"][20];
               row[20] = row[20] == '1' ? '0' : '1';

@@ -54,7 +54,7 @@ export class Batching {
     return this.input !== undefined && this.planned?.first === undefined;
   }
 
-  /** Says why there is no part to place yet; undefined: there is one, or a single code. */
+  /** Says what the list lacks for placing its first part; undefined: nothing, or there is no list. */
   get missing() {
     const { planned } = this;
     return this.incomplete && planned ? () => asSentence(plannedWords(planned)) : undefined;

@@ -129,7 +129,7 @@ test('A list with problems has no first part', async () => {
   await batching.ready();
   assert.equal(batching.incomplete, true);
   assert.equal(plannedWords(planned[0]), 'The list has 2 problems or more');
-  assert.equal(batching.settings().text, ''); // the text of the single code is no part
+  assert.equal(batching.settings().text, ''); // not the text of the single code
   assert.equal(batching.missing?.(), 'The list has 2 problems or more.');
 });
 
