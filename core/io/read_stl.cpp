@@ -160,7 +160,7 @@ class AsciiReader {
         QRELIEF_TRY(readFacet());
       } else if (isKeywordOfSolids(word)) {
         return unexpected(word, insideSolid ? message<"stl-wants-facet">() : wantsKeyword("solid"));
-      } else {  // colours or attributes, which some programs write, or the footer of a mail
+      } else {  // colours or attributes, which some programs write, or a footer added by a mail server
         if (++linesSkipped_ == 1) firstLineSkipped_ = scanner_.line();
         scanner_.restOfLine();
       }

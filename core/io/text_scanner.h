@@ -12,15 +12,15 @@ namespace qrelief {
 /// Returns the bytes as text, without a UTF-8 byte order mark.
 std::string_view textOf(std::span<const std::uint8_t> bytes);
 
-/// Returns the text with its ASCII capitals as small letters.
+/// Returns the text with its ASCII letters in lower case.
 std::string lowerCase(std::string_view text);
 
 /// Returns the text without padding at its end: NUL bytes, which fill up a block, and Ctrl-Z, which marks the end under
 /// DOS.
 std::string_view withoutPadding(std::string_view text);
 
-/// Walks through text word by word and counts lines: LF, CR LF and CR all end one. Padding at the end of the text is no
-/// part of it.
+/// Walks through text word by word and counts lines: LF, CR LF and CR all end one. Ignores padding at the end
+/// (withoutPadding()).
 class TextScanner {
  public:
   /// @param comment  character that begins a comment at the start of a word; the comment ends with the line. 0 for none
